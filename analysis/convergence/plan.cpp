@@ -93,6 +93,9 @@ const std::vector<OptionRow>& option_rows() {
            [](Configuration& configuration) {
              configuration.light_sampling.selection = LightSelection::by_power_alone;
            }},
+      {.name = "no-learning",
+       .suffix = ", nothing learned",
+       .apply = [](Configuration& configuration) { configuration.light_sampling.learns = false; }},
       {.name = "uniform-lights",
        .suffix = ", lights uniformly",
        .apply =
@@ -180,6 +183,7 @@ void Subject::add_tracers_for(const std::vector<Configuration>& configurations,
       other_tracers.push_back(
           {.light_sampling = configuration.light_sampling,
            .tracer = PathTracer(loaded.scene, workers, configuration.light_sampling)});
+      other_tracers.back().tracer.learn_lights(loaded.camera.position, workers);
     }
   }
 }

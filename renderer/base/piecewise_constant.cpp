@@ -102,6 +102,15 @@ PiecewiseConstant2D::Point PiecewiseConstant2D::sample(const Vec2& u) const {
           .probability = probability(column.index, row.index)};
 }
 
+Vec2 PiecewiseConstant2D::place_of(const Point& point) const {
+  const auto place = [](std::span<const float> sums, std::size_t index, float within) {
+    const float lower = index == 0 ? 0.0F : sums[index - 1];
+    return lower + within * (sums[index] - lower);
+  };
+  return {place(columns_.sums(point.row), point.column, point.within.x),
+          place(row_.sums(0), point.row, point.within.y)};
+}
+
 float PiecewiseConstant2D::probability(std::size_t column, std::size_t row) const {
   return probability_of(row_.sums(0), row) * probability_of(columns_.sums(row), column);
 }

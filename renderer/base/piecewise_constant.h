@@ -28,6 +28,10 @@ class PiecewiseConstant2D {
   /// u: in the unit square. Neighbouring u give neighbouring points.
   Point sample(const Vec2& u) const;
 
+  /// The u that gives a point (whose probability need not be known); anything in cells that are
+  /// never drawn.
+  Vec2 place_of(const Point& point) const;
+
   /// The probability that sample() draws this cell.
   float probability(std::size_t column, std::size_t row) const;
 

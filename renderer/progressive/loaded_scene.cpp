@@ -134,6 +134,12 @@ LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, doubl
       warnings(scene.warnings),
       camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)),
       camera_is_enclosed(is_enclosed(tracer.ray_scene(), camera.position)) {
+  if (choices.learns_lights) {
+    const SteadyClock clock;
+    const Nanoseconds start = clock.now();
+    tracer.learn_lights(camera.position, workers);
+    build_seconds += seconds(clock.now() - start);
+  }
   for (std::string& lack : lacks_of(scene, camera_is_enclosed)) {
     warnings.push_back(std::move(lack));
   }

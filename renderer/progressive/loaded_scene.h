@@ -25,6 +25,8 @@ struct SceneChoices {
   /// The field of view of the picture that a place to stand is chosen for.
   std::optional<FieldOfView> framed_for;  ///< default: the usual picture's
   bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
+  /// Which lights reach where is learned from the camera's place (see PathTracer::learn_lights).
+  bool learns_lights = true;
 };
 
 /// What loading and building a scene made, kept for its next version.

@@ -221,6 +221,9 @@ void BlockTracer::add_unblocked_light() {
   counts_.shadow += shadow_rays_.size();
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (shadow_rays_.is_blocked(i)) {
+      if (notes_.light_outcomes != nullptr) {
+        (*notes_.light_outcomes)[pending_outcomes_[i]].gain = 0.0F;
+      }
       continue;
     }
     if (shadow_rays_.met_thin_surface(i)) {
@@ -229,6 +232,7 @@ void BlockTracer::add_unblocked_light() {
     radiance_[pending_[i].job] += pending_[i].radiance;
   }
   pending_.clear();
+  pending_outcomes_.clear();
   shadow_rays_.clear();
 }
 

@@ -29,6 +29,8 @@ namespace foveola {
 struct TraceNotes {
   std::vector<PathVertex>* vertices = nullptr;
   RayLog* rays = nullptr;
+  /// Of all light samples. Every vertex then takes the general path.
+  std::vector<LightOutcome>* light_outcomes = nullptr;
 };
 
 /// Traces one block of jobs. renderer/MATERIALS.md says what happens at each kind of surface.
@@ -41,7 +43,8 @@ class BlockTracer {
   BlockTracer(const TracedScene& traced, const TraceSettings& settings, TraceNotes notes = {})
       : traced_(traced),
         settings_(settings),
-        takes_general_path_(settings.uses_general_path || settings.light_samples_alone ||
+        takes_general_path_(settings.uses_general_path || notes.light_outcomes != nullptr ||
+                            settings.light_samples_alone ||
                             settings.largest_light_sample < std::numeric_limits<float>::infinity()),
         light_samples_weighed_(settings.light_samples_alone ? overwhelmingly_many : 1.0F),
         notes_(notes),
@@ -133,9 +136,11 @@ class BlockTracer {
   void apply_normal_maps(const Group& group, const Vec3s& direction, const LaneMask& lanes,
                          SurfacePoints& points) const;
   void queue_lights(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
-                    const Frames& frames, const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
+                    const ShadingPoints& shading_points, const Frames& frames,
+                    const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
   LaneMask send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
-                const Frames& frames, const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
+                const ShadingPoints& shading_points, const Frames& frames,
+                const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
 
   /// The lanes whose new values are finite, as above.
   LaneMask finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
@@ -159,7 +164,8 @@ class BlockTracer {
   std::unique_ptr<PathStates> paths_;
   std::unique_ptr<PathHits> hits_;
   RayStream shadow_rays_;
-  std::vector<PendingLight> pending_;  ///< one a shadow ray
+  std::vector<PendingLight> pending_;          ///< one a shadow ray
+  std::vector<std::size_t> pending_outcomes_;  ///< that wait for them, where they are noted
   RayCounts counts_;
 };
 

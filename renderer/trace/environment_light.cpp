@@ -148,6 +148,20 @@ DistantLight EnvironmentLight::at(const Vec3& direction) const {
           .pdf = pdf_in(cell.row, cells_->probability(cell.column, cell.row))};
 }
 
+Vec2 EnvironmentLight::place_of(const Vec3& direction) const {
+  if (!cells_) {
+    const float azimuth = turns_of(direction.x, -direction.z);
+    return {azimuth < 0.0F ? azimuth + 1.0F : azimuth, 0.5F - 0.5F * direction.y};
+  }
+  const Cell cell = cell_at(environment_, map_position(environment_, map_from_world(direction)));
+  const double upper = border_sines_[cell.row];
+  const double lower = border_sines_[cell.row + 1];
+  const auto within_row = static_cast<float>((upper - direction.y) / (upper - lower));
+  return cells_->place_of({.column = cell.column,
+                           .row = cell.row,
+                           .within = {cell.within.x, std::clamp(within_row, 0.0F, 1.0F)}});
+}
+
 EnvironmentLight::Sample EnvironmentLight::sample(const Vec2& u) const {
   if (!cells_) {
     return {.direction = direction_at(u.x, 1.0 - 2.0 * u.y),

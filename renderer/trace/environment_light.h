@@ -28,7 +28,11 @@ class EnvironmentLight {
     Vec3 direction{0.0F};
     DistantLight light;
   };
+  /// u: in the unit square. Neighbouring u give neighbouring directions.
   Sample sample(const Vec2& u) const;
+
+  /// The u with which sample() draws this direction, but for rounding.
+  Vec2 place_of(const Vec3& direction) const;
 
   /// The luminance summed over all directions, in the unit of radiance times steradian.
   double total_luminance() const { return total_luminance_; }

@@ -34,8 +34,12 @@ LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
   const Frames frames(points.shading_normal);
   const Vec3s outgoing = chosen(lanes, frames.to_local(-direction), all_lanes(straight_up));
   const FastPathBsdfs bsdfs(layers, outgoing, traced_.tables.ggx());
-  queue_lights(group, lanes, points, frames, bsdfs, numbers);
-  return goes_on | send(group, lanes, points, frames, bsdfs, numbers);
+  ShadingPoints shading_points;
+  shading_points.position.store(points.position);
+  shading_points.normal.store(points.geometric_normal);
+  shading_points.region.store(traced_.lights.regions_of(points.position, points.geometric_normal));
+  queue_lights(group, lanes, points, shading_points, frames, bsdfs, numbers);
+  return goes_on | send(group, lanes, points, shading_points, frames, bsdfs, numbers);
 }
 
 FastPathLayersLanes BlockTracer::layers_of(const Group& group, const SurfacePoints& points,
@@ -80,14 +84,12 @@ void BlockTracer::apply_normal_maps(const Group& group, const Vec3s& direction,
 }
 
 void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
-                               const SurfacePoints& points, const Frames& frames,
-                               const FastPathBsdfs& bsdfs, const GroupNumbers& numbers) {
+                               const SurfacePoints& points, const ShadingPoints& shading_points,
+                               const Frames& frames, const FastPathBsdfs& bsdfs,
+                               const GroupNumbers& numbers) {
   if (traced_.lights.empty()) {
     return;
   }
-  ShadingPoints shading_points;
-  shading_points.position.store(points.position);
-  shading_points.normal.store(points.geometric_normal);
   const LightSamples light = traced_.lights.sample(shading_points, numbers.light, lanes);
   const Vec3s incoming = frames.to_local(light.direction);
   LaneMask arrives = lanes & (light.pdf != 0.0F) & ~(incoming.z <= 0.0F) &
@@ -110,8 +112,8 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
 }
 
 LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
-                           const Frames& frames, const FastPathBsdfs& bsdfs,
-                           const GroupNumbers& numbers) {
+                           const ShadingPoints& shading_points, const Frames& frames,
+                           const FastPathBsdfs& bsdfs, const GroupNumbers& numbers) {
   PathStates& paths = *paths_;
   const std::size_t first = group.first;
   const auto sample = bsdfs.sample(numbers.lobe, numbers.scattering);
@@ -135,6 +137,7 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
   paths.shading_point_position.store(first, goes_on, points.position);
   paths.shading_point_normal.store(first, goes_on, points.geometric_normal);
   paths.shading_point_transmits.store(first, goes_on, Uints{});
+  paths.shading_point_region.store(first, goes_on, shading_points.region.load());
   paths.key.store(first, goes_on, numbers.next_key);
   const Floats spread = paths.spread_rad.load(first);
   paths.width_m.store(first, goes_on, paths.width_m.load(first) + spread * hits_->t.load(first));

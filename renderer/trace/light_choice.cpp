@@ -19,21 +19,22 @@ LightChoice::LightChoice(std::span<const double> powers, std::span<const LightBo
   }
 }
 
-std::optional<ChosenLight> LightChoice::sample(const ShadingPoint& shading_point,
-                                               const Vec2& u) const {
+std::optional<ChosenLight> LightChoice::sample(const ShadingPoint& shading_point, const Vec2& u,
+                                               const LightTree::Preferences* preferences) const {
   if (const Table* table = std::get_if<Table>(&method_)) {
     const std::size_t light = table->alias.sample(u);
     return ChosenLight{light, table->probabilities[light]};
   }
   // Both numbers are one with twice the digits: deep in a large tree 24 bits do not suffice.
-  return std::get<LightTree>(method_).sample(shading_point, u.x + 0x1p-24 * u.y);
+  return std::get<LightTree>(method_).sample(shading_point, u.x + 0x1p-24 * u.y, preferences);
 }
 
-float LightChoice::probability(const ShadingPoint& shading_point, std::size_t light) const {
+float LightChoice::probability(const ShadingPoint& shading_point, std::size_t light,
+                               const LightTree::Preferences* preferences) const {
   if (const Table* table = std::get_if<Table>(&method_)) {
     return table->probabilities[light];
   }
-  return std::get<LightTree>(method_).probability(shading_point, light);
+  return std::get<LightTree>(method_).probability(shading_point, light, preferences);
 }
 
 }  // namespace foveola

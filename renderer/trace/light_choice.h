@@ -26,11 +26,17 @@ class LightChoice {
   LightChoice(std::span<const double> powers, std::span<const LightBounds> bounds,
               std::size_t most_in_table);
 
-  /// u: in the unit square. Empty if no light can reach the shading point.
-  std::optional<ChosenLight> sample(const ShadingPoint& shading_point, const Vec2& u) const;
+  /// u: in the unit square. Empty if no light can reach the shading point. preferences: the tree's,
+  /// or null.
+  std::optional<ChosenLight> sample(const ShadingPoint& shading_point, const Vec2& u,
+                                    const LightTree::Preferences* preferences) const;
 
   /// With which probability sample() draws this light.
-  float probability(const ShadingPoint& shading_point, std::size_t light) const;
+  float probability(const ShadingPoint& shading_point, std::size_t light,
+                    const LightTree::Preferences* preferences) const;
+
+  /// Null: lights are drawn from the table.
+  const LightTree* tree() const { return std::get_if<LightTree>(&method_); }
 
  private:
   struct Table {

@@ -21,6 +21,9 @@ struct LightSampling {
   /// Directions to the environment have the density cosine / pi around the surface's normal,
   /// wherever the sky is bright.
   bool environment_by_cosine = false;
+  /// Of the usual selection, which lights reach which part of the scene is learned: see
+  /// PathTracer::learn_lights().
+  bool learns = true;
 
   bool operator==(const LightSampling&) const = default;
 };

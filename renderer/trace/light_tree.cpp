@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 
@@ -67,7 +68,11 @@ class LightTree::Builder {
   void build() {
     assert(!order_.empty());
     tree_.leaf_of_light_.assign(lights_.size(), Place{});
-    add_node(group_of(order_, 0), Place{});
+    std::deque<Group> waiting;
+    add_node(group_of(order_, 0), Place{}, waiting);
+    for (std::uint32_t node = 0; !waiting.empty(); ++node) {
+      fill_node(node, waiting);
+    }
   }
 
  private:
@@ -86,11 +91,19 @@ class LightTree::Builder {
     return {items, bounds, depth};
   }
 
-  /// Adds a node for `group` and all below it; returns its index.
-  std::uint32_t add_node(const Group& group, const Place& parent) {
+  /// Adds an empty node for a group, which waits to be put below it; returns its index.
+  std::uint32_t add_node(const Group& group, const Place& parent, std::deque<Group>& waiting) {
     const auto index = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_.emplace_back();
     tree_.parent_of_node_.push_back(parent);
+    waiting.push_back(group);
+    return index;
+  }
+
+  /// Puts the group that has waited longest below its node, which is this one.
+  void fill_node(std::uint32_t index, std::deque<Group>& waiting) {
+    const Group group = waiting.front();
+    waiting.pop_front();
     const std::vector<Group> children = children_of(group);
     for (std::uint32_t lane = 0; lane < children.size(); ++lane) {
       fill(tree_.nodes_[index], lane, children[lane].bounds, group.bounds.intensity);
@@ -101,11 +114,10 @@ class LightTree::Builder {
         tree_.leaf_of_light_[child] = place;
         child |= leaf_flag;
       } else {
-        child = add_node(children[lane], place);
+        child = add_node(children[lane], place, waiting);
       }
       tree_.nodes_[index].child[lane] = child;
     }
-    return index;
   }
 
   /// Splits what costs most, until there are enough.
@@ -293,13 +305,25 @@ LightTree::Lanes LightTree::importance(const Node& node, const ShadingPoint& sha
   return result;
 }
 
-std::optional<ChosenLight> LightTree::sample(const ShadingPoint& shading_point, double u) const {
+LightTree::Lanes LightTree::weights(std::uint32_t node, const ShadingPoint& shading_point,
+                                    const Preferences* preferences) const {
+  Lanes weights = importance(nodes_[node], shading_point);
+  if (preferences != nullptr && node < preferring_nodes) {
+    for (std::size_t i = 0; i < width; ++i) {
+      weights[i] *= (*preferences)[node][i];
+    }
+  }
+  return weights;
+}
+
+std::optional<ChosenLight> LightTree::sample(const ShadingPoint& shading_point, double u,
+                                             const Preferences* preferences) const {
   constexpr double below_one = 1.0 - std::numeric_limits<double>::epsilon() / 2.0;
   std::uint32_t child = 0;
   double probability = 1.0;
   do {
     const Node& node = nodes_[child];
-    const Lanes weights = importance(node, shading_point);
+    const Lanes weights = this->weights(child, shading_point, preferences);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     if (!(sum > 0.0)) {
       return std::nullopt;
@@ -323,11 +347,12 @@ std::optional<ChosenLight> LightTree::sample(const ShadingPoint& shading_point, 
   return ChosenLight{child & ~leaf_flag, static_cast<float>(probability)};
 }
 
-float LightTree::probability(const ShadingPoint& shading_point, std::size_t light) const {
+float LightTree::probability(const ShadingPoint& shading_point, std::size_t light,
+                             const Preferences* preferences) const {
   Place place = leaf_of_light_[light];
   double probability = place.node == nowhere ? 0.0 : 1.0;
   while (place.node != nowhere && probability > 0.0) {
-    const Lanes weights = importance(nodes_[place.node], shading_point);
+    const Lanes weights = this->weights(place.node, shading_point, preferences);
     const double own = weights[place.lane];
     probability =
         own > 0.0 ? probability * own / std::accumulate(weights.begin(), weights.end(), 0.0) : 0.0;

@@ -31,17 +31,35 @@ class LightTree {
   /// them without intensity.
   explicit LightTree(std::span<const LightBounds> lights);
 
-  /// u in [0, 1). Empty if no light can reach the shading point, or that turned out on the way
-  /// down.
-  std::optional<ChosenLight> sample(const ShadingPoint& shading_point, double u) const;
-
-  /// With which probability sample() draws this light.
-  float probability(const ShadingPoint& shading_point, std::size_t light) const;
-
- private:
   static constexpr std::size_t width = 8;
   using Lanes = std::array<float, width>;
 
+  /// The nodes next to the root, and itself, at which something may be known that the lights'
+  /// bounds do not say: what each child's importance is to be multiplied by, positive and finite.
+  static constexpr std::size_t preferring_nodes = 1 + width;
+  using Preferences = std::array<Lanes, preferring_nodes>;
+
+  /// u in [0, 1). Empty if no light can reach the shading point, or that turned out on the way
+  /// down. preferences: or null.
+  std::optional<ChosenLight> sample(const ShadingPoint& shading_point, double u,
+                                    const Preferences* preferences = nullptr) const;
+
+  /// With which probability sample() draws this light.
+  float probability(const ShadingPoint& shading_point, std::size_t light,
+                    const Preferences* preferences = nullptr) const;
+
+  /// Calls visit(node, child) for the preferring nodes on the way to a light that can be drawn.
+  template <typename Visit>
+  void for_each_preference(std::size_t light, const Visit& visit) const {
+    for (Place place = leaf_of_light_[light]; place.node != nowhere;
+         place = parent_of_node_[place.node]) {
+      if (place.node < preferring_nodes) {
+        visit(std::size_t{place.node}, std::size_t{place.lane});
+      }
+    }
+  }
+
+ private:
   /// What the importance needs of each child's lights, side by side so that the processor works on
   /// all children at once.
   struct alignas(32) Node {
@@ -68,8 +86,11 @@ class LightTree {
   /// Proportional to bounds on what the lights below each child may give to the shading point; 0
   /// only where none of them reaches it.
   static Lanes importance(const Node& node, const ShadingPoint& shading_point);
+  /// The same with what is preferred.
+  Lanes weights(std::uint32_t node, const ShadingPoint& shading_point,
+                const Preferences* preferences) const;
 
-  std::vector<Node> nodes_;  ///< the root first
+  std::vector<Node> nodes_;  ///< the root first, then its children, and then theirs
   std::vector<Place> parent_of_node_;
   std::vector<Place> leaf_of_light_;  ///< nowhere: never drawn
 };

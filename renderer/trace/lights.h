@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "renderer/scene/scene.h"
 #include "renderer/trace/environment_light.h"
+#include "renderer/trace/learned_lights.h"
 #include "renderer/trace/light_sampling.h"
 #include "renderer/trace/local_lights.h"
 #include "renderer/trace/ray_scene.h"
@@ -66,6 +69,26 @@ class Lights {
   std::optional<LightSample> sample(const ShadingPoint& shading_point, float u_kind,
                                     const Vec2& u_choice, const Vec2& u) const;
 
+  /// From which light sample() draws as long as nothing is learned; nothing of it has arrived yet.
+  LightOutcome outcome(const ShadingPoint& shading_point, float u_kind, const Vec2& u_choice,
+                       const Vec2& u) const;
+
+  /// There is something to learn.
+  bool can_learn() const {
+    return has_several_kinds() || draws_bright_sky_ || local_.tree() != nullptr;
+  }
+  /// From now on light is drawn by what arrived in these outcomes, and shading points are to say
+  /// their region; unless one of them says that it would hardly help. To be called once.
+  void learn(std::span<const LightOutcome> outcomes);
+
+  /// For ShadingPoint::region. normal: of the geometry.
+  std::uint32_t region_of(const Vec3& position, const Vec3& normal) const {
+    return learned_.region_of(position, normal);
+  }
+  Uints regions_of(const Vec3s& position, const Vec3s& normal) const {
+    return learned_.regions_of(position, normal);
+  }
+
   /// The same for the shading points of some lanes.
   LightSamples sample(const ShadingPoints& shading_points, const LightNumbers& numbers,
                       const LaneMask& lanes) const;
@@ -83,22 +106,25 @@ class Lights {
  private:
   using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn
 
-  void set_probabilities(const Scene& scene, LightSelection selection);
+  KindProbabilities usual_probabilities(const Scene& scene, LightSelection selection) const;
   /// What the environment alone says of the direction, as with_suns() takes it.
   DistantLight sky_at(const ShadingPoint& shading_point, const Vec3& direction) const;
   EnvironmentLight::Sample sample_sky(const ShadingPoint& shading_point, const Vec2& u) const;
   /// sky: what the environment alone says of the direction. known: see Suns::at().
-  DistantLight with_suns(const DistantLight& sky, const Vec3& direction, Sun known) const;
+  DistantLight with_suns(const ShadingPoint& shading_point, const DistantLight& sky,
+                         const Vec3& direction, Sun known) const;
 
-  enum class Kind : std::uint8_t { environment, suns, local, nothing };
-  Kind kind_of(float u_kind) const;
+  LightKind kind_of(const ShadingPoint& shading_point, float u_kind) const;
+  /// probability: with which local lights were drawn.
   template <typename Number>
-  LightSampleOf<Number> from_local(const LocalLightSampleOf<Number>& sample) const;
+  static LightSampleOf<Number> from_local(const LocalLightSampleOf<Number>& sample,
+                                          const Number& probability);
   std::optional<LightSample> sample_suns(const ShadingPoint& shading_point, const Vec2& u_choice,
                                          const Vec2& u) const;
   /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its
   /// density may be off by any factor.
-  std::optional<LightSample> sample_distant(const Vec3& direction, const DistantLight& sky,
+  std::optional<LightSample> sample_distant(const ShadingPoint& shading_point,
+                                            const Vec3& direction, const DistantLight& sky,
                                             Sun known) const;
 
   std::optional<EnvironmentLight> environment_;  ///< empty where it gives no light
@@ -106,9 +132,7 @@ class Lights {
   LocalLights local_;
   bool empty_;
   bool draws_bright_sky_;  ///< there is an environment, and it is drawn by its brightness
-  float environment_probability_ = 0.0F;
-  float suns_probability_ = 0.0F;
-  float local_probability_ = 0.0F;
+  LearnedLights learned_;
 };
 
 }  // namespace foveola

@@ -48,9 +48,10 @@ LocalLights::LocalLights(const Scene& scene, const LightSampling& sampling,
   }
 }
 
-std::optional<LocalLightSample> LocalLights::sample(const ShadingPoint& shading_point,
-                                                    const Vec2& u_choice, const Vec2& u) const {
-  const auto chosen = choice_->sample(shading_point, u_choice);
+std::optional<LocalLightSample> LocalLights::sample(
+    const ShadingPoint& shading_point, const Vec2& u_choice, const Vec2& u,
+    const LightTree::Preferences* preferences) const {
+  const auto chosen = choice_->sample(shading_point, u_choice, preferences);
   return chosen ? sample_of(*chosen, shading_point, u) : std::nullopt;
 }
 
@@ -67,10 +68,10 @@ std::optional<LocalLightSample> LocalLights::sample_of(const ChosenLight& chosen
 }
 
 LocalLights::Choice LocalLights::choose(const ShadingPoint& shading_point, const Vec2& u_choice,
-                                        const Vec2& u, std::size_t lane,
-                                        TriangleLights::Drawn& drawn,
+                                        const Vec2& u, const LightTree::Preferences* preferences,
+                                        std::size_t lane, TriangleLights::Drawn& drawn,
                                         LocalLightSample& sampled) const {
-  const auto chosen = choice_->sample(shading_point, u_choice);
+  const auto chosen = choice_->sample(shading_point, u_choice, preferences);
   if (!chosen) {
     return Choice::nothing;
   }
@@ -88,12 +89,12 @@ LocalLights::Choice LocalLights::choose(const ShadingPoint& shading_point, const
 }
 
 float LocalLights::triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
-                                float cosine) const {
+                                float cosine, const LightTree::Preferences* preferences) const {
   const std::uint32_t triangle = triangles_.index_of(hit);
   if (!choice_ || triangle == TriangleLights::nothing) {
     return 0.0F;
   }
-  const float probability = choice_->probability(shading_point, triangle);
+  const float probability = choice_->probability(shading_point, triangle, preferences);
   return probability > 0.0F
              ? probability * triangles_.pdf(triangle, shading_point.position, distance, cosine)
              : 0.0F;

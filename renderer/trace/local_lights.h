@@ -31,10 +31,20 @@ class LocalLights {
   /// Lights that have power.
   std::size_t size() const { return size_; }
 
+  /// Null: there are few, which are not drawn from a tree.
+  const LightTree* tree() const { return choice_ ? choice_->tree() : nullptr; }
+
   /// Empty if the light drawn does not reach the shading point. u_choice, u: in the unit square.
-  /// Not to be called when empty().
+  /// preferences: the tree's, or null. Not to be called when empty().
   std::optional<LocalLightSample> sample(const ShadingPoint& shading_point, const Vec2& u_choice,
-                                         const Vec2& u) const;
+                                         const Vec2& u,
+                                         const LightTree::Preferences* preferences) const;
+
+  /// The light that sample() draws from without preferences.
+  std::optional<ChosenLight> light_drawn(const ShadingPoint& shading_point,
+                                         const Vec2& u_choice) const {
+    return choice_->sample(shading_point, u_choice, nullptr);
+  }
 
   /// For choose() to put lights into.
   TriangleLights::Drawn nothing_drawn() const { return TriangleLights::Drawn(triangles_); }
@@ -43,12 +53,13 @@ class LocalLights {
   /// else draws from it, as sample() does.
   enum class Choice { nothing, drawn, sampled };
   Choice choose(const ShadingPoint& shading_point, const Vec2& u_choice, const Vec2& u,
-                std::size_t lane, TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
+                const LightTree::Preferences* preferences, std::size_t lane,
+                TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
 
   /// With which density per steradian sample() would have drawn the point that a ray from the
   /// shading point hit; 0 for what is not sampled.
   float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
-                     float cosine) const;
+                     float cosine, const LightTree::Preferences* preferences) const;
 
  private:
   std::optional<LocalLightSample> sample_of(const ChosenLight& chosen,

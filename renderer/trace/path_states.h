@@ -38,6 +38,7 @@ struct PathStates {
       absorption_per_m;
   Numbers pdf, radiance_scale, width_m, spread_rad;
   UintColumn<capacity> shading_point_transmits;  ///< 0: no
+  UintColumn<capacity> shading_point_region;
   UintColumn<capacity> key, job;
   SampleStreamColumns<capacity> random;
 
@@ -46,7 +47,8 @@ struct PathStates {
               .pdf = pdf[i],
               .shading_point = {.position = shading_point_position.at(i),
                                 .normal = shading_point_normal.at(i),
-                                .transmits = shading_point_transmits[i] != 0},
+                                .transmits = shading_point_transmits[i] != 0,
+                                .region = shading_point_region[i]},
               .radiance_scale = radiance_scale[i],
               .absorption_per_m = absorption_per_m.at(i),
               .width_m = width_m[i],
@@ -66,6 +68,7 @@ struct PathStates {
     shading_point_position.fill(path.shading_point.position);
     shading_point_normal.fill(path.shading_point.normal);
     shading_point_transmits.fill(path.shading_point.transmits ? 1U : 0U);
+    shading_point_region.fill(path.shading_point.region);
     radiance_scale.fill(path.radiance_scale);
     absorption_per_m.fill(path.absorption_per_m);
     width_m.fill(path.width_m);
@@ -81,6 +84,7 @@ struct PathStates {
     shading_point_position.put(i, path.shading_point.position);
     shading_point_normal.put(i, path.shading_point.normal);
     shading_point_transmits[i] = path.shading_point.transmits ? 1U : 0U;
+    shading_point_region[i] = path.shading_point.region;
     radiance_scale[i] = path.radiance_scale;
     absorption_per_m.put(i, path.absorption_per_m);
     width_m[i] = path.width_m;
@@ -98,7 +102,8 @@ struct PathStates {
     for (Numbers* numbers : {&pdf, &radiance_scale, &width_m, &spread_rad}) {
       numbers->move(first, packing, to);
     }
-    for (UintColumn<capacity>* numbers : {&shading_point_transmits, &key, &job}) {
+    for (UintColumn<capacity>* numbers :
+         {&shading_point_transmits, &shading_point_region, &key, &job}) {
       numbers->move(first, packing, to);
     }
     random.move(first, packing, to);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cmath>
 
+#include "renderer/base/random.h"
+#include "renderer/base/turns.h"
 #include "renderer/trace/block_tracer.h"
 
 namespace foveola {
@@ -13,14 +16,52 @@ namespace {
 /// that no thread waits long for another.
 constexpr BlockSizes block_sizes = {.smallest = 64, .largest = BlockTracer::most_paths};
 
+/// The paths that are traced to learn from.
+constexpr std::size_t learning_paths = 1U << 14U;
+constexpr std::uint32_t learning_seed = 0x1ea4;
+
+std::vector<SampleJob> jobs_in_all_directions(std::size_t count) {
+  std::vector<SampleJob> jobs(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 u = sobol_2d(i, learning_seed);
+    const float height = 1.0F - 2.0F * u.y;
+    const SineCosine azimuth = sine_cosine_of_turns(u.x - 0.5F);
+    const float horizontal = std::sqrt(std::max(0.0F, 1.0F - height * height));
+    jobs[i] = {.direction = {horizontal * azimuth.sine, height, horizontal * azimuth.cosine},
+               .pixel = static_cast<std::uint32_t>(i)};
+  }
+  return jobs;
+}
+
+/// How light samples turned out on paths from the viewpoint in all directions.
+std::vector<LightOutcome> light_outcomes(const TracedScene& traced, const Vec3& viewpoint,
+                                         const Workers& workers) {
+  const std::vector<SampleJob> jobs = jobs_in_all_directions(learning_paths);
+  constexpr std::size_t block = BlockTracer::most_paths;
+  std::vector<std::vector<LightOutcome>> outcomes((jobs.size() + block - 1) / block);
+  workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<Rgb> radiance(end - begin);
+    BlockTracer tracer(traced, TraceSettings{.seed = learning_seed},
+                       {.light_outcomes = &outcomes[begin / block]});
+    tracer.trace(viewpoint, std::span(jobs).subspan(begin, end - begin), radiance);
+  });
+  std::vector<LightOutcome> all;
+  for (const std::vector<LightOutcome>& some : outcomes) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 struct PathTracer::Implementation {
   Implementation(const Scene& scene, const Workers& workers, const LightSampling& lights,
                  KeptHierarchies* kept)
-      : traced(scene, workers, lights, kept) {}
+      : traced(scene, workers, lights, kept),
+        learns(lights.learns && lights.selection == LightSelection::usual) {}
 
   TracedScene traced;
+  bool learns;
 };
 
 PathTracer::PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights,
@@ -54,6 +95,13 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
         transmittance += counts.transmittance;
       });
   return {.primary = primary, .bounce = bounce, .shadow = shadow, .transmittance = transmittance};
+}
+
+void PathTracer::learn_lights(const Vec3& viewpoint, const Workers& workers) {
+  TracedScene& traced = implementation_->traced;
+  if (implementation_->learns && traced.lights.can_learn()) {
+    traced.lights.learn(light_outcomes(traced, viewpoint, workers));
+  }
 }
 
 RayLog PathTracer::log_rays(const Vec3& viewpoint, std::span<const SampleJob> jobs,

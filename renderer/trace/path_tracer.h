@@ -100,6 +100,11 @@ class PathTracer {
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance,
                   const TraceSettings& settings, const Workers& workers) const;
 
+  /// Traces some paths from the viewpoint in all directions, always the same, and from then on
+  /// draws light by what arrived on them; only where there is something to learn that helps. To be
+  /// called once, before all tracing.
+  void learn_lights(const Vec3& viewpoint, const Workers& workers);
+
   /// One job again, with all its vertices; its radiance is that of trace(), to the bit.
   PathRecord replay(const Vec3& viewpoint, const SampleJob& job,
                     const TraceSettings& settings) const;

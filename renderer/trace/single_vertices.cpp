@@ -8,10 +8,11 @@
 namespace foveola {
 namespace {
 
-ShadingPoint shading_point_at(const SurfacePoint& point) {
+ShadingPoint shading_point_at(const SurfacePoint& point, const Lights& lights) {
   return {.position = point.position,
           .normal = point.geometric_normal,
-          .transmits = point.reflectance.transmission > 0.0F};
+          .transmits = point.reflectance.transmission > 0.0F,
+          .region = lights.region_of(point.position, point.geometric_normal)};
 }
 
 /// The absorption on the other side of a surface that a path has reached.
@@ -93,7 +94,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame
     direction -= 2.0F * side * point.geometric_normal;
     side = -side;
   }
-  path.shading_point = shading_point_at(point);
+  path.shading_point = shading_point_at(point, traced_.lights);
   path.ray.origin = side > 0.0F ? point.origin : point.origin_beyond();
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
@@ -115,8 +116,13 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   if (traced_.lights.empty()) {
     return;
   }
-  const auto light = traced_.lights.sample(shading_point_at(point), numbers.light_kind,
-                                           numbers.light_choice, numbers.light_point);
+  const ShadingPoint shading_point = shading_point_at(point, traced_.lights);
+  const auto light = traced_.lights.sample(shading_point, numbers.light_kind, numbers.light_choice,
+                                           numbers.light_point);
+  if (notes_.light_outcomes != nullptr) {
+    notes_.light_outcomes->push_back(traced_.lights.outcome(
+        shading_point, numbers.light_kind, numbers.light_choice, numbers.light_point));
+  }
   if (!light) {
     return;
   }
@@ -142,6 +148,10 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   gain *= transmittance(absorption, glm::length(shadow_ray.direction) * shadow_ray.t_max);
   gain = glm::min(gain, Rgb(settings_.largest_light_sample));
   if (finite(path.job, gain, shadow_ray.direction)) {
+    if (notes_.light_outcomes != nullptr) {
+      notes_.light_outcomes->back().gain = max_component(gain) / max_component(path.throughput);
+      pending_outcomes_.push_back(notes_.light_outcomes->size() - 1);
+    }
     pending_.push_back({.job = path.job, .radiance = gain});
     shadow_rays_.add(shadow_ray.origin, shadow_ray.direction, shadow_ray.t_max, shadow_ray.key);
   }

@@ -34,8 +34,11 @@ SceneSource as_shown(SceneSource source) {
   return source;
 }
 
+// What simulated participants see, and how many samples a second stand for the published renderer,
+// was measured without anything learned.
 SceneStage::SceneStage(const SceneSource& source, const Workers& workers)
-    : SceneStage(std::make_shared<const LoadedScene>(as_shown(source), workers)) {}
+    : SceneStage(std::make_shared<const LoadedScene>(as_shown(source), workers,
+                                                     SceneChoices{.learns_lights = false})) {}
 
 SceneStage::SceneStage(std::shared_ptr<const LoadedScene> loaded)
     : loaded_(std::move(loaded)), objects_(objects_on_offer(loaded_->source)) {

@@ -34,9 +34,9 @@ TEST(Configurations, AreTheMethodsAndTheBaselineWithEachOption) {
 }
 
 TEST(Configurations, ChangeOneThingEach) {
-  const std::vector<Configuration> configurations =
-      make_configurations({"od"}, {"clamp", "adaptive", "no-fast-path", "no-hierarchy"});
-  ASSERT_EQ(configurations.size(), 5U);
+  const std::vector<Configuration> configurations = make_configurations(
+      {"od"}, {"clamp", "adaptive", "no-fast-path", "no-hierarchy", "no-learning"});
+  ASSERT_EQ(configurations.size(), 6U);
   EXPECT_FALSE(configurations[0].adaptive_contrast);
   EXPECT_EQ(configurations[1].largest_radiance, 10.0F);
   EXPECT_FALSE(configurations[1].adaptive_contrast);
@@ -46,6 +46,8 @@ TEST(Configurations, ChangeOneThingEach) {
   EXPECT_TRUE(configurations[3].uses_general_path);
   EXPECT_EQ(configurations[3].light_sampling, LightSampling{});
   EXPECT_EQ(configurations[4].light_sampling.selection, LightSelection::by_power_alone);
+  EXPECT_TRUE(configurations[4].light_sampling.learns);
+  EXPECT_FALSE(configurations[5].light_sampling.learns);
 }
 
 TEST(Configurations, OfPlainPathsAreTheirPartsTogether) {

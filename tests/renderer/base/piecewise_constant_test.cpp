@@ -95,6 +95,17 @@ TEST(PiecewiseConstantTest, DrawsTheCellInWhichTheNumbersFall) {
   }
 }
 
+TEST(PiecewiseConstantTest, PlacesOfPointsAreTheNumbersThatDrawThem) {
+  const PiecewiseConstant2D grid(3, 4, weights);
+  Pcg32 random(13);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 u{unit_float(random.next()), unit_float(random.next())};
+    const Vec2 place = grid.place_of(grid.sample(u));
+    EXPECT_NEAR(place.x, u.x, 1e-6F);
+    EXPECT_NEAR(place.y, u.y, 1e-6F);
+  }
+}
+
 TEST(PiecewiseConstantTest, WithoutWeightTheTotalIsZero) {
   EXPECT_EQ(PiecewiseConstant2D(2, 1, std::vector<float>(2, 0.0F)).total(), 0.0);
 }

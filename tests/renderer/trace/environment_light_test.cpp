@@ -153,6 +153,31 @@ TEST(EnvironmentLightTest, SamplesCarryTheLightOfTheirDirection) {
 
 /// Radiance sin(elevation) above the horizon: the irradiance on a floor is the integral of
 /// sin^2 * cos * 2 pi over elevations from 0 to pi/2, which is 2 pi / 3.
+/// But next to the borders of cells, and near the poles, where a direction says little of where it
+/// comes from.
+void expect_places_found_again(const Environment& environment) {
+  const EnvironmentLight light(environment);
+  Pcg32 random(12);
+  int found = 0;
+  constexpr int draws = 5000;
+  for (int i = 0; i < draws; ++i) {
+    const Vec2 u = unit_square(random);
+    const Vec2 place = light.place_of(light.sample(u).direction);
+    EXPECT_GE(glm::min(place.x, place.y), 0.0F);
+    EXPECT_LE(glm::max(place.x, place.y), 1.0F);
+    found += glm::distance(place, u) < 1e-3F ? 1 : 0;
+  }
+  EXPECT_GT(found, 0.99 * draws);
+}
+
+TEST(EnvironmentLightTest, PlacesOfDirectionsAreTheNumbersThatDrawThem) {
+  expect_places_found_again(map_of(0, 0, Rgb(0.0F)));
+  Environment map = uneven_map();
+  expect_places_found_again(map);
+  map.rotation_rad = 1.3;
+  expect_places_found_again(map);
+}
+
 TEST(EnvironmentLightTest, IrradianceOfAKnownMap) {
   constexpr int height = 256;
   Environment environment = map_of(512, height, Rgb(0.0F));

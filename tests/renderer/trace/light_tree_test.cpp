@@ -14,6 +14,7 @@ namespace foveola {
 namespace {
 
 using test::in_cube;
+using test::random_shading_point;
 
 constexpr double right_angle = 0.5 * std::numbers::pi;
 
@@ -66,38 +67,75 @@ struct FlatLights {
   }
 };
 
-ShadingPoint random_shading_point(Pcg32& random, float half) {
-  const Vec3 position = in_cube(random, half);
-  const Vec3 normal = glm::normalize(in_cube(random));
-  return {.position = position, .normal = normal, .transmits = random.uniform() < 0.3};
-}
-
-TEST(LightTreeTest, LightsAreDrawnWithTheirProbability) {
-  constexpr int count = 200;
+/// Draws lights for some places: as often as their probability says, whose sum is at most 1.
+void expect_drawn_by_probability(const LightTree& tree, std::size_t count,
+                                 const LightTree::Preferences* preferences) {
   constexpr int draws = 50000;
   constexpr int shading_points = 8;
-  const LightTree tree(FlatLights(count, 0.05F, 1).bounds);
   Pcg32 random(2);
   for (int r = 0; r < shading_points; ++r) {
     const ShadingPoint shading_point = random_shading_point(random, 3.0F);
     std::vector<double> observed(count + 1, 0.0);
     std::vector<double> expected(count + 1, 0.0);
     for (int i = 0; i < draws; ++i) {
-      const auto chosen = tree.sample(shading_point, random.uniform());
+      const auto chosen = tree.sample(shading_point, random.uniform(), preferences);
       observed[chosen ? chosen->light : count] += 1.0;
       if (chosen) {
-        ASSERT_FLOAT_EQ(chosen->probability, tree.probability(shading_point, chosen->light));
+        ASSERT_FLOAT_EQ(chosen->probability,
+                        tree.probability(shading_point, chosen->light, preferences));
       }
     }
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-      const double probability = tree.probability(shading_point, i);
+      const double probability = tree.probability(shading_point, i, preferences);
       expected[i] = probability * draws;
       sum += probability;
     }
     EXPECT_LE(sum, 1.0 + 1e-5);
     expected[count] = std::max(0.0, 1.0 - sum) * draws;
     EXPECT_GT(chi_squared_p_value(observed, expected), sidak_level(shading_points));
+  }
+}
+
+TEST(LightTreeTest, LightsAreDrawnWithTheirProbability) {
+  constexpr int count = 200;
+  const LightTree tree(FlatLights(count, 0.05F, 1).bounds);
+  expect_drawn_by_probability(tree, count, nullptr);
+}
+
+TEST(LightTreeTest, LightsAreDrawnWithTheirProbabilityWhereSomeArePreferred) {
+  constexpr int count = 200;
+  const LightTree tree(FlatLights(count, 0.05F, 1).bounds);
+  LightTree::Preferences preferences;
+  Pcg32 random(3);
+  for (LightTree::Lanes& node : preferences) {
+    for (float& preference : node) {
+      preference = static_cast<float>(std::exp(random.normal()));
+    }
+  }
+  expect_drawn_by_probability(tree, count, &preferences);
+}
+
+/// The children of the root are told apart by which of its preferences lights follow.
+TEST(LightTreeTest, WhatIsPreferredIsDrawnMoreOften) {
+  constexpr std::size_t count = 200;
+  const LightTree tree(FlatLights(count, 0.05F, 1).bounds);
+  LightTree::Preferences preferences;
+  for (LightTree::Lanes& node : preferences) {
+    node.fill(1.0F);
+  }
+  preferences[0][2] = 10.0F;
+  const ShadingPoint far_away{.position = Vec3(0, 40, 0)};
+  for (std::size_t light = 0; light < count; ++light) {
+    std::size_t child_of_root = 0;
+    tree.for_each_preference(light, [&](std::size_t node, std::size_t child) {
+      child_of_root = node == 0 ? child : child_of_root;
+    });
+    const float usual = tree.probability(far_away, light);
+    const float preferred = tree.probability(far_away, light, &preferences);
+    if (usual > 0.0F) {
+      EXPECT_EQ(preferred > usual, child_of_root == 2) << light;
+    }
   }
 }
 

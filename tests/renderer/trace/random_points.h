@@ -3,6 +3,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/base/vec.h"
+#include "renderer/trace/shading_point.h"
 
 namespace foveola::test {
 
@@ -19,6 +20,13 @@ inline Vec3 in_cube(Pcg32& random, float half = 1.0F) {
   const double y = random.uniform();
   const double z = random.uniform();
   return half * (2.0F * Vec3(x, y, z) - 1.0F);
+}
+
+/// Within half of the origin along each axis.
+inline ShadingPoint random_shading_point(Pcg32& random, float half) {
+  const Vec3 position = in_cube(random, half);
+  const Vec3 normal = glm::normalize(in_cube(random));
+  return {.position = position, .normal = normal, .transmits = random.uniform() < 0.3};
 }
 
 }  // namespace foveola::test
