@@ -39,7 +39,7 @@ class BlockTracer {
   /// Jobs in a block, so few that the state of all paths stays in the second-level cache.
   static constexpr std::size_t most_paths = PathStates::capacity;
 
-  /// All must outlive this object.
+  /// The scene, and what is noted, must outlive this object.
   BlockTracer(const TracedScene& traced, const TraceSettings& settings, TraceNotes notes = {})
       : traced_(traced),
         settings_(settings),
@@ -153,7 +153,7 @@ class BlockTracer {
   void note(const Path& path, const Hit& hit) const;
 
   const TracedScene& traced_;
-  const TraceSettings& settings_;
+  const TraceSettings settings_;
   const bool takes_general_path_;  ///< at every vertex
   /// As how many light samples one counts in the power heuristic (Veach 1997, section 9.2: n_i).
   const float light_samples_weighed_;
