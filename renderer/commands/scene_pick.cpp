@@ -39,6 +39,7 @@ std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& so
     settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
   }
   settings.scene = scene_choices(arguments.look);
+  settings.scene.learns_lights = false;  // no light is traced
   const Workers workers;
   const LoadedScene loaded(source, workers, settings.scene);
   print_warnings(loaded.warnings);

@@ -115,12 +115,13 @@ class BlockTracer {
   /// Estimates the light that arrives at the vertex, and sends the path on.
   Step scatter(Path& path, const Hit& hit, const TracedObject& object,
                const VertexNumbers& numbers);
-  void queue_light(const Path& path, const SurfacePoint& point, const Frame& frame,
-                   const Bsdf& bsdf, const TracedObject& object, const VertexNumbers& numbers);
+  void queue_light(const Path& path, const SurfacePoint& point, const ShadingPoint& shading_point,
+                   const Frame& frame, const Bsdf& bsdf, const TracedObject& object,
+                   const VertexNumbers& numbers);
   /// False if the path ends: its direction lies on one side of the shading normal and on the other
   /// side of the surface, or something of it is not finite.
-  bool send(Path& path, const SurfacePoint& point, const Frame& frame, const BsdfSample& sample,
-            const TracedObject& object);
+  bool send(Path& path, const SurfacePoint& point, const ShadingPoint& shading_point,
+            const Frame& frame, const BsdfSample& sample, const TracedObject& object);
   /// Whether a job's new values are finite; if not, its radiance becomes not_a_number.
   bool finite(std::uint32_t job, const Rgb& radiance, const Vec3& direction);
   bool survives_roulette(Path& path, float u) const;

@@ -16,9 +16,9 @@ constexpr std::size_t outcomes_per_region = 64;
 /// As how many draws the mean over all regions counts in each.
 constexpr double prior_draws = 4.0;
 
-/// The part of the samples that is drawn as if nothing were known. With half of it, the variance of
-/// the built-in scenes was 3 % less where the camera stood, and twice as much can go wrong where
-/// it moves to.
+/// The part of each choice that is made as if nothing were known. With half of it, the variance of
+/// the built-in scenes was 3 % less where the camera stood, and more can go wrong where it moves
+/// to.
 constexpr double usual_part = 0.1;
 
 /// How often a light, or some part of the lights, was drawn, and the sum of what it gave.

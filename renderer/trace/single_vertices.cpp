@@ -65,8 +65,9 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
   const Bsdf bsdf(point.reflectance, frame.to_local(-path.ray.direction), traced_.tables);
   const auto sample = bsdf.sample(numbers.lobe, numbers.scattering);
   const bool is_vertex = vertex_ <= settings_.max_depth;
+  const ShadingPoint shading_point = shading_point_at(point, traced_.lights);
   if (is_vertex) {
-    queue_light(path, point, frame, bsdf, object, numbers);
+    queue_light(path, point, shading_point, frame, bsdf, object, numbers);
   }
   if (!sample) {
     return Step::ended;
@@ -77,13 +78,13 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
     return Step::passed;
   }
   path.width_m = width_at(path, hit);
-  const bool continues = is_vertex && send(path, point, frame, *sample, object) &&
+  const bool continues = is_vertex && send(path, point, shading_point, frame, *sample, object) &&
                          survives_roulette(path, numbers.roulette);
   return continues ? Step::scattered : Step::ended;
 }
 
-bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame,
-                       const BsdfSample& sample, const TracedObject& object) {
+bool BlockTracer::send(Path& path, const SurfacePoint& point, const ShadingPoint& shading_point,
+                       const Frame& frame, const BsdfSample& sample, const TracedObject& object) {
   Vec3 direction = glm::normalize(frame.to_world(sample.incoming));
   float side = glm::dot(direction, point.geometric_normal);
   if (side * sample.incoming.z <= 0.0F) {
@@ -94,7 +95,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame
     direction -= 2.0F * side * point.geometric_normal;
     side = -side;
   }
-  path.shading_point = shading_point_at(point, traced_.lights);
+  path.shading_point = shading_point;
   path.ray.origin = side > 0.0F ? point.origin : point.origin_beyond();
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
@@ -110,13 +111,13 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame
   return finite(path.job, path.throughput, direction);
 }
 
-void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const Frame& frame,
+void BlockTracer::queue_light(const Path& path, const SurfacePoint& point,
+                              const ShadingPoint& shading_point, const Frame& frame,
                               const Bsdf& bsdf, const TracedObject& object,
                               const VertexNumbers& numbers) {
   if (traced_.lights.empty()) {
     return;
   }
-  const ShadingPoint shading_point = shading_point_at(point, traced_.lights);
   const auto light = traced_.lights.sample(shading_point, numbers.light_kind, numbers.light_choice,
                                            numbers.light_point);
   if (notes_.light_outcomes != nullptr) {

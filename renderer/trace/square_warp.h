@@ -10,6 +10,7 @@
 
 namespace foveola {
 
+/// Unlike PiecewiseConstant2D it holds no memory elsewhere, since there is one for every region.
 class SquareWarp {
  public:
   static constexpr std::size_t width = 8;
