@@ -135,23 +135,44 @@ Vec4 Texture::sample(const Vec2& uv) const {
   return sample_level(levels_[0], sampler_.magnification, uv);
 }
 
-Vec4 Texture::sample(const Vec2& uv, float uv_width) const {
+Texture::Levels Texture::levels_for(float uv_width) const {
   const float texels = uv_width * static_cast<float>(std::max(width(), height()));
   if (!(texels > 1.0F) || !std::isfinite(uv_width)) {
-    return sample(uv);
+    return {.finer = 0, .weight_coarser = 0.0F, .filter = sampler_.magnification};
   }
   const auto coarsest = static_cast<float>(levels_.size() - 1);
   const float level = std::min(std::log2(texels), coarsest);
   if (sampler_.mip != MipFilter::linear) {
-    return sample_level(levels_[static_cast<std::size_t>(level + 0.5F)], sampler_.minification, uv);
+    return {.finer = static_cast<std::size_t>(level + 0.5F),
+            .weight_coarser = 0.0F,
+            .filter = sampler_.minification};
   }
   const auto finer = static_cast<std::size_t>(level);
-  const float weight = level - static_cast<float>(finer);
-  const Vec4 value = sample_level(levels_[finer], sampler_.minification, uv);
-  return weight > 0.0F
-             ? interpolate(value, sample_level(levels_[finer + 1], sampler_.minification, uv),
-                           weight)
+  return {.finer = finer,
+          .weight_coarser = level - static_cast<float>(finer),
+          .filter = sampler_.minification};
+}
+
+Vec4 Texture::sample(const Vec2& uv, float uv_width) const {
+  const Levels levels = levels_for(uv_width);
+  const Vec4 value = sample_level(levels_[levels.finer], levels.filter, uv);
+  return levels.weight_coarser > 0.0F
+             ? interpolate(value, sample_level(levels_[levels.finer + 1], levels.filter, uv),
+                           levels.weight_coarser)
              : value;
+}
+
+void Texture::prefetch(const Vec2& uv, float uv_width) const {
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
+    return;
+  }
+  const MipLevel& level = levels_[levels_for(uv_width).finer];
+  const Taps u = taps(uv.x, level.width, sampler_.wrap_u);
+  const Taps v = taps(uv.y, level.height, sampler_.wrap_v);
+  for (const int row : {v.first, v.second}) {
+    const std::ptrdiff_t texel = static_cast<std::ptrdiff_t>(row) * level.width + u.first;
+    __builtin_prefetch(codes_ + level.offset + texel * channels_);
+  }
 }
 
 Vec4 Texture::sample_level(const MipLevel& level, Filter filter, const Vec2& uv) const {

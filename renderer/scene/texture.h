@@ -58,7 +58,17 @@ class Texture {
   /// is zero, negative or not finite reads the finest level.
   Vec4 sample(const Vec2& uv, float uv_width) const;
 
+  /// Fetches into the cache what sample() will read of the finer of its levels.
+  void prefetch(const Vec2& uv, float uv_width) const;
+
  private:
+  /// Which levels a footprint reads, and with which filter.
+  struct Levels {
+    std::size_t finer;
+    float weight_coarser;  ///< of the level after it
+    Filter filter;
+  };
+  Levels levels_for(float uv_width) const;
   Vec4 sample_level(const MipLevel& level, Filter filter, const Vec2& uv) const;
 
   std::shared_ptr<const Texels> texels_;

@@ -45,6 +45,13 @@ LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
 FastPathLayersLanes BlockTracer::layers_of(const Group& group, const SurfacePoints& points,
                                            const LaneMask& lanes, LaneMask& others) const {
   FastPathLayersLanes layers;
+  // All lanes' texels are on their way before the first is read.
+  for_each_lane(lanes, [&](std::size_t lane) {
+    const std::size_t index = group.first + lane;
+    if (!object_at(index).is_constant) {
+      prefetch_textures(traced_.scene, mesh_point(index, points, lane));
+    }
+  });
   for_each_lane(lanes, [&](std::size_t lane) {
     const std::size_t index = group.first + lane;
     const TracedObject& object = object_at(index);

@@ -67,22 +67,50 @@ inline Vec4 vertex_color(const MeshPoint& point) {
                            point.barycentric);
 }
 
-/// White where the value has no texture or the mesh no coordinates for it.
-inline Vec4 texture_value(const Scene& scene, const TextureUse& use, const MeshPoint& point) {
-  if (!use.exists() || point.mesh.uv_sets.empty()) {
-    return Vec4(1.0F);
-  }
+/// What of a texture a point reads.
+struct TextureFootprint {
+  const Texture& texture;
+  Vec2 uv;
+  float uv_width;  ///< 0: the finest level
+
+  Vec4 value() const { return texture.sample(uv, uv_width); }
+  void prefetch() const { texture.prefetch(uv, uv_width); }
+};
+
+/// There must be a texture, and the mesh must have coordinates.
+inline TextureFootprint texture_footprint(const Scene& scene, const TextureUse& use,
+                                          const MeshPoint& point) {
   const std::vector<Vec2>& uvs = point.mesh.uv_sets[static_cast<std::size_t>(use.uv_set)];
   const auto& triangle = point.mesh.triangles[point.triangle];
   const Vec2 uv = use.texture_from_mesh * Vec3(interpolate(uvs, triangle, point.barycentric), 1.0F);
   const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
   if (!(point.relative_width > 0.0F)) {
-    return texture.sample(uv);
+    return {.texture = texture, .uv = uv, .uv_width = 0.0F};
   }
   const Vec2 side1 = use.texture_from_mesh * Vec3(uvs[triangle[1]] - uvs[triangle[0]], 0.0F);
   const Vec2 side2 = use.texture_from_mesh * Vec3(uvs[triangle[2]] - uvs[triangle[0]], 0.0F);
   const float uv_area = std::abs(side1.x * side2.y - side1.y * side2.x);
-  return texture.sample(uv, point.relative_width * std::sqrt(uv_area));
+  return {.texture = texture, .uv = uv, .uv_width = point.relative_width * std::sqrt(uv_area)};
+}
+
+/// White where the value has no texture or the mesh no coordinates for it.
+inline Vec4 texture_value(const Scene& scene, const TextureUse& use, const MeshPoint& point) {
+  return use.exists() && !point.mesh.uv_sets.empty() ? texture_footprint(scene, use, point).value()
+                                                     : Vec4(1.0F);
+}
+
+/// Fetches into the cache what the textures that most surfaces have will be read for.
+inline void prefetch_textures(const Scene& scene, const MeshPoint& point) {
+  if (point.mesh.uv_sets.empty()) {
+    return;
+  }
+  const Material& material = material_of(scene, point.mesh);
+  for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
+                                &material.normal_texture}) {
+    if (use->exists()) {
+      texture_footprint(scene, *use, point).prefetch();
+    }
+  }
 }
 
 }  // namespace foveola
