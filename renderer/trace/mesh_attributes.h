@@ -99,7 +99,7 @@ inline Vec4 texture_value(const Scene& scene, const TextureUse& use, const MeshP
                                                      : Vec4(1.0F);
 }
 
-/// Fetches into the cache what the textures that most surfaces have will be read for.
+/// Fetches into the cache the texels of the textures that most surfaces have.
 inline void prefetch_textures(const Scene& scene, const MeshPoint& point) {
   if (point.mesh.uv_sets.empty()) {
     return;

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -271,15 +272,15 @@ std::vector<CsvRow> without_attempts(std::vector<CsvRow> table) {
   return table;
 }
 
-/// The tables that an analysis writes, but for what they say of attempts that do not count: the
-/// kill may fall into one, which is then timed again.
-std::map<std::string, std::vector<CsvRow>> tables_in(const fs::path& analysis) {
-  std::map<std::string, std::vector<CsvRow>> tables;
+using Tables = std::map<std::string, std::vector<CsvRow>>;
+
+/// The tables that an analysis writes.
+Tables tables_in(const fs::path& analysis) {
+  Tables tables;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(analysis)) {
     const fs::path& path = entry.path();
-    if (path.extension() == ".csv" && path.stem() != "trials_timed_again") {
-      tables[path.filename().string()] =
-          without_attempts(parse_csv(read_file(path), path.string()));
+    if (path.extension() == ".csv") {
+      tables[path.filename().string()] = parse_csv(read_file(path), path.string());
     }
   }
   return tables;
@@ -288,7 +289,7 @@ std::map<std::string, std::vector<CsvRow>> tables_in(const fs::path& analysis) {
 TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
   ASSERT_NO_FATAL_FAILURE(end_early_by(SIGKILL, [&] { return has_events(events_ / 2); }));
   uninterrupted().finish(study_);
-  std::vector<std::map<std::string, std::vector<CsvRow>>> tables;
+  std::vector<Tables> tables;
   for (const fs::path& study : {study_, uninterrupted().database}) {
     const fs::path output = study.string() + ".analysis";
     const ProgramResult analysed = run_foveola({"analyze", study.string(), "-o", output.string()});
@@ -296,6 +297,18 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
     tables.push_back(tables_in(output));
   }
   EXPECT_FALSE(tables[0].empty());
+  // The kill may have fallen into an attempt, which is then timed again: that alone is told of.
+  const std::vector<CsvRow> again = tables[0].at("trials_timed_again.csv");
+  ASSERT_LE(again.size(), 2U);
+  if (again.size() == 2) {
+    EXPECT_THAT(again.back(), testing::Contains("interrupted"));
+    for (Tables& of_study : tables) {
+      of_study.at("trials_timed_again.csv").resize(1);
+      for (auto& [name, table] : of_study) {
+        table = without_attempts(std::move(table));
+      }
+    }
+  }
   EXPECT_EQ(tables[0], tables[1]);
 }
 
