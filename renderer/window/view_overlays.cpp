@@ -11,6 +11,8 @@
 namespace foveola {
 namespace {
 
+constexpr Rgb highlight{1.0F, 0.85F, 0.1F};
+
 using Points = std::vector<ImVec2>;
 
 ImU32 im(const Rgb& color, float opacity = 1.0F) {
@@ -201,10 +203,36 @@ void paint_rings(ImDrawList& list, const ViewOverlays& overlays, const Pane& pan
 /// White on black shows on any picture; the highlighted one is distinguished by its width, too.
 void paint_offer(ImDrawList& list, const OfferRing& offer, const Pane& pane) {
   const float width_px = offer.is_highlighted ? 6.0F : 2.0F;
-  const Rgb ink = offer.is_highlighted ? Rgb(1.0F, 0.85F, 0.1F) : Rgb(1.0F);
+  const Rgb ink = offer.is_highlighted ? highlight : Rgb(1.0F);
   const ShownCircle ring = shown_ring(offer.direction, offer.radius_rad, pane);
   paint_line(list, ring, im(Rgb(0.0F)), width_px + 4.0F);
   paint_line(list, ring, im(ink), width_px);
+}
+
+/// From the view's middle towards a direction that the view does not show, as long as a sixth of
+/// its shorter side: near the middle, since a lens shows little of the edges. What lies exactly
+/// behind is to the right.
+void paint_arrow(ImDrawList& list, const Vec3& direction, const Pane& pane) {
+  const Vec3 in_head = glm::inverse(pane.viewport.head()) * direction;
+  const Vec2 aside(in_head.x, -in_head.y);
+  const float length = glm::length(aside);
+  const Vec2 along = length > 1e-6F ? aside / length : Vec2(1.0F, 0.0F);
+  const Vec2 across(-along.y, along.x);
+  const float unit_px = std::min(pane.size.x, pane.size.y) / 6.0F;
+  const Vec2 tail = 0.5F * (pane.low + pane.high()) + 0.75F * unit_px * along;
+  const Vec2 tip = tail + unit_px * along;
+  const Vec2 neck = tip - 0.4F * unit_px * along;
+  const auto draw = [&](ImU32 color, float grown_px) {
+    const Vec2 end = tail - grown_px * along;
+    const Vec2 wing = (0.25F * unit_px + 2.0F * grown_px) * across;
+    const Vec2 root = neck - grown_px * along;
+    const Vec2 point = tip + 2.0F * grown_px * along;
+    list.AddLine({end.x, end.y}, {neck.x, neck.y}, color, 0.12F * unit_px + 2.0F * grown_px);
+    list.AddTriangleFilled({point.x, point.y}, {root.x + wing.x, root.y + wing.y},
+                           {root.x - wing.x, root.y - wing.y}, color);
+  };
+  draw(im(Rgb(0.0F)), 2.0F);
+  draw(im(highlight), 0.0F);
 }
 
 /// A bull's eye draws the gaze to its middle (Thaler et al. 2013, "What is the best fixation
@@ -229,6 +257,9 @@ void paint(ImDrawList& list, const ViewOverlays& overlays, const ShownView& view
   paint_rings(list, overlays, pane);
   for (const OfferRing& offer : overlays.offers) {
     paint_offer(list, offer, pane);
+    if (offer.is_highlighted && !pane.viewport.project(offer.direction)) {
+      paint_arrow(list, offer.direction, pane);
+    }
   }
   if (overlays.shows_gaze) {
     paint_disc(list, overlays.gaze, 5.0F * pane.pixel_rad(), pane, im(Rgb(1.0F, 0.1F, 0.2F), 0.9F));

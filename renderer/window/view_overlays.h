@@ -13,7 +13,8 @@ struct ImDrawList;
 
 namespace foveola {
 
-/// A ring that offers what is in it.
+/// A ring that offers what is in it. If a view does not show the highlighted one's middle, an arrow
+/// says where to turn.
 struct OfferRing {
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< direction of its middle; unit length, world
   float radius_rad = 0.0F;

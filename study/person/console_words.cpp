@@ -5,30 +5,70 @@
 namespace foveola::study {
 namespace {
 
-// What there is to say about some events beside their names.
-/// The first line: an amended protocol's note holds its whole text.
-std::string detail_of(const NoteWritten& note) { return note.text.substr(0, note.text.find('\n')); }
-std::string detail_of(const Excluded& excluded) { return excluded.reason; }
-std::string detail_of(const ObjectChosen& chosen) { return chosen.object; }
-std::string detail_of(const QuestionnaireAnswered& answered) { return answered.questionnaire; }
-std::string detail_of(const ReactionPressed& press) {
-  return press.time < press.shown
-             ? "too early"
-             : fmt::format("after {:.0f} ms", 1e3 * seconds(press.time - press.shown));
-}
-std::string detail_of(const GazeValidated& validated) {
-  const GazeQuality& quality = validated.runs.back().quality;
-  return quality.figures
-             ? fmt::format("{}, accuracy {:.2f} degrees, precision {:.2f}, {:.0f} % lost",
-                           validated.passed ? "good enough" : "not good enough",
-                           quality.figures->accuracy_deg, quality.figures->precision_rms_deg,
-                           100.0 * quality.data_loss)
-             : "the tracker saw no eye look at any target";
-}
-template <typename Other>
-std::string detail_of(const Other& /*event*/) {
-  return {};
-}
+/// What happened, by the event and the state after it.
+struct Happened {
+  const SessionState& after;
+  const Protocol& protocol;
+
+  /// The id of the mark that was last waited for.
+  const std::string& last_mark() const { return protocol.marks[after.mark - 1].id; }
+
+  std::string operator()(const SessionStarted& /*event*/) const { return "The session begins."; }
+  std::string operator()(const ConsentGiven& /*event*/) const { return "Consent was given."; }
+  std::string operator()(const QuestionnaireAnswered& answered) const {
+    return fmt::format("The questionnaire {} was filled in.", answered.questionnaire);
+  }
+  std::string operator()(const GazeValidated& validated) const {
+    const GazeQuality& quality = validated.runs.back().quality;
+    return quality.figures
+               ? fmt::format(
+                     "The gaze was validated, {}: accuracy {:.2f} degrees, precision {:.2f}, "
+                     "{:.0f} % lost.",
+                     validated.passed ? "good enough" : "not good enough",
+                     quality.figures->accuracy_deg, quality.figures->precision_rms_deg,
+                     100.0 * quality.data_loss)
+               : "The gaze was not validated: the tracker saw no eye look at any target.";
+  }
+  std::string operator()(const ReactionPressed& press) const {
+    return press.time < press.shown ? "A reaction came too early."
+                                    : fmt::format("A reaction came after {:.0f} ms.",
+                                                  1e3 * seconds(press.time - press.shown));
+  }
+  std::string operator()(const ObjectChosen& chosen) const {
+    return fmt::format("The object {} was chosen.", chosen.object);
+  }
+  std::string operator()(const TrialStarted& /*event*/) const { return "The trial was started."; }
+  std::string operator()(const FirstFramePresented& /*event*/) const {
+    return "Its first frame is shown.";
+  }
+  std::string operator()(const Marked& marked) const {
+    return fmt::format("{} was marked after {:.3f} s.", last_mark(),
+                       seconds(marked.time - after.first_frame));
+  }
+  std::string operator()(const TimedOut& timed_out) const {
+    return fmt::format("{} was not marked in {:g} s.", last_mark(),
+                       seconds(timed_out.time - after.first_frame));
+  }
+  std::string operator()(const Rated& /*event*/) const { return "The trial was rated."; }
+  std::string operator()(const RetimeRequested& /*event*/) const {
+    return "The trial is to be timed again.";
+  }
+  std::string operator()(const PauseRequested& /*event*/) const { return "The session pauses."; }
+  std::string operator()(const Interrupted& /*event*/) const {
+    return "The session is interrupted.";
+  }
+  std::string operator()(const Resumed& /*event*/) const { return "The session goes on."; }
+  /// The first line: an amended protocol's note holds its whole text.
+  std::string operator()(const NoteWritten& note) const {
+    return "Note: " + note.text.substr(0, note.text.find('\n'));
+  }
+  std::string operator()(const Withdrawn& /*event*/) const {
+    return "The participant stopped taking part.";
+  }
+  std::string operator()(const Excluded& excluded) const {
+    return fmt::format("The session was excluded: {}.", excluded.reason);
+  }
+};
 
 std::string words_for_trial(std::size_t index, const Plan& plan) {
   const PlannedTrial& trial = plan[index];
@@ -57,9 +97,8 @@ std::string words_for_step(const AgendaStep& step, const Plan& plan) {
 
 }  // namespace
 
-std::string words_for(const Event& event) {
-  const std::string detail = std::visit([](const auto& one) { return detail_of(one); }, event);
-  return detail.empty() ? std::string(name_of(event)) : name_of(event) + (": " + detail);
+std::string words_for(const Event& event, const SessionState& after, const Protocol& protocol) {
+  return std::visit(Happened{after, protocol}, event);
 }
 
 std::string words_for(const SessionState& state, const Procedure& procedure, const Plan& plan) {

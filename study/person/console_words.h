@@ -9,8 +9,9 @@
 
 namespace foveola::study {
 
-/// "marked", "note_written: ...": the record's name, and what there is to say about it.
-std::string words_for(const Event& event);
+/// "outline was marked after 3.214 s.", "Note: the phone rang". after: the session's state after
+/// the event.
+std::string words_for(const Event& event, const SessionState& after, const Protocol& protocol);
 
 /// "marking, trial 3 of 15: arcade with fv, timing 1, attempt 1".
 std::string words_for(const SessionState& state, const Procedure& procedure, const Plan& plan);

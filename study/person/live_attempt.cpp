@@ -69,6 +69,10 @@ std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {
                      .graphics = setting_.display.graphics()};
 }
 
+std::optional<Vec3> LiveAttempt::gaze() const {
+  return is_gaze_valid_ ? std::optional(preview_.gaze()) : std::nullopt;
+}
+
 LiveFrame LiveAttempt::next_blank() {
   wait_until(next_blank_);
   LiveFrame frame{.start = setting_.clock.now()};
@@ -99,6 +103,7 @@ void LiveAttempt::keep(const LiveFrame& frame) {
     sample.time -= setting_.session_zero;
   }
   log_.add(row, arrived);
+  is_gaze_valid_ = row.gaze_valid;
 }
 
 }  // namespace foveola::study

@@ -59,6 +59,8 @@ class LiveAttempt final : public AttemptPort {
 
   /// What is known of drawing, if it is found too slow for frames to be in time.
   std::optional<SlowDrawing> slow_drawing() const;
+  /// The gaze that the last frame used (unit length, world), or empty if it was not valid.
+  std::optional<Vec3> gaze() const;
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   /// The viewport through which the last frame was shown.
   const Viewport& viewport() const { return preview_.viewport(); }
@@ -75,6 +77,7 @@ class LiveAttempt final : public AttemptPort {
   LiveFrames frames_;
   AttemptLog log_;
   Nanoseconds next_blank_{0};
+  bool is_gaze_valid_ = false;  ///< in the last frame
 };
 
 }  // namespace foveola::study

@@ -1,7 +1,6 @@
 #include "study/person/object_pick.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "renderer/base/angles.h"
 
@@ -38,13 +37,6 @@ std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered,
   return rings;
 }
 
-OfferRing ring_of(const std::vector<OfferedObject>& offered, const std::string& object) {
-  const auto found = std::find_if(offered.begin(), offered.end(),
-                                  [&](const OfferedObject& one) { return one.name == object; });
-  if (found == offered.end()) {
-    throw std::logic_error("the scene offers no object " + object);
-  }
-  return ring_around(*found, true);
-}
+OfferRing ring_of(const OfferedObject& chosen) { return ring_around(chosen, true); }
 
 }  // namespace foveola::study

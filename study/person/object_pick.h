@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "renderer/base/vec.h"
@@ -18,7 +17,7 @@ std::size_t object_ahead(const std::vector<OfferedObject>& offered, const Vec3& 
 /// A ring for each, the highlighted one's on top.
 std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered, std::size_t highlighted);
 
-/// The ring of the object that is already chosen. Throws std::logic_error if it is not on offer.
-OfferRing ring_of(const std::vector<OfferedObject>& offered, const std::string& object);
+/// The ring of the object that is already chosen.
+OfferRing ring_of(const OfferedObject& chosen);
 
 }  // namespace foveola::study

@@ -27,10 +27,17 @@ ScreenPage page_of_reaction(ReactionLook look, const Texts& texts) {
   return reaction_wait_screen(texts);
 }
 
-ScreenPage page_before_trial(const SessionContext& context) {
+ScreenPage page_before_trial(const PromptState& prompt, const SessionContext& context) {
   const std::size_t trial = *trial_of(context.procedure, context.seen);
-  return ready_screen(context.protocol.marks, trial_count(context.plan, trial),
-                      context.seen.timing > 1, context.protocol.texts);
+  const bool was_timed = context.seen.timing > 1;
+  const bool says_why = prompt.timed_again != TimedAgain::no;
+  return ready_screen(context.protocol.marks,
+                      {.object = prompt.object,
+                       .count = trial_count(context.plan, trial),
+                       .again = !was_timed ? TimedAgain::no
+                                : says_why ? prompt.timed_again
+                                           : TimedAgain::asked_for},
+                      context.protocol.texts);
 }
 
 ScreenPage page_of_rating(const PromptState& prompt, const Protocol& protocol, bool acknowledges) {
@@ -74,9 +81,9 @@ std::optional<ScreenPage> page_of_phase(const PromptState& prompt, const Session
     case Phase::reaction:
       return page_of_reaction(prompt.reaction.look(), protocol.texts);
     case Phase::choosing_object:
-      return choosing_screen(protocol.texts);
+      return choosing_screen(prompt.object, protocol.texts);
     case Phase::ready:
-      return page_before_trial(context);
+      return page_before_trial(prompt, context);
     case Phase::armed:
       return prompt.awaits_gaze ? std::optional(no_gaze_screen(protocol.texts)) : std::nullopt;
     case Phase::marking:

@@ -52,7 +52,8 @@ SessionOutcome PersonSession::run(const std::stop_token& stop) {
 }
 
 void PersonSession::follow(const DurableEvent& durable) {
-  settings_.say(fmt::format("{:9.3f} s  {}", seconds(durable.time), words_for(durable.event)));
+  settings_.say(fmt::format("{:9.3f} s  {}", seconds(durable.time),
+                            words_for(durable.event, durable.after, study_.protocol)));
   study::follow(prompt_, durable.event, context());
   if (std::holds_alternative<GazeValidated>(durable.event)) {
     eye_.correct(driver_.correction());
@@ -66,6 +67,9 @@ void PersonSession::carry_out(const Effect& effect) {
   prepare(prompt_, effect, context(), now());
   if (is<AskForObject>(effect) || is<AskWhetherReady>(effect)) {
     enter_scene();
+    if (is<AskWhetherReady>(effect)) {
+      viewer_.turn_to(chosen_object().direction, seat_.clock.now());
+    }
   } else if (is<AskForRating>(effect)) {
     prompt_.look_around_until = driver_.look_around_until();
   } else if (is<StopRendering>(effect)) {
@@ -140,6 +144,7 @@ std::unique_ptr<AttemptPort> PersonSession::begin_attempt() {
                      .while_waiting = [this] { answer_window(); },
                      .page = [this] { return page_of(prompt_, context(), now()); }});
   attempt_ = attempt.get();
+  gaze_times_ = {};
   return attempt;
 }
 

@@ -22,6 +22,7 @@
 #include "study/person/prompt_state.h"
 #include "study/person/simulated_operator.h"
 #include "study/person/viewer.h"
+#include "study/stage/object_sight.h"
 #include "study/stage/seeds.h"
 #include "study/stage/stage_reload.h"
 
@@ -112,6 +113,14 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   std::size_t object_ahead_now();
   bool is_picture_shown() const;
 
+  // Whether the participant looks at the trial's object.
+  const OfferedObject& chosen_object() const;
+  void show_object(const OfferedObject& object, const Quat& head);
+  void watch_gaze(Nanoseconds shown);
+  void judge_mark();
+  void judge_gaze();
+  void follow_up(const std::string& finding, Remedy remedy, TimedAgain reason);
+
   SessionContext context() const {
     return {study_.protocol, study_.plan, driver_.procedure(), driver_.seen()};
   }
@@ -134,6 +143,8 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   std::unique_ptr<EquirectFilm>
       panorama_;                     ///< the scene as it looks without noise, in direct light
   LiveAttempt* attempt_ = nullptr;   ///< the driver's, while it goes on
+  GazeTimes gaze_times_;             ///< the attempt's, up to its last mark
+  Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
   std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
   bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
   bool has_reported_slow_drawing_ = false;

@@ -140,7 +140,9 @@ void PersonSession::hand_in() {
 
 void PersonSession::act(KeyIntent intent, Nanoseconds time) {
   if (intent == KeyIntent::mark) {
-    driver_.mark(time - zero_);
+    if (driver_.mark(time - zero_)) {
+      judge_mark();
+    }
     return;
   }
   if (const std::optional<Event> event = event_of(intent)) {

@@ -99,6 +99,7 @@ void PersonSession::end_frame(Nanoseconds shown) {
   page_watch_.was_shown(shown_by_clock);
   report_tracker();
   report_slow_drawing();
+  watch_gaze(shown);
   if (seat_.simulated_operator != nullptr) {
     show_to_operator(shown_by_clock);
   }
@@ -156,16 +157,24 @@ void PersonSession::go_on_reacting(Nanoseconds shown) {
 }
 
 SessionPicture PersonSession::picture() {
-  SessionPicture picture{.head = viewer_.orientation(seat_.clock.now()),
-                         .screen = page_of(prompt_, context(), now())};
+  SessionPicture picture{.head = viewer_.orientation(seat_.clock.now())};
   if (driver_.seen().phase == Phase::validation && prompt_.validation) {
     picture.overlays.target = picture.head * prompt_.validation->target().value_or(forward);
   } else if (driver_.seen().phase == Phase::choosing_object) {
-    picture.overlays.offers = rings_of(stage().objects(), object_ahead_now());
+    const std::size_t ahead = object_ahead_now();
+    picture.overlays.offers = rings_of(stage().objects(), ahead);
+    show_object(stage().objects()[ahead], picture.head);
   } else if (driver_.seen().phase == Phase::ready) {
-    picture.overlays.offers = {ring_of(stage().objects(), driver_.seen().object)};
+    picture.overlays.offers = {ring_of(chosen_object())};
+    show_object(chosen_object(), picture.head);
   }
+  picture.screen = page_of(prompt_, context(), now());
   return picture;
+}
+
+void PersonSession::show_object(const OfferedObject& object, const Quat& head) {
+  const Viewport view = viewports_of(seat_.display.geometry(), head).front();
+  prompt_.object = {.name = object.name, .is_in_view = object_sight(view, object).is_in_view};
 }
 
 std::size_t PersonSession::object_ahead_now() {

@@ -16,6 +16,7 @@ struct Following {
   void operator()(const ReactionPressed& pressed) const { prompt.reaction.was_kept(pressed); }
   void operator()(const QuestionnaireAnswered& /*event*/) const { prompt.form.reset(); }
   void operator()(const ConsentGiven& /*event*/) const { prompt.form.reset(); }
+  void operator()(const TrialStarted& /*event*/) const { prompt.timed_again = TimedAgain::no; }
   template <typename Other>
   void operator()(const Other& /*event*/) const {}
 };

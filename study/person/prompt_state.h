@@ -23,7 +23,9 @@ struct PromptState {
   std::optional<GazeValidationRuns> validation;  ///< its times are of the steady clock
   ReactionPresses reaction;                      ///< its times are of the steady clock
   bool awaits_gaze = false;  ///< whether an armed trial shows nothing until there is a gaze
-  Nanoseconds acknowledged_until{0};  ///< until then it is shown that a mark was taken
+  NamedObject object;        ///< while one is chosen or to be turned to
+  TimedAgain timed_again = TimedAgain::no;  ///< why the trial is asked for again
+  Nanoseconds acknowledged_until{0};        ///< until then it is shown that a mark was taken
   bool wants_to_rate = false;
   Nanoseconds look_around_until{0};  ///< the rating form does not come up before
 };

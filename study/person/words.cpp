@@ -1,6 +1,7 @@
 #include "study/person/words.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,21 @@ const char* id_of(Notice notice) {
   return "goodbye";
 }
 
+/// What is said of it; empty if there is nothing to say.
+std::optional<std::string> id_of(TimedAgain again) {
+  switch (again) {
+    case TimedAgain::asked_for:
+      return "ready_again";
+    case TimedAgain::object_out_of_view:
+      return "ready_again_out_of_view";
+    case TimedAgain::gaze_elsewhere:
+      return "ready_again_elsewhere";
+    case TimedAgain::no:
+      break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Form consent_form(const Texts& texts) {
@@ -121,16 +137,24 @@ ScreenPage reaction_early_screen(const Texts& texts) {
   return {.title = text_of(texts, "reaction_early")};
 }
 
-ScreenPage choosing_screen(const Texts& texts) { return band_of("choosing", texts); }
+ScreenPage choosing_screen(const NamedObject& object, const Texts& texts) {
+  ScreenPage screen = band_of("choosing", texts);
+  screen.paragraphs.push_back(filled(text_of(texts, "choosing_object"), {{"object", object.name}}));
+  return screen;
+}
 
-ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const TrialCount& count, bool is_again,
+ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const ReadyPage& page,
                         const Texts& texts) {
   ScreenPage screen = band_of("ready", texts);
-  screen.title = filled(screen.title, {{"trial", fmt::format("{}", count.trial)},
-                                       {"trials", fmt::format("{}", count.trials)}});
-  if (is_again) {
-    screen.paragraphs.insert(screen.paragraphs.begin(), text_of(texts, "ready_again"));
+  screen.title = filled(screen.title, {{"trial", fmt::format("{}", page.count.trial)},
+                                       {"trials", fmt::format("{}", page.count.trials)}});
+  std::vector<std::string> first;
+  if (const std::optional<std::string> reason = id_of(page.again)) {
+    first.push_back(text_of(texts, *reason));
   }
+  first.push_back(filled(text_of(texts, page.object.is_in_view ? "ready_object" : "ready_unseen"),
+                         {{"object", page.object.name}}));
+  screen.paragraphs.insert(screen.paragraphs.begin(), first.begin(), first.end());
   for (std::size_t i = 0; i < marks.size(); ++i) {
     screen.paragraphs.push_back(
         filled(text_of(texts, "ready_mark"),

@@ -54,7 +54,14 @@ ScreenPage reaction_early_screen(const Texts& texts);
 
 // --- Bands below the picture ---
 
-ScreenPage choosing_screen(const Texts& texts);
+/// An object of the scene, as the view shows it.
+struct NamedObject {
+  std::string name;
+  bool is_in_view = true;
+};
+
+/// object: the one that Enter would choose.
+ScreenPage choosing_screen(const NamedObject& object, const Texts& texts);
 
 /// Which of a session's trials it is, from 1; those of the practice are counted by themselves.
 struct TrialCount {
@@ -62,8 +69,23 @@ struct TrialCount {
   std::size_t trials = 1;
 };
 
-/// What is to be marked, before a trial. is_again: it was timed before.
-ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const TrialCount& count, bool is_again,
+/// Why a trial is timed again.
+enum class TimedAgain {
+  no,
+  asked_for,
+  object_out_of_view,
+  gaze_elsewhere,
+};
+
+/// What is to be known before a trial.
+struct ReadyPage {
+  NamedObject object;  ///< the chosen one
+  TrialCount count;
+  TimedAgain again = TimedAgain::no;
+};
+
+/// What is to be marked, before a trial.
+ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const ReadyPage& page,
                         const Texts& texts);
 
 /// A trial that follows the gaze waits for one.

@@ -30,6 +30,7 @@ void read_all_settings(TomlReader& reader, Protocol& protocol) {
   protocol.tracker = read_tracker(reader.table("tracker"), folder_of(protocol));
   protocol.timing = read_timing(reader.table("timing"), {});
   protocol.reference = read_reference(reader.table("reference"));
+  protocol.preflight = read_preflight(reader.table("preflight"));
   read_overrides(reader, protocol);
 }
 

@@ -140,6 +140,35 @@ struct ReactionSettings {
   double longest_wait_s = 3.0;
 };
 
+/// What follows when a mark shows that a participant did not see the trial's object.
+enum class Remedy {
+  flag,    ///< A note in the record says so, and the analysis.
+  retime,  ///< The trial is timed again as well, up to most_retimings times.
+};
+
+/// How often a trial is timed again because the object was not looked at: whoever then still looks
+/// elsewhere has a reason for it.
+inline constexpr int most_retimings = 2;
+
+/// What follows when a participant did not look at a trial's object.
+struct LookingSettings {
+  Remedy object_out_of_view = Remedy::flag;  ///< The view did not show the object at a mark.
+  Remedy gaze_elsewhere = Remedy::flag;      ///< The gaze was elsewhere for most of the trial.
+};
+
+/// What has to hold before a person's session begins; what is empty is not asked for.
+struct PreflightGate {
+  std::optional<double> max_late_percent;        ///< Frames that miss their refresh, in each scene.
+  std::optional<double> min_samples_per_second;  ///< Of the slowest method and scene.
+  std::optional<double> min_gaze_rate_hz;
+  std::optional<double> max_gaze_loss;   ///< The part of samples that are not valid, in [0, 1].
+  std::optional<double> max_gaze_age_s;  ///< The median age of the newest sample in a frame.
+  std::optional<double> min_free_gb;     ///< On the disk of the study's file, in 10^9 bytes.
+  bool tracked_eye = false;              ///< Neither simulated nor recorded nor the pointer.
+  bool stated_display = false;           ///< The display is as its profile states.
+  bool set_clock = false;                ///< The system's clock is synchronised.
+};
+
 /// A part of a session: "consent", "validation", "reaction", "trials" (with the practice before
 /// them), or a questionnaire.
 struct PhaseEntry {
@@ -202,6 +231,8 @@ struct Protocol {
   std::vector<PracticeEntry> practice;
   CatchTrials catch_trials;
   std::optional<ReactionSettings> reaction;
+  LookingSettings looking;
+  PreflightGate preflight;
   std::vector<Questionnaire> questionnaires;
   std::vector<PhaseEntry> phases;  ///< In the session's order; exactly one is trials.
   /// The settings by scene and method that overrides change.

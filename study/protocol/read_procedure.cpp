@@ -100,6 +100,16 @@ ReactionSettings read_reaction(TomlReader reader) {
   return reaction;
 }
 
+LookingSettings read_looking(TomlReader reader) {
+  constexpr std::array remedies{Word<Remedy>{"flag", Remedy::flag},
+                                Word<Remedy>{"retime", Remedy::retime}};
+  LookingSettings looking;
+  reader.read("object_out_of_view", looking.object_out_of_view, remedies);
+  reader.read("gaze_elsewhere", looking.gaze_elsewhere, remedies);
+  reader.reject_unknown_keys();
+  return looking;
+}
+
 bool has_consent(const Protocol& protocol) { return !text_of(protocol.texts, "consent").empty(); }
 
 bool has_questionnaire(const Protocol& protocol, const std::string& id) {
@@ -260,6 +270,7 @@ void read_procedure(TomlReader& reader, Protocol& protocol) {
   if (reader.has("reaction")) {
     protocol.reaction = read_reaction(reaction);
   }
+  protocol.looking = read_looking(reader.table("looking"));
 }
 
 void read_phases(TomlReader& reader, Protocol& protocol) {

@@ -22,8 +22,8 @@ std::vector<MarkEntry> read_marks(TomlReader& reader);
 /// of its own.
 std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks);
 
-/// Fills the protocol's orders, marks, ratings, practice, catch trials and reaction. Its scenes and
-/// methods must have been read.
+/// Fills the protocol's orders, marks, ratings, practice, catch trials, reaction and what is looked
+/// at. Its scenes and methods must have been read.
 void read_procedure(TomlReader& reader, Protocol& protocol);
 
 /// Fills the protocol's phases. Everything that they refer to must have been read.

@@ -18,6 +18,7 @@ FilmSettings read_film(TomlReader reader, FilmSettings film);
 TrackerSettings read_tracker(TomlReader reader, const std::filesystem::path& folder);
 Timing read_timing(TomlReader reader, Timing timing);
 ReferenceQuality read_reference(TomlReader reader);
+PreflightGate read_preflight(TomlReader reader);
 
 /// One of the protocol's scenes; empty if the key is absent.
 std::string read_scene_name(TomlReader& reader, std::string_view key, const Protocol& protocol);

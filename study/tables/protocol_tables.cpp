@@ -87,6 +87,43 @@ std::string text_of(const TrialSettings& settings) {
                      settings.fill_unsampled ? "; unsampled pixels filled" : "");
 }
 
+/// What a trial is timed again for; empty if for nothing.
+std::string text_of(const LookingSettings& looking) {
+  std::vector<std::string> reasons;
+  if (looking.object_out_of_view == Remedy::retime) {
+    reasons.emplace_back("a mark with the object out of view");
+  }
+  if (looking.gaze_elsewhere == Remedy::retime) {
+    reasons.emplace_back("a gaze elsewhere for most of it");
+  }
+  return fmt::format("{}", fmt::join(reasons, ", "));
+}
+
+/// What has to hold before a session; empty if nothing has to.
+std::string text_of(const PreflightGate& gate) {
+  std::vector<std::string> limits;
+  const auto limit = [&](const std::optional<double>& value, const char* words) {
+    if (value) {
+      limits.push_back(fmt::format(fmt::runtime(words), *value));
+    }
+  };
+  limit(gate.max_late_percent, "at most {:g} % of the frames late");
+  limit(gate.min_samples_per_second, "at least {:g} samples a second");
+  limit(gate.min_gaze_rate_hz, "gaze at {:g} Hz or more");
+  limit(gate.max_gaze_loss, "at most {:g} of it lost");
+  limit(gate.max_gaze_age_s, "no older than {:g} s");
+  limit(gate.min_free_gb, "{:g} GB free");
+  const auto demand = [&](bool is_demanded, const char* words) {
+    if (is_demanded) {
+      limits.emplace_back(words);
+    }
+  };
+  demand(gate.tracked_eye, "a tracked eye");
+  demand(gate.stated_display, "the display as its profile states");
+  demand(gate.set_clock, "a synchronised clock");
+  return fmt::format("{}", fmt::join(limits, ", "));
+}
+
 void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
   rows.push_back({"phases", texts_of(protocol.phases)});
   rows.push_back({"scene order", orders_of(protocol.scene_order, protocol.scenes.size())});
@@ -106,6 +143,12 @@ void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
   if (const auto& reaction = protocol.reaction) {
     rows.push_back({"reaction", fmt::format("{} presses after {} to {} s", reaction->presses,
                                             reaction->shortest_wait_s, reaction->longest_wait_s)});
+  }
+  if (const std::string remedies = text_of(protocol.looking); !remedies.empty()) {
+    rows.push_back({"timed again", remedies});
+  }
+  if (const std::string gate = text_of(protocol.preflight); !gate.empty()) {
+    rows.push_back({"preflight", gate});
   }
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
     rows.push_back(

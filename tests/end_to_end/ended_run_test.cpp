@@ -42,7 +42,7 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
   participant_.begin({"--resume"});
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
   participant_.program().type_line("withdraw");
-  participant_.program().wait_for("withdrawn");
+  participant_.program().wait_for("stopped taking part");
   participant_.program().type_line("quit");
   participant_.program().wait_for_end();
   EXPECT_THAT(
@@ -89,7 +89,7 @@ TEST_F(StudyRun, TheExperimenterMayExclude) {
   participant_.begin();
   participant_.wait_for_page();
   participant_.program().type_line("exclude the tracker failed");
-  participant_.program().wait_for("excluded: the tracker failed");
+  participant_.program().wait_for("The session was excluded: the tracker failed");
   participant_.program().type_line("quit");
   EXPECT_EQ(participant_.program().wait_for_end(), 0);
   EXPECT_THAT(participant_.ask("SELECT type, json_extract(payload, '$.reason') FROM event "

@@ -39,7 +39,7 @@ class Rehearsal : public StudyRun {
   }
 
   std::string wait_for_note(const std::string& words) {
-    return participant_.program().wait_for("note_written: the " + words);
+    return participant_.program().wait_for("Note: the " + words);
   }
 };
 

@@ -61,9 +61,9 @@ required = false
 /// Until the session has noticed both, that the tracker is lost and that it is back.
 void cover_for_a_while(CoverableTracker& tracker, RunningProgram& program) {
   tracker.cover();
-  program.wait_for("note_written: the eye tracker sends no gaze");
+  program.wait_for("Note: the eye tracker sends no gaze");
   tracker.uncover();
-  program.wait_for("note_written: the eye tracker sends gaze again");
+  program.wait_for("Note: the eye tracker sends gaze again");
 }
 
 /// The film of each attempt of the whole session.
@@ -91,13 +91,13 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.wait_for_page();  // background
   participant_.type_all({"3", "4", "Return", "2", "Return", "Return"});
   participant_.answer_page("Return");  // before the targets
-  participant_.program().wait_for("gaze_validated");
+  participant_.program().wait_for("The gaze was validated");
   participant_.answer_page("Return");  // before the reaction test
   for (int press = 0; press < 2; ++press) {
     participant_.wait_for_page();
     participant_.wait_for_signal();
     participant_.type("space");
-    participant_.program().wait_for("reaction_pressed");
+    participant_.program().wait_for("A reaction came after");
   }
   participant_.answer_page("Return");  // practice
   participant_.wait_for_page();        // choosing: the wall is ahead, Tab goes on to the lamp
@@ -121,7 +121,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_EQ(participant_.wait_for_page(), "paused");
   RunningProgram& program = participant_.program();
   program.type_line("note the phone rang");
-  program.wait_for("note_written: the phone rang");
+  program.wait_for("Note: the phone rang");
   program.type_line("state");
   EXPECT_THAT(program.wait_for("paused"), HasSubstr("hall with fv"));
   program.type_line("quit");
@@ -192,12 +192,12 @@ TEST_F(StudyRun, ATrialThatFollowsTheGazeWaitsForOne) {
   RunningProgram& program = participant_.program();
   participant_.answer_page("Return");  // welcome
   tracker.cover();
-  program.wait_for("note_written: the eye tracker sends no gaze");
+  program.wait_for("Note: the eye tracker sends no gaze");
   participant_.answer_page("Return");  // choosing
   time_trial();                        // od needs no gaze
   rate("3");
   participant_.answer_page("space");
-  program.wait_for("note_written: the trial waits for a gaze");
+  program.wait_for("Note: the trial waits for a gaze");
   EXPECT_EQ(participant_.wait_for_page(), "armed") << "says so";
   std::this_thread::sleep_for(1s);
   tracker.uncover();

@@ -87,7 +87,7 @@ void SeatedParticipant::begin(const std::vector<std::string>& options) {
   program_ = std::make_unique<RunningProgram>(arguments, hall_.environment());
   const std::string line = program_->wait_for("Session time 0 is ");
   zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
-  user_->point_at("Foveola", 320, 240);
+  point_at(320, 240);
 }
 
 std::string SeatedParticipant::wait_for_page() {
@@ -136,6 +136,8 @@ void SeatedParticipant::type_all(const std::vector<std::string>& keys) {
     type(key);
   }
 }
+
+void SeatedParticipant::point_at(int x, int y) { user_->point_at("Foveola", x, y); }
 
 void SeatedParticipant::answer_page(const std::string& key) {
   wait_for_page();

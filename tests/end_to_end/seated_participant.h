@@ -49,6 +49,8 @@ class SeatedParticipant {
   /// Presses a key and lets it go.
   KeyPress type(const std::string& key);
   void type_all(const std::vector<std::string>& keys);
+  /// Moves the pointer to a place in the window, from its top left corner.
+  void point_at(int x, int y);
 
   /// Presses `key` once the next page stands.
   void answer_page(const std::string& key);

@@ -111,8 +111,23 @@ TEST(ViewOverlaysTest, WhatLiesBehindIsNotDrawn) {
   const RgbImage picture = capture.capture({.gaze = towards(180.0, 0.0),
                                             .shows_gaze = true,
                                             .rings_rad = {static_cast<float>(radians(40.0))},
-                                            .offers = {offer(150.0, 0.0, 10.0, true)}});
+                                            .offers = {offer(150.0, 0.0, 10.0, false)}});
   EXPECT_EQ(marked(picture, {0, 0}, {800, 450}), 0);
+}
+
+TEST(ViewOverlaysTest, AnArrowPointsToTheHighlightedOneThatIsNotSeen) {
+  test::ScreenCapture capture(one_view);
+  const auto picture_towards = [&](double azimuth_deg, double elevation_deg) {
+    return capture.capture({.offers = {offer(azimuth_deg, elevation_deg, 8.0, true)}});
+  };
+  const RgbImage right = picture_towards(150.0, 0.0);
+  test::keep_for_people("overlays-arrow", right);
+  EXPECT_GT(marked(right, {400, 0}, {800, 450}), 1000);
+  EXPECT_EQ(marked(right, {0, 0}, {400, 450}), 0);
+  EXPECT_EQ(marked(picture_towards(-80.0, 0.0), {400, 0}, {800, 450}), 0);
+  EXPECT_EQ(marked(picture_towards(0.0, 80.0), {0, 225}, {800, 450}), 0);
+  EXPECT_EQ(marked(picture_towards(0.0, -80.0), {0, 0}, {800, 225}), 0);
+  EXPECT_GT(marked(picture_towards(180.0, 0.0), {400, 0}, {800, 450}), 1000) << "exactly behind";
 }
 
 }  // namespace

@@ -13,12 +13,17 @@ const Procedure procedure{.agenda = {ConsentStep{}, TrialStep{.trial = 0}, Trial
                                      QuestionnaireStep{"debrief"}}};
 
 TEST(ConsoleWords, SayWhatHappened) {
-  EXPECT_EQ(words_for(Marked{1s}), "marked");
-  EXPECT_EQ(words_for(NoteWritten{"it rings"}), "note_written: it rings");
-  EXPECT_EQ(words_for(ObjectChosen{"lamp"}), "object_chosen: lamp");
-  EXPECT_EQ(words_for(ReactionPressed{.shown = 1s, .time = 1250ms}),
-            "reaction_pressed: after 250 ms");
-  EXPECT_EQ(words_for(ReactionPressed{.shown = 1s, .time = 900ms}), "reaction_pressed: too early");
+  Protocol protocol;
+  protocol.marks = {{.id = "outline"}, {.id = "material"}};
+  const SessionState after{.phase = Phase::rating, .mark = 2, .first_frame = 10s};
+  const auto words = [&](const Event& event) { return words_for(event, after, protocol); };
+  EXPECT_EQ(words(Marked{13214ms}), "material was marked after 3.214 s.");
+  EXPECT_EQ(words(TimedOut{130s}), "material was not marked in 120 s.");
+  EXPECT_EQ(words(NoteWritten{"it rings\nagain"}), "Note: it rings");
+  EXPECT_EQ(words(ObjectChosen{"lamp"}), "The object lamp was chosen.");
+  EXPECT_EQ(words(ReactionPressed{.shown = 1s, .time = 1250ms}), "A reaction came after 250 ms.");
+  EXPECT_EQ(words(ReactionPressed{.shown = 1s, .time = 900ms}), "A reaction came too early.");
+  EXPECT_EQ(words(Excluded{"sees double"}), "The session was excluded: sees double.");
 }
 
 TEST(ConsoleWords, SayWhereTheSessionIs) {

@@ -35,9 +35,9 @@ TEST(ObjectPick, RingsEachObjectTheHighlightedOneOnTop) {
   EXPECT_NEAR(rings.front().radius_rad, radians(4.0), 1e-6);
 }
 
-TEST(ObjectPick, FindsTheChosenOnesRing) {
-  EXPECT_EQ(ring_of(offered, "chair").direction, towards(180.0));
-  EXPECT_THROW(ring_of(offered, "table"), std::logic_error);
+TEST(ObjectPick, TheChosenOnesRingIsHighlighted) {
+  EXPECT_EQ(ring_of(offered[2]).direction, towards(180.0));
+  EXPECT_TRUE(ring_of(offered[2]).is_highlighted);
 }
 
 }  // namespace

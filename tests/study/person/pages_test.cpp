@@ -105,8 +105,16 @@ TEST(PagesTest, ATrialsPhasesLeaveThePicture) {
   session.protocol.texts["ready_title"] = "{trial} of {trials}";
   EXPECT_EQ(title(session), "2 of 2");
   EXPECT_FALSE(page_of(session.prompt, session.context(), 0s)->covers_picture);
+  session.seen.timing = 2;
+  session.prompt.object = {.name = "Lamp", .is_in_view = true};
+  const auto first = [&] { return page_of(session.prompt, session.context(), 0s)->paragraphs[0]; };
+  EXPECT_EQ(first(), "ready_again");
+  session.prompt.timed_again = TimedAgain::gaze_elsewhere;
+  EXPECT_EQ(first(), "ready_again_elsewhere");
+  session.follow(TrialStarted{});
+  EXPECT_EQ(first(), "ready_again");
   session.seen.phase = Phase::choosing_object;
-  EXPECT_EQ(title(session), title_of(choosing_screen(session.protocol.texts)));
+  EXPECT_EQ(title(session), title_of(choosing_screen({}, session.protocol.texts)));
   session.seen.phase = Phase::armed;
   EXPECT_EQ(title(session), "");
 }

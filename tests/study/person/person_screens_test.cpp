@@ -44,6 +44,9 @@ std::vector<Questionnaire> ready_questionnaires() {
   return read_protocol(text, "ready.toml").questionnaires;
 }
 
+const NamedObject lamp{.name = "the floor lamp"};
+const NamedObject unseen_lamp{.name = "the floor lamp", .is_in_view = false};
+
 /// Of the published study's protocol and of the ready questionnaires, which are in English.
 std::vector<NamedScreen> screens_of_a_session() {
   const Protocol protocol = load_protocol(find_protocol("koskela2018"));
@@ -53,9 +56,13 @@ std::vector<NamedScreen> screens_of_a_session() {
       {"reaction-wait", reaction_wait_screen(texts)},
       {"reaction-early", reaction_early_screen(texts)},
       {"reaction-now", reaction_now_screen(texts)},
-      {"choosing", choosing_screen(texts)},
-      {"ready", ready_screen(protocol.marks, {3, 15}, false, texts)},
-      {"ready-again", ready_screen(protocol.marks, {15, 15}, true, texts)},
+      {"choosing", choosing_screen(lamp, texts)},
+      {"ready", ready_screen(protocol.marks, {.object = lamp, .count = {3, 15}}, texts)},
+      {"ready-again",
+       ready_screen(
+           protocol.marks,
+           {.object = unseen_lamp, .count = {15, 15}, .again = TimedAgain::object_out_of_view},
+           texts)},
       {"no-gaze", no_gaze_screen(texts)},
       {"mark-taken", mark_taken_screen(1, protocol.marks.size(), texts)},
       {"look-around", look_around_screen(texts)},

@@ -29,12 +29,23 @@ const std::vector<MarkEntry> two_marks = {
 
 /// Every page and band that is made without a form.
 std::vector<ScreenPage> plain_screens(const Texts& texts) {
-  std::vector<ScreenPage> screens = {
-      reaction_screen(10, texts), reaction_wait_screen(texts),
-      reaction_now_screen(texts), reaction_early_screen(texts),
-      choosing_screen(texts),     ready_screen(two_marks, {3, 15}, true, texts),
-      no_gaze_screen(texts),      mark_taken_screen(1, 2, texts),
-      look_around_screen(texts),  retiming_screen(texts)};
+  std::vector<ScreenPage> screens = {reaction_screen(10, texts),
+                                     reaction_wait_screen(texts),
+                                     reaction_now_screen(texts),
+                                     reaction_early_screen(texts),
+                                     choosing_screen({.name = "Lamp"}, texts),
+                                     no_gaze_screen(texts),
+                                     mark_taken_screen(1, 2, texts),
+                                     look_around_screen(texts),
+                                     retiming_screen(texts)};
+  screens.push_back(ready_screen(two_marks, {.object = {.name = "Lamp"}}, texts));
+  for (const TimedAgain again : {TimedAgain::no, TimedAgain::asked_for,
+                                 TimedAgain::object_out_of_view, TimedAgain::gaze_elsewhere}) {
+    screens.push_back(ready_screen(
+        two_marks,
+        {.object = {.name = "Lamp", .is_in_view = false}, .count = {3, 15}, .again = again},
+        texts));
+  }
   for (const Notice notice : notices) {
     screens.push_back(notice_screen(notice, texts));
   }
@@ -141,8 +152,8 @@ TEST(WordsTest, ParagraphsArePartedByEmptyLines) {
 }
 
 TEST(WordsTest, BandsLeaveThePictureVisible) {
-  EXPECT_FALSE(choosing_screen({}).covers_picture);
-  EXPECT_FALSE(ready_screen(two_marks, {}, false, {}).covers_picture);
+  EXPECT_FALSE(choosing_screen({}, {}).covers_picture);
+  EXPECT_FALSE(ready_screen(two_marks, {}, {}).covers_picture);
   EXPECT_FALSE(mark_taken_screen(1, 2, {}).covers_picture);
   EXPECT_FALSE(no_gaze_screen({}).covers_picture);
   EXPECT_FALSE(look_around_screen({}).covers_picture);
@@ -152,16 +163,26 @@ TEST(WordsTest, BandsLeaveThePictureVisible) {
 }
 
 TEST(WordsTest, ATrialSaysWhichItIsAndWhatToMark) {
-  const Texts texts = {{"ready_title", "{trial}/{trials}"},
-                       {"ready", "go"},
-                       {"ready_mark", "{mark}) {instruction}"},
-                       {"ready_again", "again"},
-                       {"mark_taken", "{mark} of {marks} kept"}};
-  const ScreenPage ready = ready_screen(two_marks, {.trial = 3, .trials = 15}, false, texts);
+  const Texts texts = {
+      {"ready_title", "{trial}/{trials}"},       {"ready", "go"},
+      {"ready_mark", "{mark}) {instruction}"},   {"ready_object", "your {object}"},
+      {"ready_unseen", "turn to your {object}"}, {"ready_again", "again"},
+      {"ready_again_out_of_view", "unseen"},     {"ready_again_elsewhere", "elsewhere"},
+      {"mark_taken", "{mark} of {marks} kept"}};
+  ReadyPage page{.object = {.name = "Lamp"}, .count = {.trial = 3, .trials = 15}};
+  const ScreenPage ready = ready_screen(two_marks, page, texts);
   EXPECT_EQ(ready.title, "3/15");
-  EXPECT_THAT(ready.paragraphs,
-              ElementsAre("go", "1) You see its outline.", "2) You see its material."));
-  EXPECT_THAT(ready_screen(two_marks, {}, true, texts).paragraphs.front(), "again");
+  EXPECT_THAT(ready.paragraphs, ElementsAre("your Lamp", "go", "1) You see its outline.",
+                                            "2) You see its material."));
+  page.again = TimedAgain::asked_for;
+  page.object.is_in_view = false;
+  const std::vector<std::string> again = ready_screen(two_marks, page, texts).paragraphs;
+  EXPECT_THAT(std::vector(again.begin(), again.begin() + 4),
+              ElementsAre("again", "turn to your Lamp", "go", "1) You see its outline."));
+  page.again = TimedAgain::object_out_of_view;
+  EXPECT_EQ(ready_screen(two_marks, page, texts).paragraphs.front(), "unseen");
+  page.again = TimedAgain::gaze_elsewhere;
+  EXPECT_EQ(ready_screen(two_marks, page, texts).paragraphs.front(), "elsewhere");
   EXPECT_EQ(mark_taken_screen(2, 2, texts).title, "2 of 2 kept");
   EXPECT_THAT(reaction_screen(7, {{"reaction", "{presses} times"}}).paragraphs,
               ElementsAre("7 times"));

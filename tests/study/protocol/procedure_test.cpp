@@ -52,6 +52,18 @@ timeout_s = 5.5
 presses = 3
 shortest_wait_s = 0.5
 longest_wait_s = 0.75
+[looking]
+object_out_of_view = "retime"
+[preflight]
+max_late_percent = 2.5
+min_samples_per_second = 100000
+min_gaze_rate_hz = 100
+max_gaze_loss = 0.25
+max_gaze_age_s = 0.025
+min_free_gb = 2
+tracked_eye = true
+stated_display = true
+set_clock = true
 [[questionnaire]]
 id = "after"
 title = "Afterwards"
@@ -110,6 +122,16 @@ noise = 0.5
   EXPECT_EQ(protocol.reaction->presses, 3);
   EXPECT_EQ(protocol.reaction->shortest_wait_s, 0.5);
   EXPECT_EQ(protocol.reaction->longest_wait_s, 0.75);
+  EXPECT_EQ(protocol.looking.object_out_of_view, Remedy::retime);
+  EXPECT_EQ(protocol.looking.gaze_elsewhere, Remedy::flag);
+  const PreflightGate& gate = protocol.preflight;
+  EXPECT_EQ(gate.max_late_percent, 2.5);
+  EXPECT_EQ(gate.min_samples_per_second, 1e5);
+  EXPECT_EQ(gate.min_gaze_rate_hz, 100.0);
+  EXPECT_EQ(gate.max_gaze_loss, 0.25);
+  EXPECT_EQ(gate.max_gaze_age_s, 0.025);
+  EXPECT_EQ(gate.min_free_gb, 2.0);
+  EXPECT_TRUE(gate.tracked_eye && gate.stated_display && gate.set_clock);
   const Questionnaire& after = questionnaire_of(protocol, "after");
   EXPECT_EQ(after.title, "Afterwards");
   EXPECT_EQ(after.intro, "Two more.");
