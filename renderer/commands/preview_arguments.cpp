@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/files.h"
+#include "renderer/commands/gaze_filter_option.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/gaze/recorded_head.h"
 #include "renderer/image/image_file.h"
@@ -65,6 +66,11 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
       .add_option("--gaze-file", arguments.gaze_file,
                   "Replay a recorded gaze from this file instead")
       ->excludes(tracker);
+  command
+      .add_option(
+          "--gaze-filter", arguments.gaze_filter,
+          std::string("What the gaze goes through before frames use it: ") + gaze_filter_notation)
+      ->capture_default_str();
   command.add_flag("--correct-gaze", arguments.correct_gaze,
                    "Correct the gaze by what each check of the tracker (key c) finds");
   add_viewpoint_options(command, arguments.look);
@@ -133,7 +139,8 @@ PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFin
                          .choices = choices_from(arguments),
                          .window = parse_size("--window", arguments.window),
                          .display = read_display_profile(arguments.display),
-                         .tracker = read_tracker_profile(arguments.tracker)};
+                         .tracker = read_tracker_profile(arguments.tracker),
+                         .gaze_filter = parse_gaze_filter(arguments.gaze_filter)};
   request.render.film_size = parse_size("--size", arguments.size);
   request.render.trace = arguments.trace;
   if (!arguments.gaze_file.empty()) {

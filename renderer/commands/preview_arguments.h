@@ -9,6 +9,7 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/progressive/picture.h"
@@ -29,6 +30,7 @@ struct PreviewArguments {
   std::string display = "desktop";
   std::string tracker = "pointer";
   std::string gaze_file;
+  std::string gaze_filter = "none";
   std::string head_file;
   std::string window = "1280x720";
   int monitor = 0;
@@ -60,7 +62,8 @@ struct PreviewRequest {
   DisplayProfile display;
   TrackerProfile tracker;
   std::vector<GazeSample> replayed_gaze;  ///< empty: the tracker's
-  std::vector<HeadPose> replayed_head;    ///< empty: the user turns it
+  GazeFilterSettings gaze_filter;
+  std::vector<HeadPose> replayed_head;  ///< empty: the user turns it
 };
 
 /// Throws UsageError for what is malformed, and Error for files that are missing or bad, those of

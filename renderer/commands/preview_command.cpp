@@ -135,10 +135,11 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
   WidenedEyeTracker widened_eye(eye);
   const bool knows_view = gaze.pointer != nullptr;
-  Preview preview(
-      loaded.tracer,
-      {.render = loaded.rendered_with(request.render), .exposure_stops = exposure_stops},
-      knows_view ? static_cast<EyeTracker&>(eye) : widened_eye, head, workers);
+  Preview preview(loaded.tracer,
+                  {.render = loaded.rendered_with(request.render),
+                   .exposure_stops = exposure_stops,
+                   .gaze_filter = request.gaze_filter},
+                  knows_view ? static_cast<EyeTracker&>(eye) : widened_eye, head, workers);
   Steering steering(steered_head, gaze.pointer);
   FreeCamera camera = replayed ? FreeCamera(surroundings_of(loaded), *replayed)
                                : FreeCamera(surroundings_of(loaded), steered_head);
@@ -222,6 +223,7 @@ void print_json(const LivePreviewReport& report, const PreviewRun& run,
                {"size", arguments.size},
                {"display", arguments.display},
                {"tracker", arguments.tracker},
+               {"gaze_filter", arguments.gaze_filter},
                {"methods", report.methods},
                {"final_window", {report.framebuffer.x, report.framebuffer.y}},
                {"last_view", report.last_view},

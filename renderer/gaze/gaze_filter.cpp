@@ -1,9 +1,7 @@
 #include "renderer/gaze/gaze_filter.h"
 
 #include <cassert>
-#include <cstddef>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include "renderer/base/angles.h"
@@ -19,31 +17,6 @@ double smoothing_factor(double cutoff_hz, double interval_s) {
 }
 
 }  // namespace
-
-HoldFilter::HoldFilter(std::unique_ptr<EyeTracker> source, Nanoseconds limit)
-    : source_(std::move(source)), limit_(limit) {
-  assert(limit > Nanoseconds::zero() && limit <= longest_hold);
-}
-
-void HoldFilter::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
-  polled_.clear();
-  source_->poll(now, polled_);
-  for (const GazeSample& sample : polled_) {
-    if (sample.valid) {
-      held_ = sample.time;
-    }
-    const bool is_kept_back = !sample.valid && held_ && now - *held_ <= limit_;
-    if (!is_kept_back) {
-      arrived.push_back(sample);
-    }
-  }
-  if (held_ && now - *held_ > limit_) {
-    held_.reset();
-    if (polled_.empty() || polled_.back().valid) {
-      arrived.push_back({.time = now});
-    }
-  }
-}
 
 OneEuro::OneEuro(const OneEuroSettings& settings) : settings_(settings) {
   assert(settings.min_cutoff_hz > 0.0 && settings.derivative_cutoff_hz > 0.0);
@@ -69,28 +42,52 @@ Vec3 OneEuro::smoothed(Nanoseconds time, const Vec3& direction) {
   return Vec3(state_->direction);
 }
 
-OneEuroFilter::OneEuroFilter(std::unique_ptr<EyeTracker> source, const OneEuroSettings& settings)
-    : source_(std::move(source)), filter_(settings) {}
+GazeHold::GazeHold(Nanoseconds limit) : limit_(limit) {
+  assert(limit > Nanoseconds::zero() && limit <= longest_hold);
+}
 
-void OneEuroFilter::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
-  const std::size_t before = arrived.size();
-  source_->poll(now, arrived);
-  for (GazeSample& sample : std::span(arrived).subspan(before)) {
+std::vector<GazeSample> GazeHold::passed(Nanoseconds now, const std::vector<GazeSample>& arrived) {
+  std::vector<GazeSample> passed;
+  for (const GazeSample& sample : arrived) {
     if (sample.valid) {
-      sample.direction = filter_.smoothed(sample.time, sample.direction);
+      held_ = sample.time;
     }
+    const bool is_kept_back = !sample.valid && held_ && now - *held_ <= limit_;
+    if (!is_kept_back) {
+      passed.push_back(sample);
+    }
+  }
+  if (held_ && now - *held_ > limit_) {
+    held_.reset();
+    if (arrived.empty() || arrived.back().valid) {
+      passed.push_back({.time = now});
+    }
+  }
+  return passed;
+}
+
+GazeFilter::GazeFilter(const GazeFilterSettings& settings) {
+  if (settings.one_euro) {
+    one_euro_.emplace(*settings.one_euro);
+  }
+  if (settings.extrapolate_s) {
+    extrapolation_.emplace(nanoseconds_from_seconds(*settings.extrapolate_s));
+  }
+  if (settings.hold_s) {
+    hold_.emplace(nanoseconds_from_seconds(*settings.hold_s));
   }
 }
 
-std::unique_ptr<EyeTracker> filtered(std::unique_ptr<EyeTracker> source,
-                                     const GazeFilterSettings& settings) {
-  if (settings.one_euro) {
-    source = std::make_unique<OneEuroFilter>(std::move(source), *settings.one_euro);
+std::vector<GazeSample> GazeFilter::filtered(Nanoseconds now, std::vector<GazeSample> arrived) {
+  for (GazeSample& sample : arrived) {
+    if (one_euro_ && sample.valid) {
+      sample.direction = one_euro_->smoothed(sample.time, sample.direction);
+    }
+    if (extrapolation_) {
+      sample.direction = extrapolation_->extrapolated(sample);
+    }
   }
-  if (settings.hold) {
-    source = std::make_unique<HoldFilter>(std::move(source), *settings.hold);
-  }
-  return source;
+  return hold_ ? hold_->passed(now, arrived) : std::move(arrived);
 }
 
 }  // namespace foveola

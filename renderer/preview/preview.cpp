@@ -23,7 +23,8 @@ Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeT
       head_(&head),
       workers_(&workers),
       render_(tracer, render_settings(settings), workers),
-      viewport_({}, settings.field_of_view) {}
+      viewport_({}, settings.field_of_view),
+      gaze_filter_(settings.gaze_filter) {}
 
 Preview::~Preview() = default;
 
@@ -90,7 +91,7 @@ void Preview::set_view(const FieldOfView& view) {
 void Preview::poll_gaze(Nanoseconds now) {
   arrived_gaze_.clear();
   eye_->poll(now, arrived_gaze_);
-  for (const GazeSample& sample : arrived_gaze_) {
+  for (const GazeSample& sample : gaze_filter_.filtered(now, arrived_gaze_)) {
     newest_gaze_is_valid_ = sample.valid;
     if (sample.valid) {
       last_valid_gaze_ = sample;

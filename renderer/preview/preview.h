@@ -12,6 +12,7 @@
 #include "renderer/film/viewport_image.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/trace/path_tracer.h"
@@ -26,6 +27,9 @@ struct PreviewSettings {
   IVec2 view_size = usual_view_size;                   ///< pixels of the presented image
   UnsampledPixels unsampled = UnsampledPixels::black;  ///< in the presented image
   double exposure_stops = 0.0;
+  /// What the frames' gaze goes through, in the head's axes as the eye tracker gives it. A restart
+  /// goes on with it.
+  GazeFilterSettings gaze_filter;
 };
 
 /// What happened in one frame; goes into the record.
@@ -34,8 +38,8 @@ struct FrameReport {
   Nanoseconds time{0};           ///< when head and gaze were polled
   AzimuthElevation head;         ///< world
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< world, the one that was used
-  /// Whether the newest sample was valid. If not, the last valid one holds in the head's axes, or
-  /// straight ahead if there was none yet.
+  /// Whether the newest sample that the filter let through was valid. If not, the last valid one
+  /// holds in the head's axes, or straight ahead if there was none yet.
   bool gaze_valid = false;
   bool gaze_held = false;     ///< the gaze is the one held, whatever the tracker says
   Nanoseconds gaze_age{0};    ///< age at `time` of the gaze that was used; 0 if none was valid yet
@@ -99,7 +103,8 @@ class Preview {
   const Vec3& gaze() const { return last_gaze_; }
   /// The sampler that chooses its directions; there is one after a restart.
   const ViewSampler& sampler() const { return *sampler_; }
-  /// All gaze samples that arrived for the last frame, after those of the frame before.
+  /// All gaze samples that arrived for the last frame, after those of the frame before: as they
+  /// came, before any filter.
   const std::vector<GazeSample>& arrived_gaze() const { return arrived_gaze_; }
   const EquirectFilm& film() const { return render_.film(); }
   const PreviewSettings& settings() const { return settings_; }
@@ -120,6 +125,7 @@ class Preview {
   std::unique_ptr<ViewSampler> sampler_;
   std::uint64_t next_frame_ = 0;
   std::vector<GazeSample> arrived_gaze_;
+  GazeFilter gaze_filter_;
   bool newest_gaze_is_valid_ = false;
   std::optional<GazeSample> last_valid_gaze_;
   Vec3 last_gaze_{0.0F, 0.0F, -1.0F};  ///< world

@@ -160,8 +160,11 @@ std::vector<MonitorInfo> Window::monitors() const {
   std::vector<MonitorInfo> list;
   for (GLFWmonitor* const monitor : glfw_monitors()) {
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    int width_mm = 0;
+    glfwGetMonitorPhysicalSize(monitor, &width_mm, nullptr);
     list.push_back({.name = glfwGetMonitorName(monitor),
                     .size_px = {mode->width, mode->height},
+                    .width_m = 1e-3 * width_mm,
                     .refresh_rate_hz = static_cast<double>(mode->refreshRate)});
   }
   return list;

@@ -34,6 +34,7 @@ struct WindowSettings {
 struct MonitorInfo {
   std::string name;
   IVec2 size_px{0};
+  double width_m = 0.0;          ///< of its picture, as the system says; 0 if it does not
   double refresh_rate_hz = 0.0;  ///< as the system says; 0 if it does not
 };
 

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/gaze_filter_option.h"
 #include "study/commands/command_line.h"
 #include "study/person/run_person.h"
 
@@ -25,6 +26,7 @@ struct RunArguments {
   bool is_pilot = false;
   std::string display;
   std::string tracker;
+  std::optional<std::string> gaze_filter;
   std::string window = "1280x720";
   bool full_screen = false;
   int monitor = 0;
@@ -49,6 +51,18 @@ void require_code(const std::string& code) {
   }
 }
 
+/// What a person's gaze goes through is the protocol's, the same for all whose data count.
+std::optional<GazeFilterSettings> gaze_filter_of(const RunArguments& arguments) {
+  if (!arguments.gaze_filter) {
+    return std::nullopt;
+  }
+  if (!arguments.is_pilot) {
+    throw UsageError("--gaze-filter", "a session that counts has the filter of its protocol",
+                     "write it into the protocol's [tracker.filter], or rehearse with --pilot");
+  }
+  return parse_gaze_filter(*arguments.gaze_filter);
+}
+
 void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
              const std::stop_token& stop) {
   require_code(arguments.participant);
@@ -59,6 +73,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
                        .seed = arguments.seed,
                        .display = arguments.display,
                        .tracker = arguments.tracker,
+                       .gaze_filter = gaze_filter_of(arguments),
                        .window = parse_size("--window", arguments.window),
                        .threads = arguments.threads,
                        .resumes = arguments.resumes,
@@ -108,6 +123,10 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                       "The eye tracker's profile: a name or a file; pointer takes the mouse for "
                       "the eye (default: the "
                       "protocol's, or pointer)");
+  command->add_option("--gaze-filter", arguments->gaze_filter,
+                      std::string("What a pilot's gaze goes through before frames use it (default: "
+                                  "the protocol's): ") +
+                          gaze_filter_notation);
   command->add_option("--window", arguments->window, "The window's size, WIDTHxHEIGHT")
       ->capture_default_str();
   CLI::Option* full_screen = command->add_flag("--full-screen", arguments->full_screen,

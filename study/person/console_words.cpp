@@ -1,5 +1,7 @@
 #include "study/person/console_words.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace foveola::study {
@@ -58,9 +60,12 @@ struct Happened {
     return "The session is interrupted.";
   }
   std::string operator()(const Resumed& /*event*/) const { return "The session goes on."; }
-  /// The first line: an amended protocol's note holds its whole text.
+  /// The beginning: an amended protocol's note holds its whole text, and that of a session which
+  /// goes on all about its devices.
   std::string operator()(const NoteWritten& note) const {
-    return "Note: " + note.text.substr(0, note.text.find('\n'));
+    constexpr std::size_t most_characters = 160;
+    const std::size_t end = std::min(note.text.find('\n'), most_characters);
+    return fmt::format("Note: {}{}", note.text.substr(0, end), end < note.text.size() ? " …" : "");
   }
   std::string operator()(const Withdrawn& /*event*/) const {
     return "The participant stopped taking part.";

@@ -8,6 +8,9 @@
 namespace foveola::study {
 namespace {
 
+/// Nothing is bright enough to be seen at it.
+constexpr double darkness_stops = -60.0;
+
 PreviewSettings preview_settings(const AttemptSetting& setting, const SceneStage& stage) {
   const PlannedTrial& trial = setting.trial;
   return trial_preview_settings(setting.protocol,
@@ -38,7 +41,15 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
                      .vertical_deg = geometry.vertical_fov_deg,
                      .lens = geometry.lens});
   preview_.restart(make_sampler(setting_.protocol, setting_.trial.method), setting_.seed);
+  if (setting_.is_dark) {
+    look_.exposure_stops = darkness_stops;
+  }
   setting_.display.show_film(preview_.film(), setting_.workers);
+}
+
+LiveAttempt::~LiveAttempt() {
+  setting_.display.set_frame_budget(frames_.budget().for_another_preview());
+  setting_.display.show_no_film();
 }
 
 Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
@@ -48,10 +59,7 @@ Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
   return frame.shown - setting_.session_zero;
 }
 
-void LiveAttempt::finish() {
-  setting_.display.set_frame_budget(frames_.budget().for_another_preview());
-  log_.finish(preview_.film());
-}
+void LiveAttempt::finish() { log_.finish(preview_.film()); }
 
 void LiveAttempt::show_scene(const SceneStage& stage) {
   look_ = look_of(preview_settings(setting_, stage));
@@ -67,10 +75,6 @@ std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {
                      .interval = frames_.refresh().interval(),
                      .framebuffer = setting_.display.framebuffer(),
                      .graphics = setting_.display.graphics()};
-}
-
-std::optional<Vec3> LiveAttempt::gaze() const {
-  return is_gaze_valid_ ? std::optional(preview_.gaze()) : std::nullopt;
 }
 
 LiveFrame LiveAttempt::next_blank() {
@@ -103,7 +107,7 @@ void LiveAttempt::keep(const LiveFrame& frame) {
     sample.time -= setting_.session_zero;
   }
   log_.add(row, arrived);
-  is_gaze_valid_ = row.gaze_valid;
+  newest_frame_ = row;
 }
 
 }  // namespace foveola::study

@@ -37,13 +37,15 @@ struct AttemptSetting {
   std::function<void()> while_waiting;
   /// The page over the picture, if there is one.
   std::function<std::optional<ScreenPage>()> page;
+  bool is_dark = false;  ///< the picture is drawn as ever, but black
 };
 
 class LiveAttempt final : public AttemptPort {
  public:
-  /// The display shows its film for as long as it lives.
+  /// The display shows its film for as long as it lives, and then knows what its frames told of
+  /// drawing.
   explicit LiveAttempt(AttemptSetting setting);
-  ~LiveAttempt() override { setting_.display.show_no_film(); }
+  ~LiveAttempt() override;
   LiveAttempt(const LiveAttempt&) = delete;
   LiveAttempt& operator=(const LiveAttempt&) = delete;
 
@@ -59,8 +61,8 @@ class LiveAttempt final : public AttemptPort {
 
   /// What is known of drawing, if it is found too slow for frames to be in time.
   std::optional<SlowDrawing> slow_drawing() const;
-  /// The gaze that the last frame used (unit length, world), or empty if it was not valid.
-  std::optional<Vec3> gaze() const;
+  /// The last frame, as the record keeps it.
+  const FrameRow& newest_frame() const { return newest_frame_; }
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   /// The viewport through which the last frame was shown.
   const Viewport& viewport() const { return preview_.viewport(); }
@@ -77,7 +79,7 @@ class LiveAttempt final : public AttemptPort {
   LiveFrames frames_;
   AttemptLog log_;
   Nanoseconds next_blank_{0};
-  bool is_gaze_valid_ = false;  ///< in the last frame
+  FrameRow newest_frame_;
 };
 
 }  // namespace foveola::study

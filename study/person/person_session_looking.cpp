@@ -27,10 +27,10 @@ void PersonSession::watch_gaze(Nanoseconds shown) {
   if (driver_.seen().phase != Phase::marking) {
     return;
   }
-  const std::optional<Vec3> gaze = attempt_->gaze();
-  Nanoseconds& time = !gaze                                ? gaze_times_.unknown
-                      : is_gaze_on(chosen_object(), *gaze) ? gaze_times_.on_object
-                                                           : gaze_times_.elsewhere;
+  const FrameRow& frame = attempt_->newest_frame();
+  Nanoseconds& time = !frame.gaze_valid                         ? gaze_times_.unknown
+                      : is_gaze_on(chosen_object(), frame.gaze) ? gaze_times_.on_object
+                                                                : gaze_times_.elsewhere;
   time += shown - before;
 }
 

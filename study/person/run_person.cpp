@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -17,10 +18,14 @@
 #include "renderer/commands/live_window.h"
 #include "renderer/gaze/gaze_source.h"
 #include "study/driver/session_so_far.h"
+#include "study/person/console_words.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
+#include "study/person/preflight_measurement.h"
 #include "study/person/session_window.h"
 #include "study/person/words.h"
+#include "study/preflight/preflight_checks.h"
+#include "study/preflight/system_state.h"
 #include "study/record/clock_steps.h"
 #include "study/record/maintenance.h"
 #include "study/record/same_scenes.h"
@@ -50,6 +55,15 @@ TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol)
   return read_tracker_profile(settings.tracker.empty() ? usual_tracker : settings.tracker);
 }
 
+/// The protocol with the settings' filter of the gaze.
+Protocol protocol_of(const RunSettings& settings) {
+  Protocol protocol = load_protocol(settings.protocol);
+  if (settings.gaze_filter) {
+    protocol.tracker.filter = *settings.gaze_filter;
+  }
+  return protocol;
+}
+
 /// A simulated eye is nobody's; but a rehearsal may have one.
 void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
   if (kind == SessionKind::human && tracker.source == TrackerSource::simulated) {
@@ -66,12 +80,36 @@ std::uint64_t drawn_seed() {
   return ((high << 32) | low) >> 1;
 }
 
-std::string devices_json(const SessionDisplay& display, const DisplayProfile& profile,
-                         const TrackerProfile& tracker, KeyTimeSource key_times) {
-  const nlohmann::ordered_json json = {{"display", display_json(display, profile)},
-                                       {"tracker", {{"profile", tracker.name}}},
-                                       {"keys", {{"time_source", name_of(key_times)}}}};
-  return json.dump();
+/// The monitor that the window is on, as far as the system describes it.
+FoundDisplay found_display(const Window& window, const std::optional<int>& full_screen_on,
+                           const DisplayProfile& stated) {
+  const int monitor = full_screen_on.value_or(0);
+  FoundDisplay found{.is_full_screen = full_screen_on.has_value(),
+                     .refresh_rate_hz = said_refresh_rate_hz(window, monitor, stated)};
+  const std::vector<MonitorInfo> monitors = window.monitors();
+  const auto number = static_cast<std::size_t>(monitor);
+  if (number < monitors.size()) {
+    found.monitor_px = monitors[number].size_px;
+    found.monitor_width_m = monitors[number].width_m;
+  }
+  return found;
+}
+
+bool is_refused(const PreflightCheck& check) { return check.verdict == PreflightVerdict::refused; }
+
+/// A rehearsal goes on whatever is found.
+void require_gate(const std::vector<PreflightCheck>& checks, SessionKind kind) {
+  std::vector<std::string> missed;
+  for (const PreflightCheck& check : checks) {
+    if (is_refused(check)) {
+      missed.push_back(check.name);
+    }
+  }
+  if (kind == SessionKind::human && !missed.empty()) {
+    throw Error("preflight",
+                fmt::format("misses what the protocol asks for: {}", fmt::join(missed, ", ")),
+                "nothing was begun; mend what the table says, or rehearse with --pilot");
+  }
 }
 
 void say(const std::string& text) {
@@ -102,6 +140,14 @@ std::vector<int> used_rows(const StudyStore& store) {
   return rows;
 }
 
+/// The state that the session goes on in.
+SessionState once_resumed(SessionState state) {
+  if (state.phase == Phase::interrupted || state.phase == Phase::paused) {
+    state.phase = state.resumes_at;
+  }
+  return state;
+}
+
 /// The session counts with its pictures or without: it goes on to its backup.
 void say_if_pictures_are_lost(SessionDisplay& display) {
   try {
@@ -116,13 +162,14 @@ class PersonRun {
  public:
   PersonRun(const RunSettings& settings, const Protocol& protocol,
             const SceneFinderBeside& find_scene, const std::vector<SceneSource>& sources,
-            DisplayProfile profile, TrackerProfile tracker, StudyStore& store,
-            std::optional<SessionSoFar> so_far)
+            DisplayProfile profile, const FoundDisplay& found_display, TrackerProfile tracker,
+            StudyStore& store, std::optional<SessionSoFar> so_far)
       : settings_(settings),
         protocol_(protocol),
         find_scene_(find_scene),
         sources_(sources),
         profile_(std::move(profile)),
+        found_display_(found_display),
         tracker_(std::move(tracker)),
         store_(store),
         so_far_(std::move(so_far)) {}
@@ -130,13 +177,17 @@ class PersonRun {
   Phase run(Window& window, WindowEvents& events, const IVec2& framebuffer, const Clock& clock,
             const std::stop_token& stop) {
     const Workers workers(settings_.threads);
-    SessionDisplay display(window, profile_, framebuffer, clock);
+    DisplayProfile profile = profile_;
+    profile.refresh_rate_hz = found_display_.refresh_rate_hz;
+    SessionDisplay display(window, profile, framebuffer, clock);
     display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
     const SceneStages stages = load_stages(protocol_, sources_, workers);
     check(stages);
     const WindowEyeTracker gaze = open_window_eye_tracker(tracker_, screen_of(profile_), clock);
     measure_refreshes(display, protocol_.texts);
-    const std::string devices = devices_json(display, profile_, tracker_, window.key_time_source());
+    const std::string devices =
+        devices_json(display, window.key_time_source(),
+                     preflight(stages, workers, clock, events, display, gaze, stop));
     say_if_keys_are_late(window.key_time_source());
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
@@ -159,6 +210,50 @@ class PersonRun {
   }
 
  private:
+  /// Says what was found. Throws Error if the protocol asks for more.
+  nlohmann::ordered_json preflight(const SceneStages& stages, const Workers& workers,
+                                   const Clock& clock, WindowEvents& events,
+                                   SessionDisplay& display, const WindowEyeTracker& gaze,
+                                   const std::stop_token& stop) {
+    PersonTracker eye(*gaze.tracker);
+    Viewer viewer(gaze.pointer);
+    viewer.show(display.geometry(), display.framebuffer(), 1.0);
+    const MeasuredTrials measured = measure_trials({.protocol = protocol_,
+                                                    .stages = stages,
+                                                    .workers = workers,
+                                                    .clock = clock,
+                                                    .events = events,
+                                                    .display = display,
+                                                    .eye = eye,
+                                                    .viewer = viewer},
+                                                   stop);
+    found_display_.window_px = display.framebuffer();
+    found_display_.refresh_rate_hz = display.refresh().rate_hz();
+    found_display_.is_refresh_measured = display.refresh().is_measured();
+    const Preflight found{.speeds = measured.speeds,
+                          .tracker = tracker_,
+                          .gaze = measured.gaze,
+                          .display = profile_,
+                          .found_display = found_display_,
+                          .free_bytes = free_bytes_for(settings_.database),
+                          .is_clock_set = is_clock_synchronised()};
+    const std::vector<PreflightCheck> checks = check_preflight(found, protocol_.preflight);
+    say(preflight_table(checks));
+    say(preflight_banner(found, settings_.kind == SessionKind::pilot));
+    require_gate(checks, settings_.kind);
+    return preflight_json(found, checks);
+  }
+
+  std::string devices_json(const SessionDisplay& display, KeyTimeSource key_times,
+                           const nlohmann::ordered_json& preflight) const {
+    const nlohmann::ordered_json json = {
+        {"display", display_json(display, profile_)},
+        {"tracker", tracker_json(tracker_.name, protocol_.tracker.filter)},
+        {"keys", {{"time_source", name_of(key_times)}}},
+        {"preflight", preflight}};
+    return json.dump();
+  }
+
   void check(const SceneStages& stages) const {
     print_scene_warnings(stages);
     const std::vector<ShownScene> shown = shown_scenes(stages);
@@ -200,14 +295,28 @@ class PersonRun {
                     "be typed here.",
                     facts.participant, facts.design_row, facts.seed, plan_.size()));
     row_ = store_.begin_session(facts, plan_);
-    return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, {});
+    return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, notes_of_eye());
+  }
+
+  /// Whoever reads the record must not take such a gaze for a person's.
+  std::vector<std::string> notes_of_eye() const {
+    const std::string eye = eye_of(tracker_.source);
+    return eye == "simulated" || eye == "recorded"
+               ? std::vector<std::string>{fmt::format("THE EYE IS {}, by the profile {}",
+                                                      eye == "simulated" ? "SIMULATED" : "RECORDED",
+                                                      tracker_.name)}
+               : std::vector<std::string>();
   }
 
   PersonSessionSettings going_on(const std::string& devices) {
     plan_ = so_far_->plan;
     const KnownSession& known = so_far_->session;
+    const Procedure procedure = procedure_of(protocol_, plan_);
+    const SessionState state = once_resumed(so_far_->position.state);
     say(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
                     known.participant, seconds(so_far_->position.time)));
+    say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
+                    words_for_next(state, procedure, plan_)));
     row_ = known.id;
     std::vector<std::string> notes = {"goes on with " + devices};
     if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
@@ -235,6 +344,7 @@ class PersonRun {
   const SceneFinderBeside& find_scene_;
   const std::vector<SceneSource>& sources_;
   DisplayProfile profile_;
+  FoundDisplay found_display_;
   TrackerProfile tracker_;
   StudyStore& store_;
   std::optional<SessionSoFar> so_far_;
@@ -262,10 +372,10 @@ fs::path back_up(const StudyStore& store, const fs::path& database) {
 
 RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_scene,
                      const std::stop_token& stop) {
-  const Protocol protocol = load_protocol(settings.protocol);
+  const Protocol protocol = protocol_of(settings);
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
-  DisplayProfile display = display_of(settings, protocol);
+  const DisplayProfile display = display_of(settings, protocol);
   const TrackerProfile tracker = tracker_of(settings, protocol);
   require_real_gaze(tracker, settings.kind);
   StudyStore store(settings.database, protocol, settings.other_protocol);
@@ -279,8 +389,8 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                  .monitor = settings.monitor,
                  .remedy_of_lost_display = remedy_of_lost_display(settings)},
                 events, clock);
-  display.refresh_rate_hz = said_refresh_rate_hz(window, settings.monitor.value_or(0), display);
-  PersonRun run(settings, protocol, find_scene, sources, std::move(display), tracker, store,
+  PersonRun run(settings, protocol, find_scene, sources, display,
+                found_display(window, settings.monitor, display), tracker, store,
                 std::move(so_far));
   RunReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {

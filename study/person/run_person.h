@@ -9,6 +9,7 @@
 
 #include "renderer/base/scene_source.h"
 #include "renderer/base/vec.h"
+#include "renderer/gaze/gaze_filter.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
@@ -21,11 +22,13 @@ struct RunSettings {
   std::optional<std::uint64_t> seed;  ///< seed of orders and noise; default: drawn at random
   std::string display;                ///< a profile; empty: the protocol's, or desktop
   std::string tracker;                ///< pointer or a profile; empty: the protocol's, or pointer
-  IVec2 window{1280, 720};            ///< size of the window; not used in full screen
-  std::optional<int> monitor;         ///< fills this monitor
-  int threads = 0;                    ///< 0: one for every core
-  bool resumes = false;               ///< goes on with the participant's unfinished session
-  bool despite_changes = false;       ///< even if the program or the scenes have changed since
+  /// Of a pilot's gaze, in place of the protocol's; empty: the protocol's.
+  std::optional<GazeFilterSettings> gaze_filter;
+  IVec2 window{1280, 720};       ///< size of the window; not used in full screen
+  std::optional<int> monitor;    ///< fills this monitor
+  int threads = 0;               ///< 0: one for every core
+  bool resumes = false;          ///< goes on with the participant's unfinished session
+  bool despite_changes = false;  ///< even if the program or the scenes have changed since
   OtherProtocol other_protocol =
       OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
   /// Every page that the participant comes to is written there as a picture.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/person/words.h"
+#include "study/record/gaze_filter_json.h"
 
 namespace foveola::study {
 namespace {
@@ -28,6 +29,14 @@ nlohmann::ordered_json display_json(const SessionDisplay& display, const Display
           {"refresh_rate_hz", display.refresh().rate_hz()},
           {"refresh_is_measured", display.refresh().is_measured()},
           {"graphics", display.graphics()}};
+}
+
+nlohmann::ordered_json tracker_json(const std::string& profile, const GazeFilterSettings& filter) {
+  nlohmann::ordered_json json = {{"profile", profile}};
+  if (filter != GazeFilterSettings{}) {
+    json["filter"] = json_of(filter);
+  }
+  return json;
 }
 
 }  // namespace foveola::study

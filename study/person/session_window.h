@@ -1,8 +1,11 @@
 // What a session in the window begins with, whoever takes part.
 #pragma once
 
+#include <string>
+
 #include <nlohmann/json_fwd.hpp>
 
+#include "renderer/gaze/gaze_filter.h"
 #include "study/person/session_display.h"
 #include "study/protocol/texts.h"
 
@@ -13,5 +16,9 @@ void measure_refreshes(SessionDisplay& display, const Texts& texts);
 
 /// What the record keeps of the display, as "display" of SessionFacts::devices.
 nlohmann::ordered_json display_json(const SessionDisplay& display, const DisplayProfile& profile);
+
+/// What it keeps of the tracker, as "tracker" there: the profile's name, and "filter" if there is
+/// one.
+nlohmann::ordered_json tracker_json(const std::string& profile, const GazeFilterSettings& filter);
 
 }  // namespace foveola::study

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/view/view_sampler.h"
@@ -83,6 +84,9 @@ struct TrackerSettings {
   std::optional<TrackerProfile> profile;
   SimulatedTrackerSettings simulated;  ///< The tracker of simulated participants; seed 0.
   std::optional<ValidationSettings> validation;
+  /// What the gaze goes through before frames use it. The record keeps it as it came, too, and that
+  /// is what is validated.
+  GazeFilterSettings filter;
 };
 
 struct Timing {

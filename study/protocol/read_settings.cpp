@@ -113,6 +113,42 @@ ValidationSettings read_validation(TomlReader reader) {
   return validation;
 }
 
+/// Leaves `value` alone where the key is absent.
+void read_in(TomlReader& reader, std::string_view key, const SettingRange& range, double& value) {
+  reader.read(key, value, range.least, range.most);
+}
+void read_in(TomlReader& reader, std::string_view key, const SettingRange& range,
+             std::optional<double>& value) {
+  if (reader.has(key)) {
+    read_in(reader, key, range, value.emplace());
+  }
+}
+
+OneEuroSettings read_one_euro(TomlReader reader) {
+  OneEuroSettings one_euro;
+  read_in(reader, "min_cutoff_hz", cutoff_range_hz, one_euro.min_cutoff_hz);
+  read_in(reader, "beta_per_deg", beta_range_per_deg, one_euro.beta_per_deg);
+  read_in(reader, "derivative_cutoff_hz", cutoff_range_hz, one_euro.derivative_cutoff_hz);
+  reader.reject_unknown_keys();
+  return one_euro;
+}
+
+GazeFilterSettings read_filter(TomlReader reader) {
+  GazeFilterSettings filter;
+  const TomlReader one_euro = reader.table("one_euro");
+  if (reader.has("one_euro")) {
+    filter.one_euro = read_one_euro(one_euro);
+  }
+  read_in(reader, "extrapolate_s", horizon_range_s, filter.extrapolate_s);
+  read_in(reader, "hold_s", hold_range_s, filter.hold_s);
+  reader.reject_unknown_keys();
+  if (filter == GazeFilterSettings{}) {
+    reader.fail(reader.source(), "the filter does nothing",
+                "give it one_euro, extrapolate_s or hold_s, or leave it out");
+  }
+  return filter;
+}
+
 /// Where an [[override]] applies, and its settings.
 struct Override {
   std::string scene;   ///< Empty for all scenes.
@@ -209,6 +245,10 @@ TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
   const TomlReader validation = reader.table("validation");
   if (reader.has("validation")) {
     tracker.validation = read_validation(validation);
+  }
+  const TomlReader filter = reader.table("filter");
+  if (reader.has("filter")) {
+    tracker.filter = read_filter(filter);
   }
   reader.reject_unknown_keys();
   return tracker;

@@ -13,7 +13,7 @@ namespace foveola::study {
 
 /// Takes the steps of a RenderedAttempt from glance to glance, in the same times. Keeps no frames
 /// and no gaze. The tracker's noise and its losses are left out but for the time that they cost in
-/// the mean; its latency and bias are not.
+/// the mean, and so is what filters its gaze; its latency and bias are not.
 class PredictedAttempt final : public TrialAttempt {
  public:
   /// observer: who takes part in `setting`. trial, picture, sampler: see PredictedFilm; without a

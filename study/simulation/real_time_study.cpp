@@ -18,10 +18,10 @@ namespace {
 double side_m(double fov_deg) { return 2.0 * std::tan(0.5 * radians(fov_deg)); }
 
 std::string devices_in_real_time(const SimulationKind& kind, const SessionDisplay& display,
-                                 const DisplayProfile& profile) {
+                                 const DisplayProfile& profile, const GazeFilterSettings& filter) {
   nlohmann::ordered_json devices = nlohmann::ordered_json::parse(devices_of(kind));
   devices["display"] = display_json(display, profile);
-  devices["tracker"] = {{"profile", "simulated"}};
+  devices["tracker"] = tracker_json("simulated", filter);
   devices["keys"] = {{"time_source", "simulated"}};
   return devices.dump();
 }
@@ -116,7 +116,7 @@ SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kin
   run_beside(window, stop, [&](const IVec2& framebuffer) {
     SessionDisplay display(window, profile, framebuffer, clock);
     measure_refreshes(display, study.protocol.texts);
-    study.devices = devices_in_real_time(kind, display, profile);
+    study.devices = devices_in_real_time(kind, display, profile, study.protocol.tracker.filter);
     study.run_in_window = [shared = SharedWindow{study, clock, events, display}](
                               const BegunSession& session, const std::stop_token& stopped) {
       return run_in_window(shared, session, stopped);

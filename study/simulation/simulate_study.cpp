@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/digest.h"
@@ -14,6 +15,7 @@
 #include "study/participant/judged_measures.h"
 #include "study/participant/make_observer.h"
 #include "study/participant/population_file.h"
+#include "study/record/gaze_filter_json.h"
 #include "study/record/same_scenes.h"
 #include "study/record/simulation_kind.h"
 #include "study/simulation/predicted_study.h"
@@ -120,6 +122,15 @@ Protocol protocol_for(const Simulated& simulated, const SimulateSettings& settin
     }
   }
   return protocol;
+}
+
+/// Of a predicted session there is no gaze to filter.
+std::string devices_in_virtual_time(const SimulationKind& kind, const GazeFilterSettings& filter) {
+  nlohmann::json devices = nlohmann::json::parse(devices_of(kind));
+  if (!kind.predicted && filter != GazeFilterSettings{}) {
+    devices["tracker"]["filter"] = json_of(filter);
+  }
+  return devices.dump();
 }
 
 std::vector<std::string> mark_ids(const Protocol& protocol) {
@@ -240,7 +251,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
                        .make_attempts = {},
                        .run_in_window = {},
                        .shown = shown_scenes(stages),
-                       .devices = devices_of(kind)};
+                       .devices = devices_in_virtual_time(kind, protocol.tracker.filter)};
   if (fs::exists(settings.database)) {
     require_same_scenes(settings.database, study.shown);
   }

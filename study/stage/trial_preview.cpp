@@ -19,6 +19,7 @@ PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSett
   preview.view_size = {protocol.display.view_width, protocol.display.view_height};
   preview.unsampled = settings.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
   preview.exposure_stops = stage.source().exposure_stops.value_or(0.0);
+  preview.gaze_filter = protocol.tracker.filter;
   return preview;
 }
 

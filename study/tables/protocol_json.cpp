@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/protocol/untranslated.h"
+#include "study/record/gaze_filter_json.h"
 
 namespace foveola::study {
 namespace {
@@ -99,6 +100,7 @@ Json json_of(const Protocol& protocol) {
           {"design_rows", design_rows(protocol)},
           {"method_files", json_files(protocol)},
           {"profiles", json_profiles(protocol)},
+          {"gaze_filter", json_of(protocol.tracker.filter)},
           {"phases", json_phases(protocol)},
           {"marks", ids_of(protocol.marks)},
           {"ratings", ids_of(protocol.ratings)},

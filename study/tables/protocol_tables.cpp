@@ -41,6 +41,24 @@ std::string text_of(const ValidationSettings& validation) {
                      validation.gate.max_precision_deg, validation.gate.max_data_loss);
 }
 
+std::string text_of(const GazeFilterSettings& filter) {
+  std::vector<std::string> parts;
+  if (filter.one_euro) {
+    parts.push_back(
+        fmt::format("1-Euro (at least {} Hz, {} Hz more for each degree/s, velocity {} "
+                    "Hz)",
+                    filter.one_euro->min_cutoff_hz, filter.one_euro->beta_per_deg,
+                    filter.one_euro->derivative_cutoff_hz));
+  }
+  if (filter.extrapolate_s) {
+    parts.push_back(fmt::format("extrapolated by {} s", *filter.extrapolate_s));
+  }
+  if (filter.hold_s) {
+    parts.push_back(fmt::format("held for {} s", *filter.hold_s));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// "random"; "williams, 6 rows".
 std::string orders_of(Order order, std::size_t things) {
   const int rows = row_count(order, static_cast<int>(things));
@@ -217,6 +235,9 @@ std::string protocol_table(const Protocol& protocol, const std::vector<SceneSour
   add_procedure(rows, protocol);
   if (protocol.tracker.validation) {
     rows.push_back({"validation", text_of(*protocol.tracker.validation)});
+  }
+  if (protocol.tracker.filter != GazeFilterSettings{}) {
+    rows.push_back({"gaze filter", text_of(protocol.tracker.filter)});
   }
   for (const MethodFile& file : protocol.method_files) {
     rows.push_back({"file", fmt::format("{} of {}: {}", file.file, file.method, file.sha256)});

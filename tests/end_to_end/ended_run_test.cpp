@@ -102,6 +102,10 @@ TEST_F(StudyRun, SaysWhatIsWrong) {
   EXPECT_THAT(participant_.run_besides("P2", {"--resume"}).errors,
               HasSubstr("no session to go on with"));
   EXPECT_EQ(participant_.run_besides("Jane Doe", {}).exit_code, 2);
+  expect_one_line(participant_.run_besides("P2", {"--gaze-filter", "hold"}), 2,
+                  "write it into the protocol's [tracker.filter], or rehearse with --pilot");
+  expect_one_line(participant_.run_besides("P2", {"--pilot", "--gaze-filter", "hold=9"}), 2,
+                  "give a number from 0.001 to 0.6");
 }
 
 }  // namespace

@@ -80,6 +80,8 @@ TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
   EXPECT_THAT(preview({"--frames", "5"}).errors,
               HasSubstr("1.6 m above the floor of a room where it is widest"));
   EXPECT_EQ(preview({"--frames", "5", "--camera", "0,0"}).exit_code, 2);
+  expect_one_line(preview({"--frames", "5", "--gaze-filter", "kalman"}), 2,
+                  "'kalman' is no filter of a gaze");
 }
 
 TEST_F(PreviewCommand, KeysChangeWhatIsRendered) {

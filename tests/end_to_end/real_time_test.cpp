@@ -134,11 +134,12 @@ TEST_F(RealTime, AWholeSessionBeforeTheWindow) {
   write_protocol(
       "methods = [\"fv\"]\n"
       "phases = [\"consent\", \"background\", \"validation\", \"reaction\", \"trials\"]\n",
-      whole_procedure);
+      std::string(whole_procedure) + "[tracker.filter]\nhold_s = 0.3\n");
   simulate();
   EXPECT_THAT(ask("SELECT kind, state, json_extract(devices, '$.simulation.real_time'), "
-                  "json_extract(devices, '$.display.framebuffer') FROM session"),
-              ElementsAre("simulated|completed|1|[64,64]"));
+                  "json_extract(devices, '$.display.framebuffer'), "
+                  "json_extract(devices, '$.tracker.filter.hold_s') FROM session"),
+              ElementsAre("simulated|completed|1|[64,64]|0.3"));
   EXPECT_THAT(events(),
               ElementsAre("session_started", "consent_given", "questionnaire_answered",
                           "gaze_validated", "reaction_pressed", "reaction_pressed", "object_chosen",

@@ -67,6 +67,12 @@ TEST_F(Rehearsal, ShowsTheSceneAsItChanges) {
               ElementsAre("3"));
 }
 
+TEST_F(Rehearsal, MayTryAnotherFilterOfTheGaze) {
+  begin({"--pilot", "--gaze-filter", "extrapolate=0.03"});
+  EXPECT_THAT(participant_.ask("SELECT devices -> '$.tracker' FROM session"),
+              ElementsAre(R"({"profile":"pointer","filter":{"extrapolate_s":0.03}})"));
+}
+
 TEST_F(Rehearsal, WhoIsMeasuredSeesOneSceneOnly) {
   begin({});
   participant_.replace_scene(hall_in("0.6,0.0,0.0"));

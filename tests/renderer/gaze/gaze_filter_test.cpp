@@ -1,8 +1,8 @@
 #include "renderer/gaze/gaze_filter.h"
 
 #include <cmath>
-#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,16 +10,13 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
-#include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/gaze/simulated_eye.h"
-#include "tests/renderer/gaze/newest_gaze.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
-using test::NewestGaze;
 
 Vec3 at_deg(double azimuth_deg) { return direction_from({.azimuth_rad = radians(azimuth_deg)}); }
 double azimuth_deg(const Vec3& direction) {
@@ -31,69 +28,89 @@ GazeSample seen_at(int time_ms, double azimuth_deg) {
 }
 GazeSample blink_at(int time_ms) { return {.time = milliseconds(time_ms)}; }
 
-std::unique_ptr<EyeTracker> recorded(std::vector<GazeSample> samples) {
-  return std::make_unique<RecordedEyeTracker>(std::move(samples), Nanoseconds(0), Nanoseconds(0));
+/// Samples that arrive at their own times, and what a filter makes of them.
+class FilteredStream {
+ public:
+  FilteredStream(const GazeFilterSettings& settings, std::vector<GazeSample> samples)
+      : filter_(settings), samples_(std::move(samples)) {}
+
+  std::vector<GazeSample> polled(Nanoseconds now) {
+    std::vector<GazeSample> arrived;
+    for (; next_ < samples_.size() && samples_[next_].time <= now; ++next_) {
+      arrived.push_back(samples_[next_]);
+    }
+    const std::vector<GazeSample> filtered = filter_.filtered(now, arrived);
+    if (!filtered.empty()) {
+      newest_ = filtered.back();
+    }
+    return filtered;
+  }
+
+  /// The newest that has passed by `now`; empty before the first.
+  std::optional<GazeSample> newest(Nanoseconds now) {
+    polled(now);
+    return newest_;
+  }
+
+ private:
+  GazeFilter filter_;
+  std::vector<GazeSample> samples_;
+  std::size_t next_ = 0;
+  std::optional<GazeSample> newest_;
+};
+
+FilteredStream held(std::vector<GazeSample> samples, Nanoseconds limit = longest_hold) {
+  return {{.hold_s = foveola::seconds(limit)}, std::move(samples)};
 }
 
-TEST(HoldFilter, PassesValidSamplesOn) {
-  HoldFilter held(recorded({seen_at(10, 1.0), seen_at(20, 2.0)}));
-  NewestGaze newest(held);
-  EXPECT_FALSE(newest(milliseconds(9)));
-  EXPECT_EQ(newest(milliseconds(15))->time, milliseconds(10));
-  EXPECT_EQ(newest(milliseconds(20))->time, milliseconds(20));
+TEST(GazeHold, PassesValidSamplesOn) {
+  FilteredStream stream = held({seen_at(10, 1.0), seen_at(20, 2.0)});
+  EXPECT_FALSE(stream.newest(milliseconds(9)));
+  EXPECT_EQ(stream.newest(milliseconds(15))->time, milliseconds(10));
+  EXPECT_EQ(stream.newest(milliseconds(20))->time, milliseconds(20));
 }
 
-TEST(HoldFilter, HoldsTheLastValidOneWithItsOwnTime) {
-  HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20), blink_at(30), seen_at(200, 5.0)}));
-  NewestGaze newest(held);
-  newest(milliseconds(10));
-  const auto sample = newest(milliseconds(100));
+TEST(GazeHold, HoldsTheLastValidOneWithItsOwnTime) {
+  FilteredStream stream = held({seen_at(10, 1.0), blink_at(20), blink_at(30), seen_at(200, 5.0)});
+  stream.newest(milliseconds(10));
+  const auto sample = stream.newest(milliseconds(100));
   ASSERT_TRUE(sample);
   EXPECT_TRUE(sample->valid);
   EXPECT_EQ(sample->direction, at_deg(1.0));
   EXPECT_EQ(sample->time, milliseconds(10));
-  EXPECT_EQ(newest(milliseconds(200))->direction, at_deg(5.0));
+  EXPECT_EQ(stream.newest(milliseconds(200))->direction, at_deg(5.0));
 }
 
-TEST(HoldFilter, LetsGoAfterSixHundredMilliseconds) {
-  HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20)}));
-  NewestGaze newest(held);
-  newest(milliseconds(10));
-  EXPECT_TRUE(newest(milliseconds(610))->valid);
-  EXPECT_FALSE(newest(milliseconds(610) + Nanoseconds(1))->valid);
+TEST(GazeHold, LetsGoAfterSixHundredMilliseconds) {
+  FilteredStream stream = held({seen_at(10, 1.0), blink_at(20)});
+  stream.newest(milliseconds(10));
+  EXPECT_TRUE(stream.newest(milliseconds(610))->valid);
+  EXPECT_FALSE(stream.newest(milliseconds(610) + Nanoseconds(1))->valid);
 }
 
-TEST(HoldFilter, LetsGoOfATrackerThatHasStopped) {
-  HoldFilter held(recorded({seen_at(10, 1.0)}), milliseconds(100));
-  NewestGaze newest(held);
-  EXPECT_TRUE(newest(milliseconds(110))->valid);
-  EXPECT_FALSE(newest(milliseconds(111))->valid);
+TEST(GazeHold, LetsGoOfATrackerThatHasStopped) {
+  FilteredStream stream = held({seen_at(10, 1.0)}, milliseconds(100));
+  EXPECT_TRUE(stream.newest(milliseconds(110))->valid);
+  EXPECT_FALSE(stream.newest(milliseconds(111))->valid);
 }
 
-TEST(HoldFilter, KeepsInvalidSamplesBackWhileItHoldsAndReportsTheEnd) {
-  HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20), blink_at(30), blink_at(640)}));
-  const auto polled = [&](int now_ms) {
-    std::vector<GazeSample> arrived;
-    held.poll(milliseconds(now_ms), arrived);
-    return arrived;
-  };
-  const auto first = polled(100);
+TEST(GazeHold, KeepsInvalidSamplesBackWhileItHoldsAndReportsTheEnd) {
+  FilteredStream stream = held({seen_at(10, 1.0), blink_at(20), blink_at(30), blink_at(640)});
+  const auto first = stream.polled(milliseconds(100));
   ASSERT_EQ(first.size(), 1U);
   EXPECT_EQ(first[0].time, milliseconds(10));
-  const auto end = polled(615);
+  const auto end = stream.polled(milliseconds(615));
   ASSERT_EQ(end.size(), 1U);
   EXPECT_FALSE(end[0].valid);
   EXPECT_EQ(end[0].time, milliseconds(615));
-  const auto after = polled(640);
+  const auto after = stream.polled(milliseconds(640));
   ASSERT_EQ(after.size(), 1U);
   EXPECT_EQ(after[0].time, milliseconds(640));
-  EXPECT_TRUE(polled(700).empty());
+  EXPECT_TRUE(stream.polled(milliseconds(700)).empty());
 }
 
-TEST(HoldFilter, WithoutAnyValidSampleThereIsNone) {
-  HoldFilter held(recorded({blink_at(10)}));
-  NewestGaze newest(held);
-  EXPECT_FALSE(newest(milliseconds(10))->valid);
+TEST(GazeHold, WithoutAnyValidSampleThereIsNone) {
+  EXPECT_FALSE(held({blink_at(10)}).newest(milliseconds(10))->valid);
 }
 
 /// What becomes of these azimuths.
@@ -196,48 +213,101 @@ TEST(OneEuro, QuietensAnEyeAtRestAndFollowsASaccade) {
   EXPECT_NEAR(left_deg, 0.4, 0.1);
 }
 
-TEST(OneEuroFilter, SmoothsAllThatArriveTogether) {
-  OneEuroFilter smooth(recorded({seen_at(0, 0.0), seen_at(8, 1.0), seen_at(16, 2.0)}), {});
+TEST(GazeFilter, SmoothsAllThatArriveTogether) {
+  GazeFilter smooth({.one_euro = OneEuroSettings{}});
   OneEuro filter({});
-  std::vector<GazeSample> arrived;
-  smooth.poll(milliseconds(16), arrived);
-  ASSERT_EQ(arrived.size(), 3U);
+  const std::vector<GazeSample> smoothed =
+      smooth.filtered(milliseconds(16), {seen_at(0, 0.0), seen_at(8, 1.0), seen_at(16, 2.0)});
+  ASSERT_EQ(smoothed.size(), 3U);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(arrived[i].direction, filter.smoothed(milliseconds(8 * i), at_deg(i)));
+    EXPECT_EQ(smoothed[i].direction, filter.smoothed(milliseconds(8 * i), at_deg(i)));
   }
 }
 
-TEST(OneEuroFilter, SmoothsWhatPassesAndLeavesBlinksAlone) {
-  OneEuroFilter smooth(recorded({seen_at(0, 0.0), seen_at(8, 1.0), blink_at(16), seen_at(24, 1.0)}),
-                       {});
-  NewestGaze newest(smooth);
+TEST(GazeFilter, SmoothsWhatPassesAndLeavesBlinksAlone) {
+  FilteredStream smooth({.one_euro = OneEuroSettings{}},
+                        {seen_at(0, 0.0), seen_at(8, 1.0), blink_at(16), seen_at(24, 1.0)});
   OneEuro filter({});
-  EXPECT_FALSE(newest(-milliseconds(1)));
-  EXPECT_EQ(newest(milliseconds(0))->direction, filter.smoothed(milliseconds(0), at_deg(0.0)));
+  EXPECT_FALSE(smooth.newest(-milliseconds(1)));
+  EXPECT_EQ(smooth.newest(milliseconds(0))->direction,
+            filter.smoothed(milliseconds(0), at_deg(0.0)));
   const Vec3 second = filter.smoothed(milliseconds(8), at_deg(1.0));
-  EXPECT_EQ(newest(milliseconds(8))->direction, second);
-  EXPECT_EQ(newest(milliseconds(12))->direction, second);
-  EXPECT_EQ(newest(milliseconds(12))->time, milliseconds(8));
-  EXPECT_FALSE(newest(milliseconds(16))->valid);
-  EXPECT_EQ(newest(milliseconds(24))->direction, filter.smoothed(milliseconds(24), at_deg(1.0)));
+  EXPECT_EQ(smooth.newest(milliseconds(8))->direction, second);
+  EXPECT_EQ(smooth.newest(milliseconds(12))->direction, second);
+  EXPECT_EQ(smooth.newest(milliseconds(12))->time, milliseconds(8));
+  EXPECT_FALSE(smooth.newest(milliseconds(16))->valid);
+  EXPECT_EQ(smooth.newest(milliseconds(24))->direction,
+            filter.smoothed(milliseconds(24), at_deg(1.0)));
 }
 
-TEST(Filtered, ByDefaultIsTheTrackerItself) {
-  auto tracker = recorded({seen_at(0, 0.0)});
-  const EyeTracker* const before = tracker.get();
-  EXPECT_EQ(filtered(std::move(tracker), {}).get(), before);
+TEST(GazeFilter, WithoutAnyLeavesSamplesAsTheyAre) {
+  GazeFilter none({});
+  const std::vector<GazeSample> samples{seen_at(0, 1.0), blink_at(8), seen_at(16, 3.0)};
+  const std::vector<GazeSample> passed = none.filtered(milliseconds(20), samples);
+  ASSERT_EQ(passed.size(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(passed[i].time, samples[i].time);
+    EXPECT_EQ(passed[i].direction, samples[i].direction);
+    EXPECT_EQ(passed[i].valid, samples[i].valid);
+  }
 }
 
-TEST(Filtered, HoldsWhatIsSmoothed) {
-  const auto tracker = filtered(recorded({seen_at(0, 0.0), seen_at(8, 1.0), blink_at(16)}),
-                                {.hold = milliseconds(300), .one_euro = OneEuroSettings{}});
-  NewestGaze newest(*tracker);
-  newest(milliseconds(0));
-  const auto second = newest(milliseconds(8));
-  EXPECT_LT(azimuth_deg(second->direction), 0.9);
-  const auto third = newest(milliseconds(16));
-  EXPECT_TRUE(third->valid);
-  EXPECT_EQ(third->direction, second->direction);
+/// A pursuit with noise, whose samples come 8 ms apart, and a blink from 400 to 500 ms.
+std::vector<GazeSample> pursuit_with_a_blink() {
+  Pcg32 random(8);
+  std::vector<GazeSample> samples;
+  for (int time_ms = 0; time_ms < 800; time_ms += 8) {
+    const bool is_blink = time_ms >= 400 && time_ms < 500;
+    samples.push_back(is_blink ? blink_at(time_ms)
+                               : seen_at(time_ms, 0.02 * time_ms + 0.1 * random.normal()));
+  }
+  return samples;
+}
+
+const GazeFilterSettings all_filters{
+    .one_euro = OneEuroSettings{}, .extrapolate_s = 0.04, .hold_s = 0.3};
+
+TEST(GazeFilter, SmoothsExtrapolatesAndThenHolds) {
+  const std::vector<GazeSample> samples = pursuit_with_a_blink();
+  FilteredStream stream(all_filters, samples);
+  OneEuro one_euro({});
+  GazeExtrapolation extrapolation(milliseconds(40));
+  std::optional<GazeSample> expected;
+  for (const GazeSample& sample : samples) {
+    if (sample.valid) {
+      expected = sample;
+      expected->direction = one_euro.smoothed(sample.time, sample.direction);
+      expected->direction = extrapolation.extrapolated(*expected);
+    }
+    const std::optional<GazeSample> newest = stream.newest(sample.time);
+    ASSERT_TRUE(newest);
+    EXPECT_TRUE(newest->valid);
+    EXPECT_EQ(newest->time, expected->time) << "its own, whatever was done to it";
+    EXPECT_EQ(newest->direction, expected->direction);
+  }
+  EXPECT_GT(degrees(angle_between(samples.back().direction, expected->direction)), 0.1);
+}
+
+TEST(GazeFilter, DoesTheSameToSamplesOneByOneAndInBatches) {
+  const std::vector<GazeSample> samples = pursuit_with_a_blink();
+  FilteredStream one_by_one(all_filters, samples);
+  FilteredStream in_batches(all_filters, samples);
+  std::vector<GazeSample> singly;
+  std::vector<GazeSample> together;
+  for (int time_ms = 0; time_ms < 800; ++time_ms) {
+    const std::vector<GazeSample> passed = one_by_one.polled(milliseconds(time_ms));
+    singly.insert(singly.end(), passed.begin(), passed.end());
+    if (time_ms % 50 == 49) {
+      const std::vector<GazeSample> batch = in_batches.polled(milliseconds(time_ms));
+      together.insert(together.end(), batch.begin(), batch.end());
+    }
+  }
+  ASSERT_EQ(singly.size(), 87U) << "100 less those of the blink";
+  ASSERT_EQ(together.size(), singly.size());
+  for (std::size_t i = 0; i < singly.size(); ++i) {
+    EXPECT_EQ(together[i].time, singly[i].time);
+    EXPECT_EQ(together[i].direction, singly[i].direction);
+  }
 }
 
 }  // namespace

@@ -99,5 +99,35 @@ TEST_F(PreviewGaze, AllThatArrivesForAFrameIsReported) {
   EXPECT_THAT(preview_.arrived_gaze(), ElementsAre(at(5)));
 }
 
+// A pursuit at 20 degrees per second, extrapolated by 50 ms, and then a blink.
+TEST_F(PreviewGaze, IsFilteredWhileWhatArrivedIsReportedAsItCame) {
+  PreviewSettings filtering = settings();
+  filtering.gaze_filter = {.extrapolate_s = 0.05, .hold_s = 0.2};
+  Preview preview(tracer_, filtering, eye_, head_, workers_);
+  preview.restart("fv", 1);
+  const auto seen_at = [](int number) {
+    return GazeSample{.time = number * gaze_frame_time / 2,
+                      .direction = direction_from({.azimuth_rad = radians(0.2 * number)}),
+                      .valid = true};
+  };
+  FrameReport report;
+  for (int number = 0; number < 20; number += 2) {
+    eye_.next = {seen_at(number), seen_at(number + 1)};
+    report = preview.render_frame(seen_at(number + 1).time, 1);
+  }
+  const Vec3 later = direction_from({.azimuth_rad = radians(0.2 * 19 + 1.0)});
+  EXPECT_LT(angle_deg(report.gaze, head_orientation(heading_) * later), 1e-3);
+  EXPECT_EQ(report.gaze_age, Nanoseconds(0)) << "of the sample, not of what became of it";
+  ASSERT_EQ(preview.arrived_gaze().size(), 2U);
+  EXPECT_EQ(preview.arrived_gaze()[1].direction, seen_at(19).direction);
+  eye_.next = {{.time = seen_at(20).time}};
+  const FrameReport blink = preview.render_frame(seen_at(20).time, 1);
+  EXPECT_TRUE(blink.gaze_valid) << "held";
+  EXPECT_EQ(blink.gaze, report.gaze);
+  EXPECT_EQ(blink.gaze_age, gaze_frame_time / 2);
+  ASSERT_EQ(preview.arrived_gaze().size(), 1U);
+  EXPECT_FALSE(preview.arrived_gaze()[0].valid);
+}
+
 }  // namespace
 }  // namespace foveola

@@ -10,8 +10,8 @@
 
 namespace foveola::study {
 
-/// Chooses the last object, looks straight ahead, and presses `thought` after as many looks at a
-/// task as it needs.
+/// Chooses the last object, looks straight ahead unless its eye is to turn, and presses `thought`
+/// after as many looks at a task as it needs.
 class FakeParticipant final : public SimulatedObserver {
  public:
   // What it does.
@@ -20,6 +20,7 @@ class FakeParticipant final : public SimulatedObserver {
   int looks_needed = 1;
   bool sees_in_blackness = true;     ///< a look at a black picture counts
   bool regrets = false;              ///< every timing
+  double gaze_deg_per_s = 0.0;       ///< how fast its eye turns to the right
   std::ptrdiff_t retimed_turn = -1;  ///< the turn to an object whose second mark is regretted
   int withdraws_before = -1;         ///< the trial
 
@@ -58,7 +59,9 @@ class FakeParticipant final : public SimulatedObserver {
     looks_left_ = task == Task::look_around ? 0 : looks_needed;
   }
   AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
-  Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
+  Vec3 gaze(Nanoseconds time) override {
+    return direction_from({.azimuth_rad = radians(gaze_deg_per_s * foveola::seconds(time))});
+  }
   std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
     const auto is_lit = [](const Rgb& pixel) { return pixel.x > 0.0F; };
     const std::vector<Rgb>& pixels = stimulus.image.pixels;

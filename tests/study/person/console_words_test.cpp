@@ -19,7 +19,7 @@ TEST(ConsoleWords, SayWhatHappened) {
   const auto words = [&](const Event& event) { return words_for(event, after, protocol); };
   EXPECT_EQ(words(Marked{13214ms}), "material was marked after 3.214 s.");
   EXPECT_EQ(words(TimedOut{130s}), "material was not marked in 120 s.");
-  EXPECT_EQ(words(NoteWritten{"it rings\nagain"}), "Note: it rings");
+  EXPECT_EQ(words(NoteWritten{"it rings\nagain"}), "Note: it rings …");
   EXPECT_EQ(words(ObjectChosen{"lamp"}), "The object lamp was chosen.");
   EXPECT_EQ(words(ReactionPressed{.shown = 1s, .time = 1250ms}), "A reaction came after 250 ms.");
   EXPECT_EQ(words(ReactionPressed{.shown = 1s, .time = 900ms}), "A reaction came too early.");

@@ -77,6 +77,8 @@ TEST(ProtocolChanges, WhatIsMeasuredIsOfTheDesign) {
   EXPECT_THAT(redesigned_by("\"room\"]", "\"hall\"]"), ElementsAre("scenes[1]"));
   EXPECT_THAT(redesigned_by("\"fv\"]", "\"fv\", \"vp\"]"), ElementsAre("methods[2]"));
   EXPECT_THAT(redesigned_by("\"outline\"", "\"shape\""), ElementsAre("mark[0].id"));
+  EXPECT_THAT(redesigned_by("[timing]", "[tracker.filter]\nhold_s = 0.6\n[timing]"),
+              ElementsAre("tracker.filter.hold_s"));
   EXPECT_THAT(redesigned_by("labels =", "maximum = 7\nlabels ="), ElementsAre("rating[0].maximum"));
   EXPECT_THAT(redesigned_by("width = 64", "width = 128"), ElementsAre("override[0].film.width"));
   EXPECT_THAT(redesigned_by("phases", "scene_order = \"latin\"\nphases"),

@@ -52,6 +52,11 @@ TEST_F(ProtocolWithProfiles, AnEmptyValidationHasItsDefaults) {
   EXPECT_FALSE(validation->correct);
 }
 
+TEST_F(ProtocolWithProfiles, AnEmptyOneEuroFilterHasItsDefaults) {
+  EXPECT_EQ(load("[tracker.filter]\none_euro = {}\n").tracker.filter,
+            GazeFilterSettings{.one_euro = OneEuroSettings{}});
+}
+
 TEST_F(ProtocolWithProfiles, PathsAreFoundFromItsOwnFolder) {
   folder_.write("mine/goggles.toml", goggles);
   const Protocol protocol = load("[display]\nprofile = \"mine/goggles.toml\"\n");

@@ -116,6 +116,18 @@ INSTANTIATE_TEST_SUITE_P(
               "tracker.validation.attempts"},
         Fault{"unknown_gate", minimal + "[tracker.validation]\nmax_error = 1\n", "6:1",
               "tracker.validation.max_error"},
+        Fault{"filter_of_nothing", minimal + "[tracker.filter]\n", "5:1",
+              "one_euro, extrapolate_s or hold_s"},
+        Fault{"unknown_filter", minimal + "[tracker.filter]\nkalman = 1\n", "6:1",
+              "tracker.filter.kalman"},
+        Fault{"far_extrapolation", minimal + "[tracker.filter]\nextrapolate_s = 0.2\n", "6:17",
+              "tracker.filter.extrapolate_s"},
+        Fault{"no_hold", minimal + "[tracker.filter]\nhold_s = 0\n", "6:10",
+              "tracker.filter.hold_s"},
+        Fault{"hold_of_a_word", minimal + "[tracker.filter]\nhold_s = \"long\"\n", "6:10",
+              "tracker.filter.hold_s"},
+        Fault{"no_cutoff", minimal + "[tracker.filter.one_euro]\nmin_cutoff_hz = 0\n", "6:17",
+              "tracker.filter.one_euro.min_cutoff_hz"},
         Fault{"table_is_a_number", minimal + "film = 3\n", "5:8", "film"}),
     [](const testing::TestParamInfo<Fault>& test) { return test.param.name; });
 

@@ -47,6 +47,7 @@ TEST_F(ProtocolFile, NeedsOnlyANameATitleScenesAndMethods) {
   EXPECT_FALSE(protocol.display.profile);
   EXPECT_FALSE(protocol.tracker.profile);
   EXPECT_FALSE(protocol.tracker.validation);
+  EXPECT_EQ(protocol.tracker.filter, GazeFilterSettings{});
 }
 
 TEST_F(ProtocolFile, EveryKeyOfItsSettingsIsRead) {
@@ -79,6 +80,13 @@ max_precision_deg = 0.75
 max_data_loss = 0.25
 correct = true
 attempts = 4
+[tracker.filter]
+extrapolate_s = 0.03
+hold_s = 0.25
+[tracker.filter.one_euro]
+min_cutoff_hz = 1.5
+beta_per_deg = 0.5
+derivative_cutoff_hz = 8
 [timing]
 mark_timeout_s = 7.5
 rating_s = 2
@@ -108,6 +116,12 @@ samples_per_object = 10
   EXPECT_EQ(protocol.tracker.validation->gate.max_data_loss, 0.25);
   EXPECT_TRUE(protocol.tracker.validation->correct);
   EXPECT_EQ(protocol.tracker.validation->attempts, 4);
+  EXPECT_EQ(protocol.tracker.filter,
+            (GazeFilterSettings{.one_euro = OneEuroSettings{.min_cutoff_hz = 1.5,
+                                                            .beta_per_deg = 0.5,
+                                                            .derivative_cutoff_hz = 8.0},
+                                .extrapolate_s = 0.03,
+                                .hold_s = 0.25}));
   EXPECT_EQ(protocol.timing.mark_timeout_s, 7.5);
   EXPECT_EQ(protocol.timing.rating_s, 2.0);
   EXPECT_EQ(protocol.reference.samples_per_pixel, 9);

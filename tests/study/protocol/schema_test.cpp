@@ -183,8 +183,9 @@ TEST_F(ProtocolSchema, SpeaksOfEveryTableThatThereIs) {
   for (const Table& table : schema_.tables()) {
     names.insert(table.name);
   }
-  for (const char* name : {"", "display.lens", "tracker.validation", "rating.options",
-                           "questionnaire.question.options", "override.film", "analysis.primary"}) {
+  for (const char* name :
+       {"", "display.lens", "tracker.validation", "tracker.filter.one_euro", "rating.options",
+        "questionnaire.question.options", "override.film", "analysis.primary"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }

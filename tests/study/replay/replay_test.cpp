@@ -151,6 +151,14 @@ TEST_F(ReplayTest, AWholeSessionIsMadeAgain) {
   EXPECT_THAT(replay().attempts, Each(Field(&ReplayedAttempt::frames, testing::Gt(0U))));
 }
 
+// The films are of the filtered gaze.
+TEST_F(ReplayTest, ASessionWhoseGazeWasFilteredIsMadeAgain) {
+  protocol_.tracker.filter = {.one_euro = OneEuroSettings{}, .extrapolate_s = 0.1};
+  participant_.gaze_deg_per_s = 20.0;
+  ASSERT_EQ(take_part(), Phase::completed);
+  EXPECT_THAT(same_attempts(), ElementsAre("0.1", "1.1", "2.1"));
+}
+
 TEST_F(ReplayTest, OnlyWhatIsChosenIsRendered) {
   take_part();
   const ReplayReport report = replay(2);

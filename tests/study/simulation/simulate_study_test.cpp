@@ -86,6 +86,22 @@ TEST_F(SimulateStudyTest, ARenderedStudyIsTheSameOnAnyNumberOfJobs) {
   EXPECT_EQ(content("two.sqlite"), one);
 }
 
+TEST_F(SimulateStudyTest, ItsRecordSaysWhatFilteredTheGaze) {
+  folder_.write("wall.toml", wall_protocol_text(20'000, 8.0) + "[tracker.filter]\nhold_s = 0.3\n");
+  SimulateSettings one = settings("one.sqlite");
+  one.participants = 1;
+  simulate(one);
+  EXPECT_EQ(query(folder_ / "one.sqlite", "SELECT devices -> '$.tracker' FROM session"),
+            R"({"filter":{"hold_s":0.3}})");
+  SimulateSettings predicted = one;
+  predicted.database = folder_ / "predicted.sqlite";
+  predicted.predicted = true;
+  simulate(predicted);
+  EXPECT_EQ(
+      query(folder_ / "predicted.sqlite", "SELECT devices -> '$.tracker' IS NULL FROM session"),
+      "1");
+}
+
 TEST_F(SimulateStudyTest, APredictedStudyIsTheSameOnAnyNumberOfJobs) {
   SimulateSettings one = settings("one.sqlite");
   one.predicted = true;

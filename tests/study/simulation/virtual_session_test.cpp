@@ -1,8 +1,12 @@
 #include "study/simulation/virtual_session.h"
 
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "study/record/recorded_gaze.h"
+#include "study/record/recorded_session.h"
 #include "study/record/store_recorder.h"
 #include "study/simulation/rendered_attempt.h"
 #include "tests/study/participant/fake_participant.h"
@@ -144,6 +148,35 @@ TEST_F(VirtualSessionTest, NothingIsTracedInACatchTrial) {
             "500000000 1,500000000 1,500000000 1");
   EXPECT_EQ(value("SELECT count(*) FROM film_hash WHERE trial = 1"), "1");
   EXPECT_EQ(value("SELECT count(DISTINCT film_sha256) FROM film_hash"), "3");
+}
+
+// Frames use the filtered gaze; the record has both, and the one follows from the other.
+TEST_F(VirtualSessionTest, RecordsTheGazeAsItCameAndAsItWasFiltered) {
+  constexpr std::size_t trial = 2;
+  protocol_.tracker.simulated.precision_deg = 0.0;
+  protocol_.tracker.filter.extrapolate_s = 0.05;
+  FakeParticipant participant;
+  participant.gaze_deg_per_s = 20.0;
+  run(participant);
+  std::map<Nanoseconds, Vec3> seen;
+  for (const GazeSample& sample : read_gaze(path_, "P001", trial)) {
+    seen[sample.time] = sample.direction;
+  }
+  EXPECT_GT(seen.size(), 50U);
+  const RecordedSession session = read_session(path_, "P001");
+  const RecordedFrames recorded = read_frames(path_, session.known, {.trial = trial});
+  const auto azimuth_deg = [](const Vec3& direction) {
+    return degrees(azimuth_elevation(direction).azimuth_rad);
+  };
+  ASSERT_GT(recorded.frames.size(), 30U);
+  for (std::size_t i = 10; i < recorded.frames.size(); ++i) {
+    const FrameRow& frame = recorded.frames[i];
+    EXPECT_TRUE(frame.gaze_valid);
+    EXPECT_GE(frame.gaze_age, nanoseconds_from_seconds(protocol_.tracker.simulated.latency_s));
+    const auto used = seen.find(frame.time - frame.gaze_age);
+    ASSERT_NE(used, seen.end()) << "its age is that of the sample that it comes from";
+    EXPECT_NEAR(azimuth_deg(frame.gaze) - azimuth_deg(used->second), 20.0 * 0.05, 1e-3) << i;
+  }
 }
 
 TEST_F(VirtualSessionTest, ATimingThatFailedIsDoneAgain) {

@@ -107,6 +107,27 @@ TEST(ProtocolTable, SaysTheMemoryOfTheLargestFilm) {
               HasSubstr("memory        up to 680 MB for the film"));
 }
 
+const char* const filtered = R"([tracker.filter]
+one_euro.beta_per_deg = 0.5
+extrapolate_s = 0.03
+hold_s = 0.6
+)";
+
+TEST(ProtocolTable, SaysWhatFiltersTheGaze) {
+  EXPECT_THAT(protocol_table(protocol_with(filtered), {}),
+              HasSubstr("gaze filter   1-Euro (at least 1 Hz, 0.5 Hz more for each degree/s, "
+                        "velocity 10 Hz), extrapolated by 0.03 s, held for 0.6 s\n"));
+  EXPECT_THAT(protocol_table(protocol_with(""), {}), testing::Not(HasSubstr("gaze filter")));
+}
+
+TEST(ProtocolJson, SaysWhatFiltersTheGaze) {
+  EXPECT_EQ(json_of(protocol_with(filtered)).at("gaze_filter"), nlohmann::json::parse(R"({
+    "one_euro": {"min_cutoff_hz": 1.0, "beta_per_deg": 0.5, "derivative_cutoff_hz": 10.0},
+    "extrapolate_s": 0.03,
+    "hold_s": 0.6})"));
+  EXPECT_EQ(json_of(protocol_with("")).at("gaze_filter"), nlohmann::json::object());
+}
+
 TEST(ProtocolJson, HasTheSameForMachines) {
   const Protocol protocol = protocol_with("[[practice]]\nscene = \"room\"\nmethod = \"fv\"\n");
   const nlohmann::json json = json_of(protocol);

@@ -1,0 +1,39 @@
+// Measures, in the window and with the tracker of a session, what its trials will have.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/window/window_event.h"
+#include "study/person/person_tracker.h"
+#include "study/person/session_display.h"
+#include "study/person/viewer.h"
+#include "study/preflight/preflight.h"
+#include "study/stage/scene_stage.h"
+
+namespace foveola::study {
+
+/// What is measured; all of it must outlive the measurement.
+struct PreflightSubject {
+  const Protocol& protocol;
+  const SceneStages& stages;
+  const Workers& workers;
+  const Clock& clock;
+  WindowEvents& events;
+  SessionDisplay& display;
+  PersonTracker& eye;
+  Viewer& viewer;
+};
+
+struct MeasuredTrials {
+  std::vector<TrialSpeed> speeds;  ///< in the protocol's order of scenes and methods
+  LiveGaze gaze;
+};
+
+/// Renders every scene with every method for a moment, under a page and in the dark, since nobody
+/// may see a method before its trial: 8 seconds in all, but 0.4 for each at least. What the display
+/// learns of drawing, trials then know. Throws Error if stopped.
+MeasuredTrials measure_trials(const PreflightSubject& subject, const std::stop_token& stop);
+
+}  // namespace foveola::study

@@ -1,0 +1,52 @@
+#include "renderer/commands/gaze_filter_option.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::ThrowsMessage;
+
+TEST(GazeFilterOption, NamesTheFiltersThatAreWanted) {
+  EXPECT_EQ(parse_gaze_filter("none"), GazeFilterSettings{});
+  EXPECT_EQ(
+      parse_gaze_filter("hold,one-euro,extrapolate=0.03"),
+      (GazeFilterSettings{.one_euro = OneEuroSettings{}, .extrapolate_s = 0.03, .hold_s = 0.6}));
+  EXPECT_EQ(parse_gaze_filter("hold=0.25"), GazeFilterSettings{.hold_s = 0.25});
+  EXPECT_EQ(parse_gaze_filter("one-euro=2:0.5:8"),
+            (GazeFilterSettings{.one_euro = OneEuroSettings{.min_cutoff_hz = 2.0,
+                                                            .beta_per_deg = 0.5,
+                                                            .derivative_cutoff_hz = 8.0}}));
+}
+
+TEST(GazeFilterOption, SaysWhatIsWrongAndWhatToGive) {
+  const auto expect_refused = [](const std::string& text, const std::string& what) {
+    EXPECT_THAT([&] { parse_gaze_filter(text); },
+                ThrowsMessage<UsageError>(AllOf(StartsWith("--gaze-filter: "), HasSubstr(what))))
+        << text;
+  };
+  expect_refused("", "'' is no filter");
+  expect_refused("kalman", "'kalman' is no filter of a gaze; give none, or ");
+  expect_refused("hold,none", "'none' is no filter");
+  expect_refused("hold,", "'' is no filter");
+  expect_refused("hold=0.7",
+                 "'0.7' is no time in seconds to hold a gaze for; give a number from "
+                 "0.001 to 0.6");
+  expect_refused("hold=", "'' is no time");
+  expect_refused("extrapolate", "'extrapolate' needs a time");
+  expect_refused("extrapolate=0", "from 0.001 to 0.1");
+  expect_refused("extrapolate=nan", "from 0.001 to 0.1");
+  expect_refused("one-euro=1:2", "'1:2' is no 1-Euro filter");
+  expect_refused("one-euro=0:0.3:10", "'0' is no cutoff frequency");
+  expect_refused("one-euro=1:-1:10", "'-1' is no beta");
+  expect_refused("hold,hold=0.3", "'hold' is there twice");
+}
+
+}  // namespace
+}  // namespace foveola
