@@ -46,15 +46,18 @@ namespace fs = std::filesystem;
 namespace foveola {
 namespace {
 
-/// Turns the first SIGINT or SIGTERM into a request to stop, so that running work ends by itself
-/// and loses nothing; the second ends the program at once. Made before any other thread, which
-/// then inherits the blocked signals.
+/// Turns the first SIGINT, SIGTERM or SIGHUP (the terminal was closed) into a request to stop, so
+/// that running work ends by itself and loses nothing; the second ends the program at once. Made
+/// before any other thread, which then inherits the blocked signals.
 class SignalStop {
  public:
   SignalStop() {
     ::sigemptyset(&signals_);
     ::sigaddset(&signals_, SIGINT);
     ::sigaddset(&signals_, SIGTERM);
+    if (!is_ignored(SIGHUP)) {
+      ::sigaddset(&signals_, SIGHUP);
+    }
     ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
     waiter_ = std::jthread([this](const std::stop_token& done) { wait(done); });
   }
@@ -68,6 +71,12 @@ class SignalStop {
   std::stop_token token() const { return stop_.get_token(); }
 
  private:
+  /// nohup asks for it.
+  static bool is_ignored(int signal) {
+    struct sigaction action {};
+    return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+  }
+
   void wait(const std::stop_token& done) {
     for (;;) {
       const int signal = ::sigwaitinfo(&signals_, nullptr);
@@ -147,6 +156,8 @@ int complain(const std::string& message, int exit_code) {
 int run(int argc, char** argv) {
   constexpr int user_error = 1;
   constexpr int usage_error = 2;
+  // A file that may not grow is then an error like that of a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   const SignalStop signals;
   study::keep_no_memory_counts();
   CLI::App app("A laboratory for foveated previews: renderer, user study, statistics.", "foveola");

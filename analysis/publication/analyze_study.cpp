@@ -119,11 +119,12 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   return warnings;
 }
 
-/// All tables, in the order of OUTPUTS.md; those of trials, answers and participants, which may be
-/// large, have no rows.
+/// All tables, in the order of OUTPUTS.md; those that are written by rows, which may be large, have
+/// none here.
 std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRecords& records,
-                             const TrialColumns& trials, const ParticipantColumns& participants,
-                             const AnswerColumns& answers, const Table& models) {
+                             const TrialColumns& trials, const GazeByTrialColumns& gaze,
+                             const ParticipantColumns& participants, const AnswerColumns& answers,
+                             const Table& models) {
   const StudyTables& tables = output.tables;
   std::vector<Table> all = {times_by_scene(tables),
                             times_by_method(tables),
@@ -149,6 +150,7 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
   for (Table& table : all) {
     table = stamped(std::move(table), tables.set);
   }
+  all.push_back({"gaze_by_trial", "analysed test trial, its last timing", gaze.columns(), {}});
   all.push_back({"answers_long", "answer of a questionnaire", answers.columns(), {}});
   all.push_back({"trials_long", "trial of a session, its last timing", trials.columns(), {}});
   all.push_back(
@@ -278,6 +280,18 @@ void write_data(const study::StudyRecords& records, const TrialColumns& trials,
   }
 }
 
+/// Writes gaze_by_trial.csv, of records without the data of withdrawn sessions.
+void write_gaze(const study::StudyRecords& records, const GazeByTrialColumns& gaze,
+                const fs::path& folder, AnalysisOutput& output) {
+  const fs::path path = folder / "gaze_by_trial.csv";
+  RowFile file(path, gaze.columns());
+  for (const std::size_t trial : analysed_trials(records, output.tables.set)) {
+    file.add(gaze.row(trial));
+  }
+  file.close();
+  output.files.push_back(path);
+}
+
 /// Fits the models in the folder, where the data are.
 FittedModels fit_models_of(const Table& plan, const fs::path& folder) {
   write_file(folder / (plan.id + ".csv"), csv_of(plan));
@@ -317,7 +331,8 @@ void write_bids(const study::StudyRecords& records, const TrialColumns& trials,
 
 bool is_written_by_rows(const Table& table) {
   return table.id == "trials_long" || table.id == "trials_timed_again" ||
-         table.id == "participants_wide" || table.id == "answers_long";
+         table.id == "gaze_by_trial" || table.id == "participants_wide" ||
+         table.id == "answers_long";
 }
 
 AnalysisOutput analyze_records(const study::StudyRecords& records,
@@ -335,11 +350,13 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   output.background = analyse_background(background_answers(records), output.tables.set);
   output.checks = check_data_quality(output.tables, quality, records);
   const study::StudyRecords& data = exported ? *exported : records;
-  const TrialColumns trials(data, output.tables.set);
+  const TrialColumns trials(data, output.tables.set, quality.gaze);
+  const GazeByTrialColumns gaze(records, output.tables.set, quality.gaze);
   const ParticipantColumns participants(records, output.tables.set);
   const AnswerColumns answers(data, output.tables.set);
   StagedFolder staged(folder);
   write_data(data, trials, participants, answers, staged.path(), output);
+  write_gaze(records, gaze, staged.path(), output);
   write_output(staged.path(), "models.R", models_script(), output);
   const study::AnalysisPlan& plan = records.protocol.analysis;
   const Table models =
@@ -348,7 +365,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
       compare_methods(output.tables.set, plan,
                       options.r ? fit_models_of(models, staged.path())
                                 : FittedModels{.missing = "it was not asked for (analyze --r)"});
-  output.results = tables_of(output, records, trials, participants, answers, models);
+  output.results = tables_of(output, records, trials, gaze, participants, answers, models);
   output.summary = terminal_summary(output.tables, output.background, published);
   output.warnings = warnings_about(output);
   if (const std::string& why = output.comparisons.models.missing; options.r && !why.empty()) {

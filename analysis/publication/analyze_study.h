@@ -40,8 +40,8 @@ struct AnalysisOutput {
   Background background;
   Comparisons comparisons;
   DataQualityReport checks;
-  /// Every table that was written; those of trials, answers and participants, which are written row
-  /// by row, have no rows here.
+  /// Every table that was written; those of trials, their gaze, answers and participants, which are
+  /// written row by row, have no rows here.
   std::vector<Table> results;
   std::optional<study::Verification> record;  ///< The verification of the study's file, if read.
 };

@@ -12,6 +12,7 @@
 #include "analysis/publication/gzip.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
+#include "renderer/gaze/gaze_marker.h"
 
 namespace foveola::analysis {
 namespace {
@@ -99,17 +100,12 @@ const char* movement_name(GazeMark mark) {
   return "";
 }
 
-/// Successive samples of one movement, each until the next movement begins.
 void add_movements(const std::vector<GazeSample>& samples, std::vector<EyeEvent>& events) {
-  for (auto begin = samples.begin(); begin != samples.end();) {
-    const auto end = std::find_if(
-        begin, samples.end(), [&](const GazeSample& sample) { return sample.mark != begin->mark; });
-    if (begin->mark != GazeMark::none) {
-      const Nanoseconds until = end == samples.end() ? samples.back().time : end->time;
-      events.push_back({begin->time, std::max(until - begin->time, Nanoseconds(0)),
-                        movement_name(begin->mark), ""});
+  for (const MarkedMovement& movement : marked_movements(samples)) {
+    if (movement.mark != GazeMark::none) {
+      events.push_back(
+          {movement.samples.front().time, movement.duration, movement_name(movement.mark), ""});
     }
-    begin = end;
   }
 }
 

@@ -21,6 +21,7 @@ constexpr double longest_latency_ms = 50.0;
 constexpr double longest_mark_gap_ms = 100.0;
 constexpr double least_balance_p = 0.01;
 constexpr double most_false_alarms_percent = 20.0;
+constexpr double most_elsewhere_percent = 50.0;
 
 Verdict within(bool good) { return good ? Verdict::passed : Verdict::flagged; }
 
@@ -221,21 +222,102 @@ DataQualityCheck check_catches(const std::vector<CatchFigures>& catches) {
   return check;
 }
 
-DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
+/// The first of them, and that there are others.
+std::string first_of(const std::vector<std::string>& all) {
   constexpr std::size_t most_named = 3;
-  std::vector<std::string> named;
+  const std::span<const std::string> named = std::span(all).first(std::min(most_named, all.size()));
+  return fmt::format("{}{}", fmt::join(named, "; "),
+                     all.size() > named.size() ? "; and others" : "");
+}
+
+DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
+  std::vector<std::string> names;
   for (const OutlyingTime& time : outliers) {
-    if (named.size() < most_named) {
-      named.push_back(fmt::format("{}, {}, {}, {}: {:.2g} × the expected", time.participant,
-                                  time.scene, time.method, time.mark, time.times_expected));
-    }
+    names.push_back(fmt::format("{}, {}, {}, {}: {:.2g} × the expected", time.participant,
+                                time.scene, time.method, time.mark, time.times_expected));
   }
   return {"Single times that stand out",
-          outliers.empty() ? "none"
-                           : fmt::format("{}: {}{}", outliers.size(), fmt::join(named, "; "),
-                                         outliers.size() > named.size() ? "; and others" : ""),
+          names.empty() ? "none" : fmt::format("{}: {}", names.size(), first_of(names)),
           "none; by chance, one study in twenty has any (Rosner’s test, level 5 %, for each mark)",
           within(outliers.empty())};
+}
+
+/// An analysed test trial whose gaze is known.
+struct TrackedTrial {
+  std::string name;  ///< Participant, scene and method.
+  const study::AttemptGazeRow* gaze = nullptr;
+};
+
+std::vector<TrackedTrial> tracked_trials(const Dataset& set, const study::StudyRecords& records,
+                                         const GazeOfTrials& gaze) {
+  std::vector<TrackedTrial> tracked;
+  for (const std::size_t i : analysed_trials(records, set)) {
+    const study::TrialRow& trial = records.trials[i];
+    if (const study::AttemptGazeRow* const row = gaze.of(i)) {
+      tracked.push_back({fmt::format("{}, {}, {}", row->participant, records.scenes[trial.scene],
+                                     records.methods[trial.method]),
+                         row});
+    }
+  }
+  return tracked;
+}
+
+DataQualityCheck check_objects_in_view(const std::vector<TrackedTrial>& trials) {
+  DataQualityCheck check{"Marks with the object out of view",
+                         "the object or the field of view was not recorded", "none, ours"};
+  std::size_t marks = 0;
+  std::vector<std::string> out_of_view;
+  for (const TrackedTrial& trial : trials) {
+    for (const study::GazeAtMark& mark : trial.gaze->figures.marks) {
+      marks += mark.object_in_view ? 1 : 0;
+      if (mark.object_in_view && !*mark.object_in_view) {
+        out_of_view.push_back(fmt::format("{}, {}", trial.name, mark.mark));
+      }
+    }
+  }
+  if (marks > 0) {
+    check.found = fmt::format("{} of {}{}{}", out_of_view.size(), counted(marks, "mark"),
+                              out_of_view.empty() ? "" : ": ", first_of(out_of_view));
+    check.verdict = within(out_of_view.empty());
+  }
+  return check;
+}
+
+/// What the gaze was of, where the record says: the pointer's and a simulated eye's are no
+/// person's.
+std::string trackers_in_words(const std::vector<TrackedTrial>& trials) {
+  std::set<std::string> trackers;
+  for (const TrackedTrial& trial : trials) {
+    if (!trial.gaze->tracker.empty()) {
+      trackers.insert(trial.gaze->tracker);
+    }
+  }
+  return trackers.empty() ? "" : fmt::format("; tracker: {}", fmt::join(trackers, ", "));
+}
+
+DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
+  DataQualityCheck check{
+      "Trials with the gaze elsewhere", "the gaze or the object was not recorded",
+      fmt::format("{:g} % of each trial’s time to its last mark with a valid gaze that is not on "
+                  "the object, ours",
+                  most_elsewhere_percent)};
+  std::size_t known = 0;
+  std::vector<std::string> elsewhere;
+  for (const TrackedTrial& trial : trials) {
+    if (const auto percent = percents_of(trial.gaze->figures.times).elsewhere) {
+      ++known;
+      if (*percent > most_elsewhere_percent) {
+        elsewhere.push_back(fmt::format("{}: {:.0f} %", trial.name, *percent));
+      }
+    }
+  }
+  if (known > 0) {
+    check.found =
+        fmt::format("{} of {}{}{}{}", elsewhere.size(), counted(known, "trial"),
+                    elsewhere.empty() ? "" : ": ", first_of(elsewhere), trackers_in_words(trials));
+    check.verdict = within(elsewhere.empty());
+  }
+  return check;
 }
 
 std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
@@ -290,6 +372,9 @@ DataQualityReport check_data_quality(const StudyTables& tables,
   report.outliers = outlying_times(tables.set);
   report.frames = analysed_frames(tables, quality);
   const std::vector<study::FrameFigures>& frames = report.frames;
+  const GazeOfTrials gaze(records, quality.gaze);
+  report.gaze = gaze_by_method(records, tables.set, gaze);
+  const std::vector<TrackedTrial> tracked = tracked_trials(tables.set, records, gaze);
   report.checks = {
       check_kind(tables),
       check_frames(frames, "Frames that missed their refresh", "%", most_late_percent, "ours",
@@ -304,6 +389,8 @@ DataQualityReport check_data_quality(const StudyTables& tables,
                    longest_mark_gap_ms, "ours",
                    [](const auto& row) { return 1e3 * row.longest_mark_after_frame_s; }),
       check_validation(tables, quality),
+      check_objects_in_view(tracked),
+      check_gaze_elsewhere(tracked),
       check_order(tables.set),
       check_catches(report.catches),
       check_outliers(report.outliers)};

@@ -7,6 +7,7 @@
 
 #include "analysis/dataset/outlying_times.h"
 #include "analysis/dataset/study_tables.h"
+#include "analysis/publication/gaze_by_trial.h"
 #include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
@@ -52,11 +53,12 @@ struct DataQualityReport {
   std::vector<ReactionFloor> reactions;     ///< One for each participant who took the test.
   std::vector<CatchFigures> catches;        ///< One for each participant with catch trials.
   std::vector<OutlyingTime> outliers;       ///< Times that stand out from the others.
+  std::vector<MethodGaze> gaze;             ///< One for each method; none if no gaze is known.
 };
 
-/// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, the
-/// balance of orders, single times that stand out, and whether the data are people's; for the
-/// participants in `tables`.
+/// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, objects
+/// out of view at marks, the gaze elsewhere than on the object, the balance of orders, single times
+/// that stand out, and whether the data are people's; for the participants in `tables`.
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality,
                                      const study::StudyRecords& records);

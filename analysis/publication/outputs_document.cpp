@@ -30,6 +30,11 @@ what the results leave out. The data of sessions that a participant withdrew fro
 unless `--withdrawn` is given: then they are in these three, with the status `withdrawn`, and still in
 no result and not in `psych-ds/` or `bids/`. `study forget` erases a participant from the study's file.
 
+Where frames were recorded, the rows of trials also say where gaze and object were, as
+`gaze_by_trial.csv` does of the analysed trials alone, with the tracker's name. The directions of
+objects and the display's fields of view are the recorded ones; what a record does not say is empty, as
+is all of it in withdrawn sessions.
+
 | file | what it is |
 |---|---|
 | `report.html` | the whole report, one file that needs no network |
@@ -47,7 +52,8 @@ no result and not in `psych-ds/` or `bids/`. `study forget` erases a participant
 constexpr const char* after_columns = R"md(## `--json`
 
 The same tables on standard output: under `tables` each by its name, a list of objects with the
-columns as their keys; those of trials, answers and participants are in their files only. Beside them
+columns as their keys; those of trials, their gaze, answers and participants are in their files only.
+Beside them
 `report`, `files`, `warnings`, `protocol`, `protocol_sha256`, `participant_kind`, `data_notice`,
 `participants`, `scenes`, `methods`, `baseline`, `measures`, `record` (what verifying the study's file
 found, as `study verify --json` prints it) and `excluded` (how many rows `exclusions.csv` has).

@@ -68,6 +68,28 @@ std::string reactions_table(const StudyTables& tables, const DataQualityReport& 
              : html_of(table, data_notice(tables));
 }
 
+/// Where the gaze was, in the mean over each method's trials.
+std::string gaze_html(const StudyTables& tables, const DataQualityReport& report) {
+  if (report.gaze.empty()) {
+    return "<p>No frames were recorded: where gaze and object were is unknown.</p>\n";
+  }
+  PrintedTable table;
+  table.title = "Gaze by trial.";
+  table.note = fmt::format(
+      "Means over the trials of each method, of the time from the first frame to the last mark. On "
+      "the object: within {:g}° of its angular radius. gaze_by_trial.csv has every trial.",
+      study::gaze_margin_deg);
+  table.columns = {"Method",           "trials",    "on the object, %",          "elsewhere, %",
+                   "no valid gaze, %", "fixations", "gaze to object at marks, °"};
+  for (const MethodGaze& row : report.gaze) {
+    table.rows.push_back({method_label(row.method), std::to_string(row.trials),
+                          fixed(row.on_object_percent, 1), fixed(row.elsewhere_percent, 1),
+                          fixed(row.without_gaze_percent, 1), fixed(row.fixations, 1),
+                          fixed(row.gaze_from_object_deg, 1)});
+  }
+  return html_of(table, data_notice(tables));
+}
+
 std::string catches_html(const StudyTables& tables, const DataQualityReport& report) {
   constexpr std::size_t most_rows = 100;
   PrintedTable table;
@@ -120,7 +142,7 @@ std::string data_quality_section(const StudyTables& tables, const DataQualityRep
   return html_section("Data quality",
                       checks_table(tables, report) +
                           fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(tables.set))) +
-                          latency_html(tables, quality, published) +
+                          latency_html(tables, quality, published) + gaze_html(tables, report) +
                           reactions_table(tables, report) + catches_html(tables, report));
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/publication/gaze_by_trial.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
 #include "analysis/tables/html.h"
@@ -92,6 +93,14 @@ std::string definitions_section(const StudyTables& tables) {
          "of the gaze used plus the mean time from polling to the display; and how long after the "
          "frame on the display the latest mark came. Limits that no source gives are Foveola’s own "
          "and say so.");
+  define("Gaze on the object",
+         fmt::format(
+             "The gaze that a frame used lies within the chosen object’s angular radius and {:g}° "
+             "for the tracker’s accuracy; the frame stands for the time until the next one. Valid "
+             "elsewhere, it is “elsewhere”; not valid, or older than a blink lasts, it is none. "
+             "Out of view: the object’s direction is not in the field of view of the frame that "
+             "was on the display at the mark.",
+             study::gaze_margin_deg));
   define("P",
          "Of the hypothesis of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees "
          "of freedom. "

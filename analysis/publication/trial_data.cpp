@@ -151,8 +151,12 @@ std::vector<Column> columns_of(const Measure& measure, const std::string& scale_
            measure.unit(), description}};
 }
 
-TrialColumns::TrialColumns(const StudyRecords& records, const Dataset& set)
-    : records_(records), set_(set), participants_(analysed_sessions(records, set)) {
+TrialColumns::TrialColumns(const StudyRecords& records, const Dataset& set,
+                           std::span<const study::AttemptGazeRow> gaze)
+    : records_(records),
+      set_(set),
+      gaze_(records, gaze),
+      participants_(analysed_sessions(records, set)) {
   columns_ = {
       participant_column(),
       kind_column(),
@@ -175,6 +179,8 @@ TrialColumns::TrialColumns(const StudyRecords& records, const Dataset& set)
     const std::vector<Column> own = columns_of(set.measures[i], scale_with_amendments(set, i));
     columns_.insert(columns_.end(), own.begin(), own.end());
   }
+  const std::vector<Column> of_gaze = gaze_columns(set.measures);
+  columns_.insert(columns_.end(), of_gaze.begin(), of_gaze.end());
   columns_.push_back(record_column());
 }
 
@@ -204,6 +210,7 @@ Row TrialColumns::row(std::size_t trial) const {
   for (std::size_t i = 0; i < set_.measures.size(); ++i) {
     append_value(records_, set_.measures[i], records_.value(trial, i), fields);
   }
+  append_gaze(gaze_.of(trial), set_.measures, fields);
   fields.push_back(field(set_.record));
   return fields;
 }

@@ -5,23 +5,27 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/scoring.h"
+#include "analysis/publication/gaze_by_trial.h"
 #include "analysis/tables/table.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {
 
 /// The columns of trials_long and of trials_timed_again, and the rows of a study: the values of
-/// every mark and rating, of test, practice and catch trials, of all sessions whose data were read.
+/// every mark and rating, of test, practice and catch trials, of all sessions whose data were read;
+/// and what is known of the gaze in them, which is nothing in withdrawn sessions.
 class TrialColumns {
  public:
-  /// Both must outlive it.
-  TrialColumns(const study::StudyRecords& records, const Dataset& set);
+  /// All must outlive it.
+  TrialColumns(const study::StudyRecords& records, const Dataset& set,
+               std::span<const study::AttemptGazeRow> gaze = {});
 
   const std::vector<Column>& columns() const { return columns_; }
   /// Of the row's index in the records' trials.
@@ -32,6 +36,7 @@ class TrialColumns {
  private:
   const study::StudyRecords& records_;
   const Dataset& set_;
+  GazeOfTrials gaze_;
   std::vector<std::optional<std::size_t>> participants_;  ///< [session]
   std::vector<Column> columns_;
 };

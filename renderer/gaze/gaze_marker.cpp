@@ -1,5 +1,7 @@
 #include "renderer/gaze/gaze_marker.h"
 
+#include <algorithm>
+
 #include "renderer/gaze/gaze_filter.h"
 
 namespace foveola {
@@ -47,6 +49,18 @@ void GazeMarker::take(const EyeMovement& movement, std::vector<GazeSample>& mark
     marked.push_back(*sample);
   }
   waiting_.erase(waiting_.begin(), sample);
+}
+
+std::vector<MarkedMovement> marked_movements(std::span<const GazeSample> samples) {
+  std::vector<MarkedMovement> movements;
+  for (auto begin = samples.begin(); begin != samples.end();) {
+    const auto end = std::find_if(
+        begin, samples.end(), [&](const GazeSample& sample) { return sample.mark != begin->mark; });
+    const Nanoseconds until = end == samples.end() ? samples.back().time : end->time;
+    movements.push_back({begin->mark, {begin, end}, std::max(until - begin->time, Nanoseconds(0))});
+    begin = end;
+  }
+  return movements;
 }
 
 }  // namespace foveola

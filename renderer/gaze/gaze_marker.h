@@ -1,6 +1,7 @@
 // Marks gaze samples with what the eye did: fixations, saccades and blinks.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "renderer/gaze/eye_movements.h"
@@ -26,5 +27,17 @@ class GazeMarker {
   EyeMovementDetector detector_;
   std::vector<GazeSample> waiting_;
 };
+
+/// Successive samples of one mark.
+struct MarkedMovement {
+  GazeMark mark = GazeMark::none;
+  std::span<const GazeSample> samples;  ///< never none
+  /// From its first sample to the first one of the next movement, or to its own last one; not below
+  /// zero.
+  Nanoseconds duration{0};
+};
+
+/// The movements of marked samples, in their order; `samples` must outlive them.
+std::vector<MarkedMovement> marked_movements(std::span<const GazeSample> samples);
 
 }  // namespace foveola

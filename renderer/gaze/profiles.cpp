@@ -113,6 +113,41 @@ void read_monitor(TomlReader& table, DisplayProfile& display) {
   display.vertical_fov_deg = fov_deg(display.height_m, display.viewing_distance_m);
 }
 
+MeasuredDisplay read_measured(TomlReader table) {
+  MeasuredDisplay measured;
+  measured.date = table.require_text("date");
+  table.read("instrument", measured.instrument);
+  const auto read = [&table](std::string_view key, std::optional<double>& value, double least,
+                             double most) {
+    double number = 0.0;
+    table.read(key, number, least, most);
+    if (table.has(key)) {
+      value = number;
+    }
+  };
+  read("white_cd_m2", measured.white_cd_m2, 0.001, 1e5);
+  read("black_cd_m2", measured.black_cd_m2, 0.0, 1e5);
+  read("gamma", measured.gamma, 0.1, 10.0);
+  read("refresh_rate_hz", measured.refresh_rate_hz, 1.0, 1000.0);
+  table.reject_unknown_keys();
+  return measured;
+}
+
+constexpr std::array corners{
+    Word<WindowCorner>{"top left", WindowCorner::top_left},
+    Word<WindowCorner>{"top right", WindowCorner::top_right},
+    Word<WindowCorner>{"bottom left", WindowCorner::bottom_left},
+    Word<WindowCorner>{"bottom right", WindowCorner::bottom_right},
+};
+
+TimingPatch read_timing_patch(TomlReader table) {
+  TimingPatch patch;
+  patch.corner = require_word(table, "corner", corners);
+  table.read("size_px", patch.size_px, 1, 4096);
+  table.reject_unknown_keys();
+  return patch;
+}
+
 DisplayProfile display_from(TomlReader table) {
   constexpr std::array words{Word<DisplayKind>{"headset", DisplayKind::headset},
                              Word<DisplayKind>{"monitor", DisplayKind::monitor}};
@@ -128,6 +163,14 @@ DisplayProfile display_from(TomlReader table) {
     read_monitor(table, display);
   }
   display.scan_out = require_duration(table, "scan_out");
+  const TomlReader measured = table.table("measured");
+  if (table.has("measured")) {
+    display.measured = read_measured(measured);
+  }
+  const TomlReader patch = table.table("timing_patch");
+  if (table.has("timing_patch")) {
+    display.timing_patch = read_timing_patch(patch);
+  }
   table.reject_unknown_keys();
   return display;
 }
@@ -197,6 +240,12 @@ bool is_profile_path(const std::string& name_or_path) {
   return name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
 }
 
+const char* name_of(WindowCorner corner) {
+  return std::find_if(corners.begin(), corners.end(),
+                      [&](const auto& word) { return word.value == corner; })
+      ->text.data();
+}
+
 Nanoseconds shortest_delay(const TrackerProfile& profile) {
   return nanoseconds_from_seconds(0.5 * profile.exposure.duration_s + profile.transfer.duration_s +
                                   profile.processing.duration_s);
@@ -212,6 +261,13 @@ TrackerProfile read_tracker_profile(const std::string& name_or_path) {
     tracker.recording = profile_file(trackers, name_or_path).parent_path() / tracker.recording;
   }
   return tracker;
+}
+
+DisplayProfile display_profile_in(const std::string& toml, const std::string& where) {
+  const toml::table content = parse_toml(where, toml, "restore it from a copy");
+  DisplayProfile profile = display_from(TomlReader(where, content, ""));
+  profile.toml = toml;
+  return profile;
 }
 
 std::vector<std::string> tracker_profile_names() { return toml_names_in(profile_folder(trackers)); }

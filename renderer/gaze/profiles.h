@@ -20,6 +20,28 @@ namespace foveola {
 
 class TomlReader;
 
+/// What a display was found to be with instruments; what was not measured is empty.
+struct MeasuredDisplay {
+  std::string date;                   ///< as its file says
+  std::string instrument;             ///< what it was measured with
+  std::optional<double> white_cd_m2;  ///< luminance of white in the middle
+  std::optional<double> black_cd_m2;
+  std::optional<double> gamma;  ///< the exponent from pixel values to luminance
+  std::optional<double> refresh_rate_hz;
+};
+
+enum class WindowCorner { top_left, top_right, bottom_left, bottom_right };
+
+/// "top left" and so on, as profiles have it.
+const char* name_of(WindowCorner corner);
+
+/// A square in a corner of the window that is black, and white from the first frame of a trial
+/// until its last, for a photodiode: so it can be proven when the display showed them.
+struct TimingPatch {
+  WindowCorner corner = WindowCorner::bottom_left;
+  int size_px = 64;  ///< its side
+};
+
 enum class DisplayKind {
   headset,  ///< two views side by side, each through a lens
   monitor   ///< one flat view
@@ -39,8 +61,10 @@ struct DisplayProfile {
   double height_m = 0.0;
   double viewing_distance_m = 0.0;
   std::optional<RadialLens> lens;  ///< the left eye's, of a headset whose lenses are known
-  KnownDuration scan_out;          ///< time from a frame's presentation until all of it is lit
-  std::string toml;                ///< the file's content, for the record
+  std::optional<MeasuredDisplay> measured;
+  std::optional<TimingPatch> timing_patch;
+  KnownDuration scan_out;  ///< time from a frame's presentation until all of it is lit
+  std::string toml;        ///< the file's content, for the record
 };
 
 enum class TrackerSource { hid, open_gaze, pointer, recorded, simulated };
@@ -67,6 +91,9 @@ Nanoseconds shortest_delay(const TrackerProfile& profile);
 
 DisplayProfile read_display_profile(const std::string& name_or_path);
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
+
+/// A display's profile from a text that was kept, without a name; `where` names it in messages.
+DisplayProfile display_profile_in(const std::string& toml, const std::string& where);
 
 /// The program's own, in alphabetical order.
 std::vector<std::string> tracker_profile_names();

@@ -30,6 +30,15 @@ RgbImage read_picture(const IVec2& size) {
   return picture;
 }
 
+void fill(const WindowPart& part, float grey) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part.origin.x, part.origin.y, part.size.x, part.size.y);
+  glClearColor(grey, grey, grey, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+}
+
 }  // namespace
 
 std::future<RgbImage> picture_of(ShownFrame& frame) {
@@ -56,6 +65,9 @@ struct Presenter::Card {
               {.marks = shows_film ? &frame.overlays : nullptr,
                .screen = frame.screen ? &*frame.screen : nullptr,
                .panels = frame.panels});
+    if (frame.patch) {
+      fill(*frame.patch, frame.is_patch_lit ? 1.0F : 0.0F);
+    }
     if (frame.picture && !frame.picture_is_bare) {
       frame.picture->set_value(read_picture(frame.framebuffer));
     }

@@ -32,6 +32,9 @@ struct ShownFrame {
   ViewLook look;
   ViewOverlays overlays;
   std::vector<TextPanel> panels;
+  /// Over all else: a part of the window that is white, or black.
+  std::optional<WindowPart> patch;
+  bool is_patch_lit = false;
   std::optional<ScreenPage> screen;  ///< over the views, or instead of them
   /// Gets what was drawn, sRGB in [0, 1], top row first.
   std::shared_ptr<std::promise<RgbImage>> picture;

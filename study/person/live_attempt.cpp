@@ -88,8 +88,10 @@ LiveFrame LiveAttempt::next_blank() {
 }
 
 void LiveAttempt::draw(const Preview& preview) {
-  setting_.display.draw(
-      {.head = preview.viewport().head(), .look = look_, .screen = setting_.page()});
+  setting_.display.draw({.head = preview.viewport().head(),
+                         .look = look_,
+                         .screen = setting_.page(),
+                         .lights_patch = !setting_.is_dark});
 }
 
 void LiveAttempt::wait_until(Nanoseconds time) const {

@@ -144,7 +144,7 @@ std::unique_ptr<AttemptPort> PersonSession::begin_attempt() {
                      .while_waiting = [this] { answer_window(); },
                      .page = [this] { return page_of(prompt_, context(), now()); }});
   attempt_ = attempt.get();
-  gaze_times_ = {};
+  looking_times_ = {};
   return attempt;
 }
 

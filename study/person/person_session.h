@@ -143,7 +143,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   std::unique_ptr<EquirectFilm>
       panorama_;                     ///< the scene as it looks without noise, in direct light
   LiveAttempt* attempt_ = nullptr;   ///< the driver's, while it goes on
-  GazeTimes gaze_times_;             ///< the attempt's, up to its last mark
+  LookingTimes looking_times_;       ///< the attempt's, up to its last mark
   Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
   std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
   bool was_lost_ = false;            ///< whether the tracker was lost at the last frame

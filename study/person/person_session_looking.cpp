@@ -27,11 +27,7 @@ void PersonSession::watch_gaze(Nanoseconds shown) {
   if (driver_.seen().phase != Phase::marking) {
     return;
   }
-  const FrameRow& frame = attempt_->newest_frame();
-  Nanoseconds& time = !frame.gaze_valid                         ? gaze_times_.unknown
-                      : is_gaze_on(chosen_object(), frame.gaze) ? gaze_times_.on_object
-                                                                : gaze_times_.elsewhere;
-  time += shown - before;
+  looking_times_.add(attempt_->newest_frame(), shown - before, chosen_object());
 }
 
 void PersonSession::judge_mark() {
@@ -58,14 +54,14 @@ void PersonSession::judge_gaze() {
   if (seat_.pointer != nullptr && !needs_gaze()) {
     return;
   }
-  if (gaze_times_.part_elsewhere() > most) {
+  if (looking_times_.part_elsewhere() > most) {
     follow_up(fmt::format("the gaze was not on the object, {}, for {:.0f} % of the time until the "
                           "last mark",
-                          chosen_object().name, 100.0 * gaze_times_.part_elsewhere()),
+                          chosen_object().name, 100.0 * looking_times_.part_elsewhere()),
               study_.protocol.looking.gaze_elsewhere, TimedAgain::gaze_elsewhere);
-  } else if (needs_gaze() && gaze_times_.part_unknown() > most) {
+  } else if (needs_gaze() && looking_times_.part_unknown() > most) {
     follow_up(fmt::format("there was no valid gaze for {:.0f} % of the time until the last mark",
-                          100.0 * gaze_times_.part_unknown()),
+                          100.0 * looking_times_.part_unknown()),
               Remedy::flag, TimedAgain::no);
   }
 }

@@ -29,6 +29,7 @@
 #include "study/record/clock_steps.h"
 #include "study/record/maintenance.h"
 #include "study/record/same_scenes.h"
+#include "study/record/session_devices.h"
 #include "study/record/threaded_recorder.h"
 #include "study/stage/protocol_notes.h"
 #include "study/stage/stage_reload.h"
@@ -209,6 +210,9 @@ class PersonRun {
     return outcome.phase;
   }
 
+  /// Whether there is a session in the record.
+  bool has_begun() const { return row_ != 0; }
+
  private:
   /// Says what was found. Throws Error if the protocol asks for more.
   nlohmann::ordered_json preflight(const SceneStages& stages, const Workers& workers,
@@ -318,7 +322,7 @@ class PersonRun {
     say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
                     words_for_next(state, procedure, plan_)));
     row_ = known.id;
-    std::vector<std::string> notes = {"goes on with " + devices};
+    std::vector<std::string> notes = {note_of_devices(devices)};
     if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
       notes.push_back(std::move(*note));
     }
@@ -353,7 +357,7 @@ class PersonRun {
 };
 
 /// Nothing was acknowledged to the participant before it was durable.
-std::string remedy_of_lost_display(const RunSettings& settings) {
+std::string how_to_go_on(const RunSettings& settings) {
   return fmt::format("what {} did up to then is in {}: give the same command with --resume",
                      settings.participant, settings.database.string());
 }
@@ -387,14 +391,22 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
   WindowEvents events;
   Window window({.size = settings.window,
                  .monitor = settings.monitor,
-                 .remedy_of_lost_display = remedy_of_lost_display(settings)},
+                 .remedy_of_lost_display = how_to_go_on(settings)},
                 events, clock);
   PersonRun run(settings, protocol, find_scene, sources, display,
                 found_display(window, settings.monitor, display), tracker, store,
                 std::move(so_far));
   RunReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {
-    report.phase = run.run(window, events, framebuffer, clock, stop);
+    try {
+      report.phase = run.run(window, events, framebuffer, clock, stop);
+    } catch (const Error& fault) {
+      if (!run.has_begun()) {
+        throw;
+      }
+      throw Error(fmt::format("the session of {} was cut off", settings.participant), fault.what(),
+                  how_to_go_on(settings));
+    }
     report.backup = back_up(store, settings.database);
   });
   return report;

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "renderer/window/timing_patch.h"
+
 namespace foveola::study {
 
 SessionDisplay::SessionDisplay(Window& window, const DisplayProfile& profile,
@@ -31,6 +33,10 @@ void SessionDisplay::draw(SessionPicture picture) {
     }
     frame.overlays = std::move(picture.overlays);
     frame.screen = std::move(picture.screen);
+    if (profile_.timing_patch) {
+      frame.patch = part_of(*profile_.timing_patch, area_.framebuffer);
+      frame.is_patch_lit = picture.lights_patch;
+    }
     if (const auto file = std::exchange(picture_file_, std::nullopt)) {
       pictures_.write(*file, picture_of(frame));
     } else if (std::exchange(keeps_pixels_, false)) {

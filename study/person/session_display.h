@@ -30,6 +30,7 @@ struct SessionPicture {
   ViewLook look;
   ViewOverlays overlays;
   std::optional<ScreenPage> screen;
+  bool lights_patch = false;  ///< whether the display's timing patch is white in it
 };
 
 class SessionDisplay {
@@ -79,6 +80,7 @@ class SessionDisplay {
   /// What the next attempt's frames know of drawing here.
   const FrameBudget& frame_budget() const { return frame_budget_; }
   void set_frame_budget(const FrameBudget& budget) { frame_budget_ = budget; }
+  const std::optional<TimingPatch>& timing_patch() const { return profile_.timing_patch; }
   /// The graphics card and its driver, in their own words.
   const std::string& graphics() const { return presenter_.graphics(); }
 

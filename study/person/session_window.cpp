@@ -8,6 +8,20 @@
 namespace foveola::study {
 namespace {
 
+template <typename Value>
+nlohmann::ordered_json json_of(const std::optional<Value>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json json_of(const MeasuredDisplay& measured) {
+  return {{"date", measured.date},
+          {"instrument", measured.instrument},
+          {"white_cd_m2", json_of(measured.white_cd_m2)},
+          {"black_cd_m2", json_of(measured.black_cd_m2)},
+          {"gamma", json_of(measured.gamma)},
+          {"refresh_rate_hz", json_of(measured.refresh_rate_hz)}};
+}
+
 constexpr int frames_to_measure = RefreshEstimator::enough_swaps + 8;
 
 }  // namespace
@@ -21,14 +35,22 @@ void measure_refreshes(SessionDisplay& display, const Texts& texts) {
 nlohmann::ordered_json display_json(const SessionDisplay& display, const DisplayProfile& profile) {
   const ViewGeometry& geometry = display.geometry();
   const RadialLens& lens = geometry.lens;
-  return {{"profile", profile.name},
-          {"framebuffer", {display.framebuffer().x, display.framebuffer().y}},
-          {"horizontal_fov_deg", geometry.horizontal_fov_deg},
-          {"vertical_fov_deg", geometry.vertical_fov_deg},
-          {"lens", {lens.axis.x, lens.axis.y, lens.k1, lens.k2}},
-          {"refresh_rate_hz", display.refresh().rate_hz()},
-          {"refresh_is_measured", display.refresh().is_measured()},
-          {"graphics", display.graphics()}};
+  nlohmann::ordered_json json = {
+      {"profile", profile.name},
+      {"framebuffer", {display.framebuffer().x, display.framebuffer().y}},
+      {"horizontal_fov_deg", geometry.horizontal_fov_deg},
+      {"vertical_fov_deg", geometry.vertical_fov_deg},
+      {"lens", {lens.axis.x, lens.axis.y, lens.k1, lens.k2}},
+      {"refresh_rate_hz", display.refresh().rate_hz()},
+      {"refresh_is_measured", display.refresh().is_measured()},
+      {"graphics", display.graphics()}};
+  if (profile.measured) {
+    json["measured"] = json_of(*profile.measured);
+  }
+  if (const std::optional<TimingPatch>& patch = display.timing_patch()) {
+    json["timing_patch"] = {{"corner", name_of(patch->corner)}, {"size_px", patch->size_px}};
+  }
+  return json;
 }
 
 nlohmann::ordered_json tracker_json(const std::string& profile, const GazeFilterSettings& filter) {

@@ -117,6 +117,14 @@ Protocol read_measured_part(const std::string& text, const std::string& where,
   return protocol;
 }
 
+DisplaySettings read_recorded_display(const std::string& text, const std::string& where,
+                                      const std::string& profile_toml) {
+  const toml::table table = parse_toml(where, text, "restore the study's file");
+  return read_display(TomlReader(where, table, "").table("display"), [&](const std::string& name) {
+    return display_profile_in(profile_toml, name);
+  });
+}
+
 fs::path folder_of(const Protocol& protocol) { return fs::absolute(protocol.path).parent_path(); }
 
 std::string name_of(Order order) {

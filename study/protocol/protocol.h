@@ -273,6 +273,12 @@ Protocol read_protocol(const std::string& text, const std::filesystem::path& pat
 Protocol read_measured_part(const std::string& text, const std::string& where,
                             const std::function<std::string(const std::string& name)>& files);
 
+/// Reads the display of a study's protocol, with the text of the profile that it names, if any, as
+/// the record keeps it: no file on this machine can change it. `where` names the text in messages.
+/// Throws Error as read_protocol does.
+DisplaySettings read_recorded_display(const std::string& text, const std::string& where,
+                                      const std::string& profile_toml);
+
 /// The folder of the files that the protocol names by their paths.
 std::filesystem::path folder_of(const Protocol& protocol);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -26,19 +27,25 @@ constexpr int most_samples = std::numeric_limits<int>::max();
 
 /// The profile that the table names, by `read`; empty if it names none.
 template <typename Profile>
-std::optional<Profile> read_profile(TomlReader& reader, const fs::path& folder,
-                                    Profile (*read)(const std::string&)) {
+std::optional<Profile> read_profile(TomlReader& reader,
+                                    const std::function<Profile(const std::string&)>& read) {
   std::string name;
   reader.read("profile", name);
   if (!reader.has("profile")) {
     return std::nullopt;
   }
   try {
-    return read(is_profile_path(name) ? confined_path(folder, name).string() : name);
+    return read(name);
   } catch (const std::runtime_error& reason) {
     reader.fail(reader.source("profile"), fmt::format("profile '{}': {}", name, reason.what()),
                 "name one that comes with Foveola, or a file in the folder of the protocol");
   }
+}
+
+/// A profile's name as its reader takes it: a path begins in `folder`, and stays there. Throws what
+/// confined_path does.
+std::string name_beside(const fs::path& folder, const std::string& name) {
+  return is_profile_path(name) ? confined_path(folder, name).string() : name;
 }
 
 /// Reads the lens of the eye that is shown, over the profile's lens, which is the left eye's.
@@ -208,8 +215,14 @@ MachineModel read_machine(TomlReader reader) {
 }
 
 DisplaySettings read_display(TomlReader reader, const fs::path& folder) {
+  return read_display(std::move(reader), [&](const std::string& name) {
+    return read_display_profile(name_beside(folder, name));
+  });
+}
+
+DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles) {
   DisplaySettings display;
-  display.profile = read_profile(reader, folder, read_display_profile);
+  display.profile = read_profile(reader, profiles);
   reader.read("view_width", display.view_width, 8, largest_view_side);
   reader.read("view_height", display.view_height, 8, largest_view_side);
   read_fields_of_view(reader, display);
@@ -235,7 +248,9 @@ FilmSettings read_film(TomlReader reader, FilmSettings film) {
 
 TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
   TrackerSettings tracker;
-  tracker.profile = read_profile(reader, folder, read_tracker_profile);
+  tracker.profile = read_profile<TrackerProfile>(reader, [&](const std::string& name) {
+    return read_tracker_profile(name_beside(folder, name));
+  });
   if (tracker.profile) {
     tracker.simulated = tracker.profile->simulated;
   }

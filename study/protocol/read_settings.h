@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,12 @@ TrackerSettings read_tracker(TomlReader reader, const std::filesystem::path& fol
 Timing read_timing(TomlReader reader, Timing timing);
 ReferenceQuality read_reference(TomlReader reader);
 PreflightGate read_preflight(TomlReader reader);
+
+/// Finds the profile that a protocol's [display] names.
+using DisplayProfiles = std::function<DisplayProfile(const std::string& name)>;
+
+/// [display] over the defaults, with profiles from elsewhere than a disk.
+DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles);
 
 /// One of the protocol's scenes; empty if the key is absent.
 std::string read_scene_name(TomlReader& reader, std::string_view key, const Protocol& protocol);

@@ -1,15 +1,13 @@
 #include "study/record/data_quality_records.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <SQLiteCpp/VariadicBind.h>
 
 #include "renderer/base/parallel.h"
 #include "study/record/database.h"
-#include "study/record/recorded_frames.h"
+#include "study/record/kept_attempts.h"
 
 namespace fs = std::filesystem;
 
@@ -22,7 +20,7 @@ double seconds_of(Nanoseconds duration) { return static_cast<double>(duration.co
 class FrameSums {
  public:
   FrameSums() = default;
-  FrameSums(const std::vector<FrameRow>& frames, const std::vector<Nanoseconds>& marks) {
+  FrameSums(const std::vector<FrameRow>& frames, const std::vector<MarkedMoment>& marks) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       add_frame(frames[i]);
       if (i > 0) {
@@ -30,8 +28,10 @@ class FrameSums {
         figures_.longest_frame_s = std::max(figures_.longest_frame_s, seconds_of(step));
       }
     }
-    for (const Nanoseconds mark : marks) {
-      add_mark(frames, mark);
+    for (const MarkedMoment& mark : marks) {
+      if (!mark.censored) {
+        add_mark(frames, mark.time);
+      }
     }
   }
 
@@ -71,13 +71,11 @@ class FrameSums {
 
   /// A mark belongs to the last frame that was on the display before it.
   void add_mark(const std::vector<FrameRow>& frames, Nanoseconds mark) {
-    const auto later = std::upper_bound(
-        frames.begin(), frames.end(), mark,
-        [](Nanoseconds time, const FrameRow& row) { return time < row.presented; });
-    if (later == frames.begin()) {
+    const FrameRow* const frame = frame_on_display(frames, mark);
+    if (frame == nullptr) {
       return;
     }
-    const double after = seconds_of(mark - std::prev(later)->presented);
+    const double after = seconds_of(mark - frame->presented);
     ++figures_.marks;
     figures_.mean_mark_after_frame_s += after;
     figures_.longest_mark_after_frame_s = std::max(figures_.longest_mark_after_frame_s, after);
@@ -86,121 +84,92 @@ class FrameSums {
   FrameFigures figures_;  ///< means are sums still
 };
 
-/// The last attempt at a test trial, with what is kept of it.
-struct CountedAttempt {
-  std::int64_t session = 0;
-  std::string participant;
-  std::size_t trial = 0;
-  int attempt = 0;
-  std::vector<StoredFrames> frames;
-  std::vector<Nanoseconds> marks;  ///< session clock; without right-censored ones
-
-  FrameSums sums() const {
-    try {
-      return {decode_stored(frames), marks};
-    } catch (const std::invalid_argument&) {
-      throw changed_frames(session, trial, attempt);
-    }
-  }
+/// What follows from one attempt.
+struct AttemptFigures {
+  FrameSums sums;
+  AttemptGazeFigures gaze;
 };
 
-/// Walks through the counted attempts that have frames, session by session.
-class AttemptRows {
- public:
-  explicit AttemptRows(SQLite::Database& database)
-      : attempts_(database,
-                  "SELECT attempt.session, session.participant, attempt.trial,"
-                  "  max(attempt.attempt), attempt.first_frame_ns"
-                  " FROM attempt JOIN session ON session.id = attempt.session"
-                  " JOIN planned_trial USING (session, trial)"
-                  " WHERE planned_trial.kind = 'test' AND state <> 'withdrawn'"
-                  "  AND EXISTS (SELECT 1 FROM frame_chunk AS chunk"
-                  "   WHERE chunk.session = attempt.session AND chunk.trial = attempt.trial"
-                  "   AND chunk.attempt = attempt.attempt)"
-                  " GROUP BY attempt.session, attempt.trial"
-                  " ORDER BY attempt.session, attempt.trial"),
-        frames_(database,
-                "SELECT * FROM frame_chunk WHERE session = ? AND trial = ? AND attempt = ?"
-                " ORDER BY first_frame"),
-        marks_(database,
-               "SELECT time_ns FROM mark WHERE session = ? AND trial = ? AND attempt = ?"
-               " AND censored = 0") {}
-
-  /// Empty behind the last, as often as it is asked.
-  std::optional<CountedAttempt> next() {
-    if (attempts_.isDone() || !attempts_.executeStep()) {
-      return std::nullopt;
-    }
-    CountedAttempt counted{attempts_.getColumn(0).getInt64(), attempts_.getColumn(1).getString(),
-                           static_cast<std::size_t>(attempts_.getColumn(2).getInt64()),
-                           attempts_.getColumn(3).getInt()};
-    const Nanoseconds first_frame(attempts_.getColumn(4).getInt64());
-    start(frames_, counted);
-    while (frames_.executeStep()) {
-      counted.frames.push_back(stored_frames(frames_));
-    }
-    start(marks_, counted);
-    while (marks_.executeStep()) {
-      counted.marks.push_back(first_frame + Nanoseconds(marks_.getColumn(0).getInt64()));
-    }
-    return counted;
-  }
-
- private:
-  static void start(SQLite::Statement& rows, const CountedAttempt& of) {
-    rows.reset();
-    SQLite::bind(rows, of.session, static_cast<std::int64_t>(of.trial), of.attempt);
-  }
-
-  SQLite::Statement attempts_;
-  SQLite::Statement frames_;
-  SQLite::Statement marks_;
-};
+AttemptFigures figures_of(const KeptAttempt& kept) {
+  const WatchedAttempt watched{.frames = kept.decoded_frames(),
+                               .samples = kept.decoded_gaze(),
+                               .marks = kept.marks,
+                               .object = object_in(kept.shown_as, kept.object),
+                               .view = kept.view};
+  return {.sums = {watched.frames, watched.marks}, .gaze = attempt_gaze_figures(watched)};
+}
 
 /// As many attempts as are decoded at the same time: enough for every core, little enough to hold.
-std::vector<CountedAttempt> next_batch(AttemptRows& rows) {
+std::vector<KeptAttempt> next_batch(KeptAttempts& attempts) {
   constexpr std::size_t most_attempts = 256;
-  constexpr std::int64_t most_frames = 1'000'000;
-  std::vector<CountedAttempt> batch;
-  for (std::int64_t frames = 0; batch.size() < most_attempts && frames < most_frames;) {
-    std::optional<CountedAttempt> attempt = rows.next();
+  constexpr std::int64_t most_rows = 1'000'000;
+  std::vector<KeptAttempt> batch;
+  for (std::int64_t rows = 0; batch.size() < most_attempts && rows < most_rows;) {
+    std::optional<KeptAttempt> attempt = attempts.next();
     if (!attempt) {
       break;
     }
     for (const StoredFrames& chunk : attempt->frames) {
-      frames += chunk.count;
+      rows += chunk.count;
+    }
+    for (const StoredGaze& chunk : attempt->gaze) {
+      rows += chunk.count;
     }
     batch.push_back(std::move(*attempt));
   }
   return batch;
 }
 
+/// Adds up the frames of each session's counted attempts.
+class SessionFrames {
+ public:
+  explicit SessionFrames(std::vector<FrameFigures>& figures) : figures_(figures) {}
+
+  /// Attempts come session by session.
+  void add(const KeptAttempt& attempt, const FrameSums& sums) {
+    if (attempt.participant != participant_) {
+      finish();
+    }
+    participant_ = attempt.participant;
+    sums_.add(sums);
+  }
+
+  void finish() {
+    if (!participant_.empty()) {
+      figures_.push_back(sums_.figures(participant_));
+    }
+    sums_ = FrameSums();
+  }
+
+ private:
+  std::vector<FrameFigures>& figures_;
+  std::string participant_;
+  FrameSums sums_;
+};
+
 /// One thread reads, all of them uncompress and sum, and attempts are added in their order.
-std::vector<FrameFigures> read_frames(SQLite::Database& database) {
-  std::vector<FrameFigures> figures;
-  AttemptRows rows(database);
+void read_attempts(SQLite::Database& database, DataQualityRecords& records) {
+  KeptAttempts attempts(database);
+  SessionFrames frames(records.frames);
   const Workers workers;
-  CountedAttempt last;
-  FrameSums session;
-  for (std::vector<CountedAttempt> batch = next_batch(rows); !batch.empty();
-       batch = next_batch(rows)) {
-    std::vector<FrameSums> sums(batch.size());
-    workers.for_each_block(batch.size(), 1,
-                           [&](std::size_t i, std::size_t /*end*/) { sums[i] = batch[i].sums(); });
+  for (std::vector<KeptAttempt> batch = next_batch(attempts); !batch.empty();
+       batch = next_batch(attempts)) {
+    std::vector<AttemptFigures> figures(batch.size());
+    workers.for_each_block(batch.size(), 1, [&](std::size_t i, std::size_t /*end*/) {
+      figures[i] = figures_of(batch[i]);
+    });
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (!last.participant.empty() && batch[i].session != last.session) {
-        figures.push_back(session.figures(last.participant));
-        session = FrameSums();
+      if (batch[i].counts) {
+        frames.add(batch[i], figures[i].sums);
       }
-      session.add(sums[i]);
-      last.session = batch[i].session;
-      last.participant = batch[i].participant;
+      records.gaze.push_back({.participant = batch[i].participant,
+                              .trial = batch[i].trial,
+                              .attempt = batch[i].attempt,
+                              .tracker = batch[i].tracker,
+                              .figures = std::move(figures[i].gaze)});
     }
   }
-  if (!last.participant.empty()) {
-    figures.push_back(session.figures(last.participant));
-  }
-  return figures;
+  frames.finish();
 }
 
 std::optional<double> angle(SQLite::Statement& row, const char* column) {
@@ -244,7 +213,7 @@ DataQualityRecords read_data_quality(const fs::path& path) {
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
     const SQLite::Transaction moment(database);
-    records.frames = read_frames(database);
+    read_attempts(database, records);
     records.gaze_runs = read_gaze_runs(database);
     records.reactions = read_reactions(database);
   });

@@ -1,4 +1,5 @@
-// What data quality follows from in a study's sessions: frames, gaze, validations, reactions.
+// What data quality follows from in a study's sessions: frames, gaze and objects, validations,
+// reactions.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "study/record/attempt_gaze_figures.h"
 
 namespace foveola::study {
 
@@ -21,6 +24,17 @@ struct FrameFigures {
   std::uint64_t marks = 0;
   double mean_mark_after_frame_s = 0.0;  ///< from the frame that was seen to the mark
   double longest_mark_after_frame_s = 0.0;
+};
+
+/// Where gaze and object were in an attempt that has frames, at whatever kind of trial.
+struct AttemptGazeRow {
+  std::string participant;
+  std::size_t trial = 0;  ///< in the session's plan, from 0
+  int attempt = 1;
+  /// The name of the eye tracker's profile, "simulated" of a simulated participant; empty if the
+  /// record does not say.
+  std::string tracker;
+  AttemptGazeFigures figures;
 };
 
 /// One look at a validation's targets; angles in degrees, empty where nothing was seen.
@@ -42,6 +56,7 @@ struct ReactionRow {
 
 struct DataQualityRecords {
   std::vector<FrameFigures> frames;  ///< a row for each session that has frames
+  std::vector<AttemptGazeRow> gaze;  ///< by session, trial and attempt
   std::vector<GazeRunRow> gaze_runs;
   std::vector<ReactionRow> reactions;
 };

@@ -12,14 +12,6 @@
 #include "study/record/frame_encoding.h"
 
 namespace foveola::study {
-namespace {
-
-Error changed_record(std::int64_t session, std::size_t trial, int attempt, const char* what) {
-  return {fmt::format("session {}, trial {}, attempt {}", session, trial, attempt),
-          fmt::format("its {} are not those that were written", what), "restore it from a copy"};
-}
-
-}  // namespace
 
 StoredFrames stored_frames(SQLite::Statement& row) {
   return {row.getColumn("encoding").getString(), row.getColumn("first_frame").getInt64(),
@@ -41,6 +33,11 @@ std::vector<FrameRow> decode_stored(const std::vector<StoredFrames>& rows) {
 
 Error changed_frames(std::int64_t session, std::size_t trial, int attempt) {
   return changed_record(session, trial, attempt, "frames");
+}
+
+Error changed_record(std::int64_t session, std::size_t trial, int attempt, const char* what) {
+  return {fmt::format("session {}, trial {}, attempt {}", session, trial, attempt),
+          fmt::format("its {} are not those that were written", what), "restore it from a copy"};
 }
 
 std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session, std::size_t trial,

@@ -33,6 +33,8 @@ std::vector<FrameRow> decode_stored(const std::vector<StoredFrames>& rows);
 
 /// What to throw to the user then.
 Error changed_frames(std::int64_t session, std::size_t trial, int attempt);
+/// The same of anything else that is kept of an attempt, as "film hashes".
+Error changed_record(std::int64_t session, std::size_t trial, int attempt, const char* what);
 
 /// The frames of an attempt in their order; none if it has none. Throws Error if they are not what
 /// was written, and what SQLite throws.

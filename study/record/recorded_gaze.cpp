@@ -17,19 +17,16 @@ namespace foveola::study {
 namespace {
 
 std::vector<GazeSample> samples_of(SQLite::Statement& chunks, const fs::path& path) {
-  std::vector<GazeSample> samples;
+  std::vector<StoredGaze> rows;
   while (chunks.executeStep()) {
-    try {
-      const std::vector<GazeSample> more = decode_gaze(
-          chunk_bytes(stored_chunk(chunks),
-                      chunks.getColumn("sample_count").getInt64() * bytes_per_gaze_sample));
-      samples.insert(samples.end(), more.begin(), more.end());
-    } catch (const std::invalid_argument&) {
-      throw Error(path.string(), "its gaze samples are not those that were written",
-                  "restore it from a copy");
-    }
+    rows.push_back(stored_gaze(chunks));
   }
-  return samples;
+  try {
+    return decode_stored(rows);
+  } catch (const std::invalid_argument&) {
+    throw Error(path.string(), "its gaze samples are not those that were written",
+                "restore it from a copy");
+  }
 }
 
 /// Reads attempts' chunks and marks, with statements that are prepared once.
@@ -40,24 +37,14 @@ class AttemptReader {
         chunks_(database,
                 "SELECT data, data_sha256, sample_count FROM gaze_chunk"
                 " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY first_sample"),
-        marks_(database,
-               "SELECT kind, time_ns, censored FROM mark"
-               " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY time_ns") {}
+        marks_(query_of_marks(database)) {}
 
   void read(std::int64_t session, AttemptGaze& attempt) {
-    const auto start = [&](SQLite::Statement& rows) {
-      rows.reset();
-      SQLite::bind(rows, session, static_cast<std::int64_t>(attempt.trial), attempt.attempt);
-    };
-    start(chunks_);
+    chunks_.reset();
+    SQLite::bind(chunks_, session, static_cast<std::int64_t>(attempt.trial), attempt.attempt);
     attempt.samples = samples_of(chunks_, path_);
-    start(marks_);
-    while (marks_.executeStep()) {
-      attempt.marks.push_back({marks_.getColumn(0).getString(),
-                               attempt.first_frame.value_or(Nanoseconds(0)) +
-                                   Nanoseconds(marks_.getColumn(1).getInt64()),
-                               marks_.getColumn(2).getInt() == 1});
-    }
+    attempt.marks = read_marks(marks_, session, attempt.trial, attempt.attempt,
+                               attempt.first_frame.value_or(Nanoseconds(0)));
   }
 
  private:
@@ -82,6 +69,20 @@ AttemptGaze attempt_in(SQLite::Statement& row) {
 }
 
 }  // namespace
+
+StoredGaze stored_gaze(SQLite::Statement& row) {
+  return {row.getColumn("sample_count").getInt64(), stored_chunk(row)};
+}
+
+std::vector<GazeSample> decode_stored(const std::vector<StoredGaze>& rows) {
+  std::vector<GazeSample> samples;
+  for (const StoredGaze& row : rows) {
+    const std::vector<GazeSample> more =
+        decode_gaze(chunk_bytes(row.chunk, row.count * bytes_per_gaze_sample));
+    samples.insert(samples.end(), more.begin(), more.end());
+  }
+  return samples;
+}
 
 void visit_gaze(const fs::path& path, const std::function<void(const AttemptGaze&)>& visit) {
   with_clear_errors(path, [&] {

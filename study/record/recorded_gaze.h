@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,21 +10,33 @@
 #include <vector>
 
 #include "renderer/gaze/eye_tracker.h"
+#include "study/record/chunk.h"
+#include "study/record/recorded_marks.h"
+
+namespace SQLite {
+class Statement;
+}
 
 namespace foveola::study {
+
+/// A row of gaze_chunk as it is kept.
+struct StoredGaze {
+  std::int64_t count = 0;
+  StoredChunk chunk;
+};
+
+/// The row that stands in `row`, whose columns are those of gaze_chunk.
+StoredGaze stored_gaze(SQLite::Statement& row);
+
+/// The samples of all rows of an attempt, in their order. Throws std::invalid_argument if they are
+/// not what was written.
+std::vector<GazeSample> decode_stored(const std::vector<StoredGaze>& rows);
 
 /// The samples of the participant's last attempt at a trial, 0 being the first, in the order of
 /// their arrival; times are of the session's clock. Throws Error if the file is no study, there are
 /// none, or they are not what was written.
 std::vector<GazeSample> read_gaze(const std::filesystem::path& path, const std::string& participant,
                                   std::size_t trial);
-
-/// A mark of an attempt, or the moment at which the wait for it ended.
-struct MarkedMoment {
-  std::string mark;  ///< its name in the protocol
-  Nanoseconds time{0};
-  bool censored = false;  ///< right-censored: no mark came in time
-};
 
 /// One timing of a trial with all of its gaze; times are of the session's clock.
 struct AttemptGaze {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/digest.h"
+#include "study/record/json_member.h"
 
 namespace foveola::study {
 namespace {
@@ -91,6 +92,14 @@ Json camera_of(const SceneSource& source) {
   return camera;
 }
 
+std::optional<Vec3> position_in(const Json& json) {
+  const Json position = member(json, "position");
+  return has_numbers(position, 3)
+             ? std::optional(Vec3(position[0].get<float>(), position[1].get<float>(),
+                                  position[2].get<float>()))
+             : std::nullopt;
+}
+
 /// On one line. Names may hold what is no Unicode.
 std::string text_of(const Json& json) {
   constexpr int on_one_line = -1;
@@ -108,9 +117,27 @@ std::string shown_as(const SceneSource& source) {
 
 std::string added_to_file(const SceneSource& source) { return text_of(added_to(source)); }
 
+Vec3 direction_of(const ObjectOfInterest& object, const Vec3& viewpoint) {
+  return glm::normalize(object.position - viewpoint);
+}
+
+std::optional<SeenObject> object_in(const std::string& shown_as, const std::string& name) {
+  const Json shown = json_in(shown_as);
+  const std::optional<Vec3> viewpoint = position_in(member(shown, "camera"));
+  for (const Json& entry : member(shown, "objects")) {
+    const std::optional<Vec3> position = position_in(entry);
+    const Json radius = member(entry, "radius_deg");
+    if (member(entry, "name") == name && viewpoint && position && *position != *viewpoint &&
+        radius.is_number()) {
+      return SeenObject{.direction = direction_of({.position = *position}, *viewpoint),
+                        .radius_deg = radius.get<double>()};
+    }
+  }
+  return std::nullopt;
+}
+
 std::string difference(const std::string& recorded, const std::string& now) {
-  constexpr bool may_throw = false;
-  const Json before = Json::parse(recorded, nullptr, may_throw);
+  const Json before = json_in(recorded);
   const Json after = Json::parse(now);
   if (!before.is_object()) {
     return fmt::format("{}, now {}", recorded, now);

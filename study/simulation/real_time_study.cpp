@@ -9,6 +9,7 @@
 #include "study/driver/session_so_far.h"
 #include "study/person/person_session.h"
 #include "study/person/session_window.h"
+#include "study/record/session_devices.h"
 #include "study/record/threaded_recorder.h"
 
 namespace foveola::study {
@@ -68,7 +69,7 @@ SessionOutcome run_in_window(const SharedWindow& shared, const BegunSession& beg
   const std::vector<std::string> notes =
       so_far.position.state.phase == Phase::created
           ? std::vector<std::string>{}
-          : std::vector<std::string>{"goes on with " + shared.study.devices};
+          : std::vector<std::string>{note_of_devices(shared.study.devices)};
   return PersonSession({.seed = seed, .position = so_far.position, .notes = notes},
                        {.protocol = protocol,
                         .plan = begun.plan,

@@ -1,9 +1,11 @@
-// Whether a participant sees the object of a trial, and looks at it.
+// Whether a participant sees the object of a trial, and looks at it, while the trial goes on; what
+// the record says of it afterwards is in attempt_gaze_figures.
 #pragma once
 
 #include "renderer/base/clock.h"
 #include "renderer/view/viewport.h"
 #include "study/participant/participant.h"
+#include "study/record/session_recorder.h"
 
 namespace foveola::study {
 
@@ -15,19 +17,14 @@ struct ObjectSight {
 
 ObjectSight object_sight(const Viewport& view, const OfferedObject& object);
 
-/// The gaze is on an object if it is no further outside its radius: eye trackers err by about a
-/// degree (1.5 degrees is the largest error that a validation accepts by default), and people look
-/// at an object's edge as well.
-inline constexpr double gaze_margin_deg = 2.0;
-
-/// gaze: unit length, world.
-bool is_gaze_on(const OfferedObject& object, const Vec3& gaze);
-
 /// For how long of an attempt the gaze was where.
-struct GazeTimes {
+struct LookingTimes {
   Nanoseconds on_object{0};
   Nanoseconds elsewhere{0};
   Nanoseconds unknown{0};  ///< Without a valid gaze.
+
+  /// A frame was shown for so long.
+  void add(const FrameRow& frame, Nanoseconds shown, const OfferedObject& object);
 
   /// Their parts of the whole, in [0, 1]; 0 of nothing.
   double part_elsewhere() const;

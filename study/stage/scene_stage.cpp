@@ -17,7 +17,7 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
   std::vector<OfferedObject> offered;
   for (const ObjectOfInterest& object : source.objects) {
     offered.push_back({.name = object.name,
-                       .direction = glm::normalize(object.position - *source.camera_position),
+                       .direction = direction_of(object, *source.camera_position),
                        .radius_deg = object.radius_deg});
   }
   return offered;

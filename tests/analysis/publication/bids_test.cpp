@@ -28,6 +28,10 @@ std::string content_of(const std::vector<TextFile>& files, const std::string& na
   return found == files.end() ? "" : found->content;
 }
 
+/// The fields of gaze and object in a trial of two marks without frames.
+const std::string without_gaze =
+    "n/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t";
+
 TEST(Bids, EveryParticipantHasAFileOfTrialsInTheirOrder) {
   study::StudyRecords records = complete_study(2);
   records.trials[6].scene_position = 1;  // the record has the rows in the order of the plan
@@ -55,10 +59,12 @@ TEST(Bids, PracticeAndCatchTrialsAreThereAndEarlierTimingsAreNot) {
   EXPECT_EQ(text.find("99.5"), std::string::npos);
   EXPECT_THAT(text,
               HasSubstr("\npractice\tn/a\taula\tod\t0\tpractice\tn/a\tn/a\t1\tthe chair\trated\t"
-                        "88.5\tfalse\tn/a\tn/a\tn/a\tnone\n"));
+                        "88.5\tfalse\tn/a\tn/a\tn/a\t" +
+                        without_gaze + "none\n"));
   EXPECT_THAT(text,
               HasSubstr("\ncatch\tn/a\taula\tod\t0\tcatch\tn/a\tn/a\t1\tthe chair\trated\t8\ttrue\t"
-                        "n/a\tn/a\tn/a\tnone\n"));
+                        "n/a\tn/a\tn/a\t" +
+                        without_gaze + "none\n"));
 }
 
 TEST(Bids, WhatIsMissingIsNotAvailable) {
@@ -72,7 +78,8 @@ TEST(Bids, WhatIsMissingIsNotAvailable) {
   });
   records.add_trial(row, {{}, {}, {}});
   EXPECT_THAT(content_of(bids_of(records), "bids/sub-P01/beh/sub-P01_task-preview_beh.tsv"),
-              HasSubstr("aula\tod\t0\ttest\t0\t0\t0\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tnone\n"));
+              HasSubstr("aula\tod\t0\ttest\t0\t0\t0\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t" +
+                        without_gaze + "none\n"));
 }
 
 TEST(Bids, SidecarsAreJsonAndDescribeEveryColumn) {

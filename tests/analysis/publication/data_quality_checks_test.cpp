@@ -92,7 +92,8 @@ TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
 
 TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
   const DataQualityReport report = report_on(complete_study(2));
-  for (const char* name : {"refresh", "valid gaze", "Latency", "Validation"}) {
+  for (const char* name :
+       {"refresh", "valid gaze", "Latency", "Validation", "out of view", "gaze elsewhere"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::unknown) << name;
   }
   EXPECT_TRUE(report.reactions.empty());
@@ -234,6 +235,85 @@ TEST(DataQualityChecks, CatchTrialsThatWereNotBegunOrAreTimedAgainDoNotCount) {
   add_catch_trial(records, false);
   records.trials.back().attempt = 0;
   EXPECT_TRUE(report_on(records).catches.empty());
+}
+
+/// Numbers the trials of each session and has one row of gaze for each, with the object in view and
+/// the gaze on it.
+std::vector<study::AttemptGazeRow> gaze_on_objects(study::StudyRecords& records) {
+  std::vector<study::AttemptGazeRow> gaze;
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    study::TrialRow& row = records.trials[i];
+    row.trial = static_cast<std::uint32_t>(i);
+    gaze.push_back({.participant = records.participant_of(row),
+                    .trial = i,
+                    .tracker = "camera",
+                    .figures = {.times = study::GazeTimes{.all_s = 10.0,
+                                                          .without_gaze_s = 1.0,
+                                                          .on_object_s = 4.0,
+                                                          .elsewhere_s = 5.0},
+                                .marks = {{.mark = "outline", .object_in_view = true},
+                                          {.mark = "material", .object_in_view = true}}}});
+  }
+  return gaze;
+}
+
+TEST(DataQualityChecks, GazeUpToHalfTheTimeElsewhereAndObjectsInViewPass) {
+  study::StudyRecords records = complete_study(1);
+  study::DataQualityRecords quality;
+  quality.gaze = gaze_on_objects(records);
+  const DataQualityReport report = report_on(records, quality);
+  EXPECT_EQ(check_of(report, "out of view").verdict, Verdict::passed);
+  EXPECT_EQ(check_of(report, "out of view").found, "0 of 12 marks");
+  EXPECT_EQ(check_of(report, "gaze elsewhere").verdict, Verdict::passed);
+  EXPECT_EQ(check_of(report, "gaze elsewhere").found, "0 of 6 trials; tracker: camera");
+}
+
+TEST(DataQualityChecks, OfManyMarksOutOfViewThreeAreNamed) {
+  study::StudyRecords records = complete_study(1);
+  study::DataQualityRecords quality;
+  quality.gaze = gaze_on_objects(records);
+  for (const std::size_t i : {1U, 2U, 4U, 5U}) {
+    quality.gaze[i].figures.marks[1].object_in_view = false;
+  }
+  const DataQualityCheck check = check_of(report_on(records, quality), "out of view");
+  EXPECT_EQ(check.verdict, Verdict::flagged);
+  EXPECT_EQ(
+      check.found,
+      "4 of 12 marks: P1, aula, vp, material; P1, aula, fv, material; P1, barn, vp, material; "
+      "and others");
+}
+
+TEST(DataQualityChecks, WhoseGazeIsNotKnownIsNotCalledGood) {
+  study::StudyRecords records = complete_study(1);
+  study::DataQualityRecords quality;
+  quality.gaze = gaze_on_objects(records);
+  for (study::AttemptGazeRow& row : quality.gaze) {
+    row.figures.times->elsewhere_s.reset();
+    row.figures.marks = {{.mark = "outline"}};
+  }
+  const DataQualityReport report = report_on(records, quality);
+  EXPECT_EQ(check_of(report, "out of view").verdict, Verdict::unknown);
+  EXPECT_EQ(check_of(report, "gaze elsewhere").verdict, Verdict::unknown);
+  EXPECT_EQ(check_of(report_on(records), "gaze elsewhere").verdict, Verdict::unknown);
+}
+
+TEST(DataQualityChecks, OnlyTheLastTimingsOfAnalysedTestTrialsAreHeldAgainstTheGaze) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[1].state = "interrupted";
+  study::DataQualityRecords quality;
+  quality.gaze = gaze_on_objects(records);
+  records.trials[0].kind = study::TrialKind::practice;
+  records.trials[1].kind = study::TrialKind::catch_trial;
+  records.trials[2].counts = false;
+  for (std::size_t i = 0; i < 12; ++i) {
+    if (i < 3 || i >= 6) {
+      quality.gaze[i].figures.times->elsewhere_s = 9.0;
+      quality.gaze[i].figures.marks[0].object_in_view = false;
+    }
+  }
+  const DataQualityReport report = report_on(records, quality);
+  EXPECT_EQ(check_of(report, "out of view").found, "0 of 18 marks");
+  EXPECT_EQ(check_of(report, "gaze elsewhere").found, "0 of 9 trials; tracker: camera");
 }
 
 }  // namespace

@@ -45,14 +45,16 @@ TEST_F(RecordedTimings, OnesThatWereMadeAgainAreInAFileOfTheirOwn) {
   const AnalysisOutput output = analyze_study(path_, folder_ / "out");
   const std::vector<CsvRow> again = rows_in("trials_timed_again.csv");
   ASSERT_EQ(again.size(), 2U);
-  EXPECT_THAT(again[1], ElementsAre("P01", "simulated", "completed", "timed again", "", "hall",
-                                    "fv", "0", "test", "0", "0", "1", "vase", "retimed", "1",
-                                    "FALSE", "120", "TRUE", "", "verified"));
+  EXPECT_THAT(again[1],
+              ElementsAre("P01", "simulated", "completed", "timed again", "", "hall", "fv", "0",
+                          "test", "0", "0", "1", "vase", "retimed", "1", "FALSE", "120", "TRUE", "",
+                          "", "", "", "", "", "", "", "", "", "", "", "", "", "", "verified"));
   const std::vector<CsvRow> counted = rows_in("trials_long.csv");
   ASSERT_EQ(counted.size(), 5U);
-  EXPECT_THAT(counted[1], ElementsAre("P01", "simulated", "completed", "analysed", "", "hall", "fv",
-                                      "0", "test", "0", "0", "2", "vase", "rated", "0.5", "FALSE",
-                                      "1.5", "FALSE", "3", "verified"));
+  EXPECT_THAT(counted[1],
+              ElementsAre("P01", "simulated", "completed", "analysed", "", "hall", "fv", "0",
+                          "test", "0", "0", "2", "vase", "rated", "0.5", "FALSE", "1.5", "FALSE",
+                          "3", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "verified"));
   EXPECT_EQ(output.tables.scene_times.at(0).censored, 0);
 }
 

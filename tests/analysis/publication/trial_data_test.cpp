@@ -58,14 +58,21 @@ TEST(TrialData, TheLongTableHasARowForEveryRecordedTrial) {
   const std::vector<CsvRow> rows = long_rows(records);
   ASSERT_EQ(rows.size(), 1U + records.trials.size());
   EXPECT_THAT(rows, Each(SizeIs(rows[0].size())));
-  EXPECT_THAT(rows[0], ElementsAre("participant", "participant_kind", "session_state", "status",
-                                   "status_reason", "scene", "method", "trial", "trial_kind",
-                                   "trial_position", "method_position", "attempt", "object",
-                                   "outcome", "outline_s", "outline_censored", "material_s",
-                                   "material_censored", "artifacts_rating", "record"));
+  EXPECT_THAT(
+      rows[0],
+      ElementsAre("participant", "participant_kind", "session_state", "status", "status_reason",
+                  "scene", "method", "trial", "trial_kind", "trial_position", "method_position",
+                  "attempt", "object", "outcome", "outline_s", "outline_censored", "material_s",
+                  "material_censored", "artifacts_rating", "gaze_time_s", "gaze_on_object_s",
+                  "gaze_on_object_percent", "gaze_elsewhere_percent", "gaze_lost_percent",
+                  "fixations", "mean_fixation_s", "fixations_on_object",
+                  "outline_gaze_from_object_deg", "outline_object_from_middle_deg",
+                  "outline_object_in_view", "material_gaze_from_object_deg",
+                  "material_object_from_middle_deg", "material_object_in_view", "record"));
   EXPECT_THAT(rows[1], ElementsAre("P01", "human", "completed", "analysed", "", "aula", "od", "0",
                                    "test", "0", "0", "1", "the chair", "rated", "8.0041", "FALSE",
-                                   "12.0567", "FALSE", "2", "none"));
+                                   "12.0567", "FALSE", "2", "", "", "", "", "", "", "", "", "", "",
+                                   "", "", "", "", "none"));
 }
 
 TEST(TrialData, RightCensoredTimesAreBoundsAndMissingOnesAreEmpty) {

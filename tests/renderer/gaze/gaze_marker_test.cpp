@@ -117,5 +117,23 @@ TEST(GazeMarker, AgreesWithTheEyeThatMoved) {
   EXPECT_GT(in_saccades, 500);
 }
 
+TEST(MarkedMovements, LastUntilTheNextOne) {
+  std::vector<GazeSample> samples = {marked_gaze(0, 0.0), marked_gaze(10, 0.0), lost(25),
+                                     marked_gaze(40, 0.0), marked_gaze(50, 0.0)};
+  samples[0].mark = samples[1].mark = GazeMark::fixation;
+  samples[2].mark = GazeMark::blink;
+  samples[3].mark = samples[4].mark = GazeMark::fixation;
+  const std::vector<MarkedMovement> movements = marked_movements(samples);
+  ASSERT_EQ(movements.size(), 3U);
+  EXPECT_EQ(movements[0].mark, GazeMark::fixation);
+  EXPECT_EQ(movements[0].samples.size(), 2U);
+  EXPECT_EQ(movements[0].duration, milliseconds(25));
+  EXPECT_EQ(movements[1].mark, GazeMark::blink);
+  EXPECT_EQ(movements[1].duration, milliseconds(15));
+  EXPECT_EQ(movements[2].samples.front().time, milliseconds(40));
+  EXPECT_EQ(movements[2].duration, milliseconds(10));
+  EXPECT_TRUE(marked_movements({}).empty());
+}
+
 }  // namespace
 }  // namespace foveola

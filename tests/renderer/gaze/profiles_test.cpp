@@ -249,6 +249,39 @@ TEST(Profiles, AMonitorHasASizeADistanceAndNoOtherFieldOfView) {
   }
 }
 
+TEST(Profiles, ADisplaySaysWhatItWasMeasuredToBe) {
+  EXPECT_FALSE(display_from(monitor).measured);
+  EXPECT_FALSE(display_from(monitor).timing_patch);
+  const std::string tables = R"(
+[measured]
+date = "2026-11-02"
+instrument = "a spot meter"
+white_cd_m2 = 250.5
+gamma = 2.2
+[timing_patch]
+corner = "top right"
+size_px = 48
+)";
+  const DisplayProfile mine = display_from(monitor + tables);
+  ASSERT_TRUE(mine.measured && mine.timing_patch);
+  EXPECT_EQ(mine.measured->date, "2026-11-02");
+  EXPECT_EQ(mine.measured->instrument, "a spot meter");
+  EXPECT_EQ(mine.measured->white_cd_m2, 250.5);
+  EXPECT_EQ(mine.measured->gamma, 2.2);
+  EXPECT_FALSE(mine.measured->black_cd_m2 || mine.measured->refresh_rate_hz);
+  EXPECT_EQ(mine.timing_patch->corner, WindowCorner::top_right);
+  EXPECT_STREQ(name_of(mine.timing_patch->corner), "top right");
+  EXPECT_EQ(mine.timing_patch->size_px, 48);
+  for (const Fault& f : {Fault{"date = \"2026-11-02\"\n", "", "measured.date is missing"},
+                         {"250.5", "-1", "measured.white_cd_m2 is out of range"},
+                         {"gamma", "gamut", "unknown key 'measured.gamut'"},
+                         {"top right", "middle", "there is no corner 'middle'"},
+                         {"48", "0", "timing_patch.size_px is out of range"}}) {
+    EXPECT_THAT(error_of([&] { display_from(with(monitor + tables, f.from, f.to)); }),
+                HasSubstr(f.message));
+  }
+}
+
 TEST(Profiles, WhatIsWrongWithATrackerIsSaidWithItsPlace) {
   for (const Fault& f :
        {Fault{"\"open-gaze\"", "\"open gaze\"", "mine.toml:2:10: there is no source 'open gaze'"},

@@ -135,6 +135,22 @@ TEST_F(ProtocolFile, ATextThatWasKeptIsReadLikeItsFile) {
   EXPECT_EQ(protocol.sha256, load(minimal).sha256);
 }
 
+TEST_F(ProtocolFile, ADisplayThatWasKeptNeedsNoFileButTheKeptProfile) {
+  const DisplaySettings defaults = read_recorded_display(minimal, "kept", "");
+  EXPECT_EQ(defaults.horizontal_fov_deg, 100.0);
+  const std::string named = minimal + "[display]\nprofile = \"gone\"\n";
+  const std::string profile =
+      "title = \"Gone\"\nkind = \"headset\"\nwidth_px = 200\nheight_px = 100\n"
+      "refresh_rate_hz = 60\nhorizontal_fov_deg = 80\nvertical_fov_deg = 70\n"
+      "scan_out = { duration_ms = 1.0, provenance = \"assumed\" }\n";
+  const DisplaySettings display = read_recorded_display(named, "kept", profile);
+  EXPECT_EQ(display.horizontal_fov_deg, 80.0);
+  EXPECT_EQ(display.vertical_fov_deg, 70.0);
+  EXPECT_EQ(read_recorded_display(named + "fov_deg = [60, 50]\n", "kept", profile).vertical_fov_deg,
+            50.0);
+  EXPECT_THROW(read_recorded_display(named, "kept", ""), Error);
+}
+
 // Square pixels: at twice the width of its height, tan(45 degrees) / 2 = tan(26.565 degrees).
 TEST_F(ProtocolFile, OneFieldOfViewMakesSquarePixels) {
   const auto display = [&](const std::string& keys) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/record/session_devices.h"
 #include "study_file.h"
 
 namespace foveola::study {
@@ -62,6 +63,146 @@ TEST_F(DataQuality, FramesAreOfTheCountedAttempts) {
   EXPECT_NEAR(figures.longest_mark_after_frame_s, 0.004, 1e-12);
 }
 
+/// The vase is straight to the right of the camera, which looks straight ahead.
+constexpr const char* with_vase_at_right =
+    R"({"camera":{"position":[1,0,0],"azimuth_rad":0,"elevation_rad":0},)"
+    R"("objects":[{"name":"vase","position":[3,0,0],"radius_deg":5}]})";
+
+constexpr const char* wide_display =
+    R"({"display":{"horizontal_fov_deg":90,"vertical_fov_deg":90},)"
+    R"("tracker":{"profile":"camera"}})";
+constexpr const char* narrow_display =
+    R"({"display":{"horizontal_fov_deg":40,"vertical_fov_deg":40},)"
+    R"("tracker":{"profile":"pointer"}})";
+
+/// A person's session before `devices`, in which the vase is to be seen.
+SessionFacts facts_of_person(const std::string& devices) {
+  SessionFacts facts = facts_of("P01");
+  facts.kind = SessionKind::human;
+  facts.devices = devices;
+  for (ShownScene& scene : facts.scenes) {
+    scene.shown_as = with_vase_at_right;
+  }
+  return facts;
+}
+
+/// Frames as of frames_from, whose head is turned to 30 degrees before the vase, at which all but
+/// the first two gazes look.
+std::vector<FrameRow> before_the_vase(std::vector<FrameRow> frames) {
+  for (FrameRow& frame : frames) {
+    frame.head_azimuth_rad = static_cast<float>(radians(60.0));
+    frame.gaze = {1.0F, 0.0F, 0.0F};
+  }
+  frames[0].gaze = frames[1].gaze = {0.0F, 0.0F, -1.0F};
+  return frames;
+}
+
+/// One timing with frames, from the choice of the object to the second mark, both upon valid gaze.
+void time_before_the_vase(StudyStore& store, PlayedSession& session, const AttemptKey& attempt,
+                          Nanoseconds first, const std::vector<FrameRow>& frames) {
+  session.choose_and_start(first - ms(1));
+  store.record(session.id(), FrameChunk{.attempt = attempt, .first = 0, .frames = frames});
+  session.happen(first, FirstFramePresented{first});
+  session.happen(first + ms(34), Marked{first + ms(34)});
+  session.happen(first + ms(50), Marked{first + ms(50)});
+}
+
+TEST_F(DataQuality, GazeAndObjectAreThoseOfEachAttemptBeforeItsOwnDisplay) {
+  {
+    StudyStore store(path_, small_protocol());
+    PlayedSession session(store, facts_of_person(wide_display), small_plan());
+    session.begin();
+    time_before_the_vase(store, session, {}, ms(1000), before_the_vase(frames_from(ms(1000))));
+    session.happen(ms(1100), RetimeRequested{});
+    session.happen(ms(1200), NoteWritten{note_of_devices(narrow_display)});
+    time_before_the_vase(store, session, {.trial = 0, .attempt = 2}, ms(2000),
+                         before_the_vase(frames_from(ms(2000))));
+    session.happen(ms(2100), NoteWritten{note_of_devices(wide_display)});
+  }
+  const std::vector<AttemptGazeRow> gaze = read_data_quality(path_).gaze;
+  ASSERT_EQ(gaze.size(), 2U);
+  for (const AttemptGazeRow& row : gaze) {
+    EXPECT_EQ(row.participant, "P01");
+    EXPECT_EQ(row.trial, 0U);
+    EXPECT_NEAR(row.figures.times->all_s, 0.05, 1e-12);
+    EXPECT_NEAR(row.figures.times->on_object_s.value(), 0.03, 1e-12);
+    ASSERT_EQ(row.figures.marks.size(), 2U);
+    EXPECT_EQ(row.figures.marks[0].mark, "outline");
+    EXPECT_NEAR(row.figures.marks[0].object_from_middle_deg.value(), 30.0, 1e-3);
+    EXPECT_NEAR(row.figures.marks[0].gaze_from_object_deg.value(), 0.0, 1e-3);
+    EXPECT_FALSE(row.figures.fixations);
+  }
+  EXPECT_EQ(gaze[0].attempt, 1);
+  EXPECT_EQ(gaze[0].tracker, "camera");
+  EXPECT_EQ(gaze[0].figures.marks[0].object_in_view, true);
+  EXPECT_EQ(gaze[1].attempt, 2);
+  EXPECT_EQ(gaze[1].tracker, "pointer");
+  EXPECT_EQ(gaze[1].figures.marks[0].object_in_view, false);
+}
+
+// small_protocol says nothing of its display: 100 degrees, as protocols have it.
+TEST_F(DataQuality, SimulatedParticipantsSeeThroughTheProtocolsDisplay) {
+  for (const auto& [azimuth_deg, is_in_view] : {std::pair(41.0, true), std::pair(39.0, false)}) {
+    const fs::path path = folder_ / (is_in_view ? "seen.sqlite" : "unseen.sqlite");
+    {
+      StudyStore store(path, small_protocol());
+      SessionFacts facts = facts_of_person("{}");
+      facts.kind = SessionKind::simulated;
+      PlayedSession session(store, facts, small_plan());
+      session.begin();
+      std::vector<FrameRow> frames = before_the_vase(frames_from(ms(1000)));
+      for (FrameRow& frame : frames) {
+        frame.head_azimuth_rad = static_cast<float>(radians(azimuth_deg));
+      }
+      time_before_the_vase(store, session, {}, ms(1000), frames);
+    }
+    const std::vector<AttemptGazeRow> gaze = read_data_quality(path).gaze;
+    ASSERT_EQ(gaze.size(), 1U);
+    EXPECT_EQ(gaze[0].tracker, "simulated");
+    EXPECT_EQ(gaze[0].figures.marks.at(0).object_in_view, is_in_view);
+  }
+}
+
+TEST_F(DataQuality, WhatARecordDoesNotSayOfObjectAndDisplayIsEmpty) {
+  {
+    StudyStore store(path_, small_protocol());
+    SessionFacts facts = facts_of_person("{}");
+    for (ShownScene& scene : facts.scenes) {
+      scene.shown_as = "{}";
+    }
+    PlayedSession session(store, facts, small_plan());
+    session.begin();
+    time_before_the_vase(store, session, {}, ms(1000), before_the_vase(frames_from(ms(1000))));
+  }
+  const std::vector<AttemptGazeRow> gaze = read_data_quality(path_).gaze;
+  ASSERT_EQ(gaze.size(), 1U);
+  EXPECT_EQ(gaze[0].tracker, "");
+  EXPECT_EQ(gaze[0].figures.times->without_gaze_s, 0.0);
+  EXPECT_FALSE(gaze[0].figures.times->on_object_s);
+  EXPECT_FALSE(gaze[0].figures.marks.at(0).object_in_view);
+}
+
+TEST_F(DataQuality, FixationsAreThoseOfTheRecordedSamples) {
+  {
+    StudyStore store(path_, small_protocol());
+    PlayedSession session(store, facts_of_person(wide_display), small_plan());
+    session.begin();
+    std::vector<GazeSample> samples;
+    for (int i = 0; i < 10; ++i) {
+      samples.push_back({.time = ms(1000 + 5 * i),
+                         .direction = {0.5F, 0.0F, -0.8660254F},
+                         .valid = true,
+                         .mark = i == 4 ? GazeMark::saccade : GazeMark::fixation});
+    }
+    time_before_the_vase(store, session, {}, ms(1000), before_the_vase(frames_from(ms(1000))));
+    store.record(session.id(), GazeChunk{.attempt = {}, .first = 0, .samples = samples});
+  }
+  const FixationFigures fixations = read_data_quality(path_).gaze.at(0).figures.fixations.value();
+  EXPECT_EQ(fixations.count, 2U);
+  EXPECT_EQ(fixations.on_object, 2U);
+  EXPECT_NEAR(fixations.mean_duration_s.value(), 0.02, 1e-12);
+}
+
 TEST_F(DataQuality, ValidationsAndReactionsAreThoseOfTheSession) {
   {
     StudyStore store(path_, thorough_protocol());
@@ -86,6 +227,7 @@ TEST_F(DataQuality, WithdrawnSessionsSayNothing) {
   }
   const DataQualityRecords records = read_data_quality(path_);
   EXPECT_THAT(records.frames, IsEmpty());
+  EXPECT_THAT(records.gaze, IsEmpty());
   EXPECT_THAT(records.gaze_runs, IsEmpty());
   EXPECT_THAT(records.reactions, IsEmpty());
 }
@@ -97,6 +239,16 @@ TEST_F(DataQuality, FramesThatWereChangedAreRefused) {
   }
   tamper(path_, "UPDATE frame_chunk SET data = zeroblob(24)");
   EXPECT_THAT(refusal([&] { (void)read_data_quality(path_); }), HasSubstr("frames are not those"));
+}
+
+TEST_F(DataQuality, GazeThatWasChangedIsRefused) {
+  {
+    StudyStore store(path_, thorough_protocol());
+    run_thorough_session(store, "P01");
+  }
+  tamper(path_, "UPDATE gaze_chunk SET data = zeroblob(24)");
+  EXPECT_THAT(refusal([&] { (void)read_data_quality(path_); }),
+              HasSubstr("gaze samples are not those"));
   EXPECT_THAT(refusal([&] { (void)read_data_quality(folder_ / "none"); }),
               HasSubstr("no such file"));
 }

@@ -114,6 +114,33 @@ TEST(ShownScene, WithoutAnAdditionEveryThingIsTheFiles) {
             (std::vector<double>{0.25, 0.5, 1.0}));
 }
 
+// The wall is 1 m to the left of the camera, 1 m below it and 2 m behind it.
+TEST(ShownScene, HasItsObjectsDirectionsFromTheCamera) {
+  const SeenObject wall = object_in(shown_as(hall()), "Wall").value();
+  EXPECT_NEAR(degrees(angle_between(wall.direction, {-1.0F, -1.0F, 2.0F})), 0.0, 1e-4);
+  EXPECT_NEAR(glm::length(wall.direction), 1.0F, 1e-6F);
+  EXPECT_EQ(wall.radius_deg, 5.0);
+}
+
+TEST(ShownScene, WhatItDoesNotSayOfAnObjectIsNotGuessed) {
+  EXPECT_FALSE(object_in(shown_as(hall()), "Window"));
+  SceneSource without_camera = hall();
+  without_camera.camera_position.reset();
+  EXPECT_FALSE(object_in(shown_as(without_camera), "Wall"));
+  SceneSource within = hall();
+  within.objects[0].position = *within.camera_position;
+  EXPECT_FALSE(object_in(shown_as(within), "Wall"));
+  for (const char* text :
+       {"{}", "no JSON", "[1]", R"({"camera":{"position":[0,0,0]},"objects":3})",
+        R"({"camera":{"position":[0,0,0]},"objects":[{"name":"Wall","radius_deg":5}]})",
+        R"({"camera":{"position":[0,0]},"objects":[{"name":"Wall","position":[1,0,0],)"
+        R"("radius_deg":5}]})",
+        R"({"camera":{"position":[0,0,0]},"objects":[{"name":7,"position":[1,0,0],)"
+        R"("radius_deg":5},{"name":"Wall","position":[1,"0",0],"radius_deg":5}]})"}) {
+    EXPECT_FALSE(object_in(text, "Wall")) << text;
+  }
+}
+
 TEST(ShownScene, ANameMayBeNoUnicode) {
   SceneSource source;
   source.objects = {{.name = "v\xff"}};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
+#include "study/record/attempt_gaze_figures.h"
 
 namespace foveola::study {
 namespace {
@@ -37,17 +38,19 @@ TEST(ObjectSight, TheAngleIsFromTheViewsMiddleAcrossTheSeam) {
   EXPECT_NEAR(object_sight(view_along(0.0), object_at(180.0, 0.0)).from_middle_deg, 180.0, 1e-3);
 }
 
-TEST(ObjectSight, TheGazeIsOnAnObjectUpToTheMargin) {
-  const auto gaze = [](double azimuth_deg) { return direction_from(place(azimuth_deg, 0.0)); };
-  EXPECT_TRUE(is_gaze_on(object_at(0.0, 0.0), gaze(4.0 + gaze_margin_deg - 0.1)));
-  EXPECT_FALSE(is_gaze_on(object_at(0.0, 0.0), gaze(4.0 + gaze_margin_deg + 0.1)));
-}
-
-TEST(ObjectSight, TimesArePartsOfTheWhole) {
-  const GazeTimes times{.on_object = 1s, .elsewhere = 2s, .unknown = 1s};
+TEST(LookingTimes, AFramesTimeCountsForWhereItsGazeIs) {
+  const auto frame = [](double azimuth_deg) {
+    return FrameRow{.gaze = direction_from(place(azimuth_deg, 0.0)), .gaze_valid = true};
+  };
+  const double edge_deg = 4.0 + gaze_margin_deg;
+  LookingTimes times;
+  times.add(frame(edge_deg - 0.1), 1s, object_at(0.0, 0.0));
+  times.add(frame(edge_deg + 0.1), 2s, object_at(0.0, 0.0));
+  times.add({}, 1s, object_at(0.0, 0.0));
+  EXPECT_EQ(times.on_object, 1s);
   EXPECT_DOUBLE_EQ(times.part_elsewhere(), 0.5);
   EXPECT_DOUBLE_EQ(times.part_unknown(), 0.25);
-  EXPECT_EQ(GazeTimes{}.part_elsewhere(), 0.0);
+  EXPECT_EQ(LookingTimes{}.part_elsewhere(), 0.0);
 }
 
 }  // namespace

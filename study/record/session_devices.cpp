@@ -1,0 +1,58 @@
+#include "study/record/session_devices.h"
+
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "study/record/json_member.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr std::string_view going_on = "goes on with ";
+
+bool can_be_shown(const FieldOfView& view) {
+  try {
+    const Viewport shown(AzimuthElevation{}, view);
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<FieldOfView> field_of_view_in(const std::string& devices) {
+  const nlohmann::ordered_json display = member(json_in(devices), "display");
+  const nlohmann::ordered_json horizontal = member(display, "horizontal_fov_deg");
+  const nlohmann::ordered_json vertical = member(display, "vertical_fov_deg");
+  if (!horizontal.is_number() || !vertical.is_number()) {
+    return std::nullopt;
+  }
+  FieldOfView view{.horizontal_deg = horizontal.get<double>(),
+                   .vertical_deg = vertical.get<double>()};
+  if (const auto lens = member(display, "lens"); has_numbers(lens, 4)) {
+    view.lens = {.axis = {lens[0].get<float>(), lens[1].get<float>()},
+                 .k1 = lens[2].get<float>(),
+                 .k2 = lens[3].get<float>()};
+  }
+  return can_be_shown(view) ? std::optional(view) : std::nullopt;
+}
+
+std::string tracker_in(const std::string& devices) {
+  const nlohmann::ordered_json profile = member(member(json_in(devices), "tracker"), "profile");
+  return profile.is_string() ? profile.get<std::string>() : "";
+}
+
+std::string note_of_devices(const std::string& devices) { return std::string(going_on) + devices; }
+
+std::optional<std::string> devices_in_note(const std::string& note) {
+  if (!note.starts_with(going_on)) {
+    return std::nullopt;
+  }
+  std::string devices = note.substr(going_on.size());
+  return json_in(devices).is_object() ? std::optional(std::move(devices)) : std::nullopt;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,24 @@
+// What a session's record says of its devices: the view that its display showed, and its tracker.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/view/viewport.h"
+
+namespace foveola::study {
+
+/// The view that `devices`, the JSON object that schema.sql describes at session, says the display
+/// showed, of a headset its left one; empty if it says none, or none that there can be.
+std::optional<FieldOfView> field_of_view_in(const std::string& devices);
+
+/// The name of the eye tracker's profile in it; empty if it says none.
+std::string tracker_in(const std::string& devices);
+
+/// The note of a session that goes on with these devices.
+std::string note_of_devices(const std::string& devices);
+
+/// The devices that such a note names; empty if it is another note.
+std::optional<std::string> devices_in_note(const std::string& note);
+
+}  // namespace foveola::study
