@@ -5,6 +5,7 @@
 #include "study/commands/replay_command.h"
 #include "study/commands/run_command.h"
 #include "study/commands/simulate_command.h"
+#include "study/commands/watch_command.h"
 
 namespace foveola::study {
 
@@ -15,9 +16,11 @@ void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
   add_check(*study, find_scene);
   add_plan(*study);
   add_run(*study, find_scene, stop);
+  add_watch(*study, stop);
   add_simulate(*study, find_scene, reporter, stop);
   add_replay(*study, find_scene, stop);
   add_status(*study);
+  add_summary(*study);
   add_gaze(*study);
   add_verify(*study);
   add_backup(*study);

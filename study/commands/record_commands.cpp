@@ -14,6 +14,7 @@
 #include "study/record/study_records.h"
 #include "study/record/verification_json.h"
 #include "study/tables/record_tables.h"
+#include "study/tables/session_summary.h"
 
 namespace foveola::study {
 namespace {
@@ -182,6 +183,19 @@ void add_forget(CLI::App& study) {
   command->add_option("CODE", arguments->participant, "The participant's code")->required();
   command->add_flag("--yes", arguments->yes, "Confirm it: it cannot be undone");
   command->callback([arguments] { run_forget(*arguments); });
+}
+
+void add_summary(CLI::App& study) {
+  const auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command = add_command(
+      study, "summary", "Print one session on a page: trials, times, frames, gaze and notes",
+      "summary study.sqlite --participant P001");
+  add_database(command, arguments->database);
+  command->add_option("--participant", arguments->participant, "The participant's code")
+      ->required();
+  command->callback([arguments] {
+    fmt::print("{}", session_summary(arguments->database, arguments->participant));
+  });
 }
 
 void add_gaze(CLI::App& study) {

@@ -1,5 +1,5 @@
-// foveola study status, gaze, verify, backup, merge and forget: what a study's file holds, and its
-// care.
+// foveola study status, summary, gaze, verify, backup, merge and forget: what a study's file holds,
+// and its care.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,6 +7,7 @@
 namespace foveola::study {
 
 void add_status(CLI::App& study);
+void add_summary(CLI::App& study);
 void add_gaze(CLI::App& study);
 void add_verify(CLI::App& study);
 void add_backup(CLI::App& study);

@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "study/commands/command_line.h"
 #include "study/person/run_person.h"
+#include "study/tables/session_summary.h"
 
 namespace foveola::study {
 namespace {
@@ -36,6 +38,7 @@ struct RunArguments {
   bool despite_changes = false;
   bool takes_amendment = false;
   std::string screens;
+  std::string receipt;
 };
 
 void require_code(const std::string& code) {
@@ -88,7 +91,15 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
     settings.screens = arguments.screens;
     std::filesystem::create_directories(arguments.screens);
   }
+  if (!arguments.receipt.empty()) {
+    require_writable(arguments.receipt);
+    if (std::filesystem::exists(arguments.receipt) && !arguments.resumes) {
+      throw Error(arguments.receipt, "is there already", "name another file for this receipt");
+    }
+    settings.receipt = arguments.receipt;
+  }
   const RunReport report = run_person(settings, find_scene, stop);
+  fmt::print("{}", session_summary(arguments.database, arguments.participant));
   fmt::print("{}: {} {}; backup {}\n", arguments.database, arguments.participant,
              name_of(report.phase), report.backup.string());
   if (report.phase == Phase::interrupted) {
@@ -154,6 +165,9 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                     "record will say so");
   command->add_option("--screens", arguments->screens,
                       "A folder that gets a picture of every page the participant comes to");
+  command->add_option("--receipt", arguments->receipt,
+                      "A file that gets what the participant consented to, and when, for them to "
+                      "take along");
   command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });
 }
 

@@ -75,12 +75,11 @@ class Measurement {
             .is_dark = true};
   }
 
-  /// Returns when the last frame was shown.
+  /// Returns when the last frame was shown. The first one only begins the time.
   template <typename Counted>
   Nanoseconds show_for(LiveAttempt& attempt, Nanoseconds duration, const std::stop_token& stop,
                        const Counted& counted) {
     Nanoseconds shown = attempt.show({});
-    count_gaze(attempt, {});
     for (const Nanoseconds begin = shown; shown - begin < duration;) {
       if (stop.stop_requested()) {
         throw Error("preflight", "was stopped", "nothing was begun or recorded");

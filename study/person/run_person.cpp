@@ -18,6 +18,7 @@
 #include "renderer/commands/live_window.h"
 #include "renderer/gaze/gaze_source.h"
 #include "study/driver/session_so_far.h"
+#include "study/person/consent_receipt.h"
 #include "study/person/console_words.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
@@ -362,6 +363,20 @@ std::string how_to_go_on(const RunSettings& settings) {
                      settings.participant, settings.database.string());
 }
 
+void write_receipt(const RunSettings& settings, const Protocol& protocol, const StudyStore& store) {
+  if (!settings.receipt) {
+    return;
+  }
+  for (const KnownSession& session : store.sessions()) {
+    if (session.participant == settings.participant) {
+      if (const auto receipt =
+              consent_receipt(protocol, settings.participant, store.events_of(session.id))) {
+        write_file(*settings.receipt, *receipt);
+      }
+    }
+  }
+}
+
 fs::path back_up(const StudyStore& store, const fs::path& database) {
   std::string name = utc_now();
   std::replace(name.begin(), name.end(), ':', '-');
@@ -408,6 +423,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                   how_to_go_on(settings));
     }
     report.backup = back_up(store, settings.database);
+    write_receipt(settings, protocol, store);
   });
   return report;
 }

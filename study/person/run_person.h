@@ -33,6 +33,8 @@ struct RunSettings {
       OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
   /// Every page that the participant comes to is written there as a picture.
   std::optional<std::filesystem::path> screens;
+  /// Gets a receipt of the participant's consent, once that was given.
+  std::optional<std::filesystem::path> receipt;
 };
 
 struct RunReport {

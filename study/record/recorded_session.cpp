@@ -83,9 +83,9 @@ RecordedSession read_session(const fs::path& path, const std::string& participan
     session.known = session_of(database, path, participant);
     read_facts(database, session);
     session.plan = plan_of(database, session.known.id);
+    session.procedure = recorded_procedure_of(database, session.known.id);
     session.events = events_of(database, session.known.id);
-    session.attempts = attempts_in(path.string(), recorded_procedure_of(database, session.known.id),
-                                   session.events);
+    session.attempts = attempts_in(path.string(), session.procedure, session.events);
   });
   return session;
 }

@@ -37,6 +37,7 @@ struct RecordedSession {
   std::optional<RecordedDisplay> display;    ///< only of a person's session
   std::optional<SimulationKind> simulation;  ///< only of a simulated session
   Plan plan;
+  Procedure procedure;
   std::vector<LoggedEvent> events;        ///< in their order
   std::vector<RecordedAttempt> attempts;  ///< in the order of time
 };

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "renderer/base/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/study_run.h"
@@ -15,6 +16,8 @@ namespace fs = std::filesystem;
 namespace foveola::test {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
@@ -84,7 +87,8 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   CoverableTracker tracker;
   const std::string profile =
       participant_.folder().write("camera.toml", open_gaze_profile(tracker.port()));
-  participant_.begin({"--tracker", profile});
+  const fs::path receipt = participant_.folder() / "receipt.txt";
+  participant_.begin({"--tracker", profile, "--receipt", receipt});
   participant_.answer_page("Return");  // welcome
   participant_.wait_for_page();        // consent
   participant_.type_all({"Return", "y"});
@@ -129,12 +133,23 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_EQ(program.wait_for_end(), 0);
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
 
+  EXPECT_THAT(read_file(receipt), AllOf(HasSubstr("You will look at pictures."),
+                                        HasSubstr("Agreed to by participant P1 at 20")));
   participant_.begin({"--resume", "--tracker", profile});
+  EXPECT_THAT(participant_.program().said(),
+              HasSubstr("Now comes ready, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
+                        "questionnaire debrief"));
   const std::vector<KeyPress> second = time_trial();
   rate("5");
   participant_.wait_for_page();  // debrief
   participant_.type_all({"n", "o", "Return", "Return"});
   end_by_enter();
+  EXPECT_THAT(
+      participant_.program().said(),
+      AllOf(HasSubstr("Session of P1: completed, "), ContainsRegex("1 +hall +od +Lamp .* practice"),
+            ContainsRegex("2 +hall +od +Wall .* timing 2"), HasSubstr("Frames of the test trials"),
+            HasSubstr("Validation 1: accuracy "), HasSubstr("Reactions: 2 from "),
+            HasSubstr("the phone rang")));
 
   EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
               ElementsAre("session_started", "consent_given", "questionnaire_answered",

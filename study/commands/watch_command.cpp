@@ -1,0 +1,117 @@
+#include "study/commands/watch_command.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "renderer/base/utf8.h"
+#include "study/commands/command_line.h"
+#include "study/person/console_words.h"
+#include "study/record/event_log.h"
+#include "study/record/recorded_session.h"
+#include "study/record/study_records.h"
+
+namespace foveola::study {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A watcher sees an event so much later at most, and costs its writer next to nothing.
+constexpr std::chrono::milliseconds poll_interval = 500ms;
+
+struct WatchArguments {
+  std::string database;
+  std::string participant;
+  bool json = false;
+};
+
+/// The participant who was begun last. Throws Error if there is none.
+std::string newest_participant(const StudyRecords& records, const std::string& database) {
+  if (records.sessions.empty()) {
+    throw Error(database, "has no session yet", "begin one with foveola study run");
+  }
+  return records.sessions.back().participant;
+}
+
+/// Tells of a session's events as they come to its record.
+class Watch {
+ public:
+  Watch(const WatchArguments& arguments, const Protocol& protocol, std::string participant)
+      : arguments_(arguments), protocol_(protocol), participant_(std::move(participant)) {}
+
+  /// What is new. Returns whether the session can still go on.
+  bool tell() {
+    const RecordedSession session = read_session(arguments_.database, participant_);
+    SessionState state;
+    std::size_t count = 0;
+    for_each_step(
+        session.procedure, session.events, participant_,
+        [&](const LoggedEvent& logged, const SessionState& /*before*/, const SessionState& after) {
+          state = after;
+          if (++count > told_) {
+            tell_of(logged, after);
+          }
+        });
+    if (count > told_ && !arguments_.json) {
+      say(fmt::format("           now {}; then {}",
+                      words_for(state, session.procedure, session.plan),
+                      words_for_next(state, session.procedure, session.plan)));
+    }
+    told_ = count;
+    return !state.is_over();
+  }
+
+ private:
+  void tell_of(const LoggedEvent& logged, const SessionState& after) const {
+    const std::string words = words_for(logged.event, after, protocol_);
+    if (arguments_.json) {
+      const nlohmann::ordered_json json = {
+          {"participant", participant_},    {"time_s", seconds(logged.time)}, {"utc", logged.utc},
+          {"event", name_of(logged.event)}, {"phase", name_of(after.phase)},  {"words", words}};
+      say(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    } else {
+      say(fmt::format("{:9.3f} s  {}", seconds(logged.time), words));
+    }
+  }
+
+  static void say(const std::string& line) {
+    fmt::print("{}\n", printable(line));
+    std::fflush(stdout);
+  }
+
+  const WatchArguments& arguments_;
+  const Protocol& protocol_;
+  std::string participant_;
+  std::size_t told_ = 0;  ///< how many events it has told of
+};
+
+void run_watch(const WatchArguments& arguments, const std::stop_token& stop) {
+  const StudyRecords records = read_study(arguments.database);
+  Watch watch(arguments, records.protocol,
+              arguments.participant.empty() ? newest_participant(records, arguments.database)
+                                            : arguments.participant);
+  while (watch.tell() && !stop.stop_requested()) {
+    std::this_thread::sleep_for(poll_interval);
+  }
+}
+
+}  // namespace
+
+void add_watch(CLI::App& study, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<WatchArguments>();
+  CLI::App* command =
+      add_command(study, "watch", "Follow a session while it goes on, without touching its file",
+                  "watch study.sqlite");
+  add_database(command, arguments->database);
+  command->add_option("--participant", arguments->participant,
+                      "The participant's code (default: who was begun last)");
+  add_json(command, arguments->json);
+  command->callback([arguments, stop] { run_watch(*arguments, stop); });
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,183 @@
+#include "study/tables/session_summary.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/aligned_rows.h"
+#include "renderer/base/utf8.h"
+#include "study/record/data_quality_records.h"
+#include "study/record/recorded_session.h"
+#include "study/record/session_rows.h"
+#include "study/record/study_records.h"
+
+namespace foveola::study {
+namespace {
+
+std::string text_of(const Value& value, const StudyRecords& records) {
+  switch (value.state) {
+    case Value::State::measured:
+      return fmt::format("{:.4g}", value.number);
+    case Value::State::right_censored:
+      return fmt::format(">{:.4g}", value.number);
+    case Value::State::in_words:
+      return records.words[value.words];
+    case Value::State::missing:
+      break;
+  }
+  return "-";
+}
+
+std::string percent(const std::optional<double>& part_s, double all_s) {
+  return part_s && all_s > 0.0 ? fmt::format("{:.0f} %", 100.0 * *part_s / all_s) : "-";
+}
+
+/// The figures of an attempt, or null if the record has none.
+const AttemptGazeFigures* figures_of(const DataQualityRecords& quality,
+                                     const std::string& participant, const TrialRow& row) {
+  const auto found =
+      std::find_if(quality.gaze.begin(), quality.gaze.end(), [&](const AttemptGazeRow& one) {
+        return one.participant == participant && one.trial == row.trial &&
+               one.attempt == row.attempt;
+      });
+  return found != quality.gaze.end() ? &found->figures : nullptr;
+}
+
+/// What the experimenter should know about a timing.
+std::string remarks_on(const TrialRow& row, const AttemptGazeFigures* figures) {
+  TextRow remarks;
+  if (row.kind != TrialKind::test) {
+    remarks.emplace_back(name_of(row.kind));
+  }
+  if (row.attempt > 1) {
+    remarks.push_back(fmt::format("timing {}", row.attempt));
+  }
+  if (figures != nullptr) {
+    for (const GazeAtMark& mark : figures->marks) {
+      if (mark.object_in_view && !*mark.object_in_view) {
+        remarks.push_back(fmt::format("object out of view at {}", mark.mark));
+      }
+    }
+  }
+  return fmt::format("{}", fmt::join(remarks, ", "));
+}
+
+TextRow heading(const StudyRecords& records) {
+  TextRow cells = {"trial", "scene", "method", "object"};
+  for (const Measure& measure : records.measures) {
+    cells.push_back(measure.id());
+  }
+  cells.insert(cells.end(), {"on object", "no gaze", "remarks"});
+  return cells;
+}
+
+TextRow cells_of(const StudyRecords& records, const DataQualityRecords& quality,
+                 std::size_t index) {
+  const TrialRow& row = records.trials[index];
+  const AttemptGazeFigures* const figures = figures_of(quality, records.participant_of(row), row);
+  TextRow cells = {fmt::format("{}", row.trial + 1), records.scenes[row.scene],
+                   records.methods[row.method], records.words[row.object]};
+  for (std::size_t measure = 0; measure < records.measures.size(); ++measure) {
+    cells.push_back(text_of(records.value(index, measure), records));
+  }
+  const std::optional<GazeTimes> times = figures != nullptr ? figures->times : std::nullopt;
+  cells.push_back(times ? percent(times->on_object_s, times->all_s) : "-");
+  cells.push_back(times ? percent(times->without_gaze_s, times->all_s) : "-");
+  cells.push_back(row.attempt == 0 ? "not begun" : remarks_on(row, figures));
+  return cells;
+}
+
+std::string trials_of(const StudyRecords& records, const DataQualityRecords& quality,
+                      const std::string& participant) {
+  std::vector<TextRow> rows = {heading(records)};
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    if (records.participant_of(records.trials[i]) == participant && records.trials[i].counts) {
+      rows.push_back(cells_of(records, quality, i));
+    }
+  }
+  return aligned(rows, {.indent = 2});
+}
+
+std::string frames_of(const DataQualityRecords& quality, const std::string& participant) {
+  constexpr double ms_per_s = 1e3;
+  for (const FrameFigures& frames : quality.frames) {
+    if (frames.participant == participant) {
+      const auto all = static_cast<double>(frames.frames);
+      return fmt::format(
+          "Frames of the test trials: {}; {:.1f} % late, {:.1f} % without a valid gaze; the gaze "
+          "was {:.1f} ms old in the mean, and its frame shown {:.1f} ms later.\n",
+          frames.frames, 100.0 * static_cast<double>(frames.late) / all,
+          100.0 * static_cast<double>(frames.untracked) / all, ms_per_s * frames.mean_gaze_age_s,
+          ms_per_s * frames.mean_to_display_s);
+    }
+  }
+  return "No frames of test trials were recorded.\n";
+}
+
+std::string validations_of(const DataQualityRecords& quality, const std::string& participant) {
+  std::string text;
+  for (const GazeRunRow& run : quality.gaze_runs) {
+    if (run.participant == participant) {
+      text += fmt::format("Validation {}: {}, {:.0f} % lost, {}.\n", run.run,
+                          run.accuracy_deg && run.precision_rms_deg
+                              ? fmt::format("accuracy {:.2f} degrees, precision {:.2f}",
+                                            *run.accuracy_deg, *run.precision_rms_deg)
+                              : "no eye was seen",
+                          100.0 * run.data_loss, run.passed ? "passed" : "not passed");
+    }
+  }
+  return text;
+}
+
+std::string reactions_of(const DataQualityRecords& quality, const std::string& participant) {
+  std::vector<double> times_s;
+  for (const ReactionRow& reaction : quality.reactions) {
+    if (reaction.participant == participant && !reaction.early) {
+      times_s.push_back(reaction.seconds);
+    }
+  }
+  if (times_s.empty()) {
+    return "";
+  }
+  std::sort(times_s.begin(), times_s.end());
+  return fmt::format("Reactions: {} from {:.3f} to {:.3f} s.\n", times_s.size(), times_s.front(),
+                     times_s.back());
+}
+
+/// Notes with their times. A note's first line says what it is about.
+std::string notes_of(const std::vector<LoggedEvent>& events) {
+  constexpr std::size_t most_characters = 160;
+  std::string text;
+  for (const LoggedEvent& logged : events) {
+    if (const auto* note = std::get_if<NoteWritten>(&logged.event)) {
+      const std::size_t end = std::min(note->text.find('\n'), most_characters);
+      text +=
+          fmt::format("  {:9.3f} s  {}{}\n", seconds(logged.time),
+                      printable(note->text.substr(0, end)), end < note->text.size() ? " …" : "");
+    }
+  }
+  return text.empty() ? "No notes.\n" : "Notes:\n" + text;
+}
+
+}  // namespace
+
+std::string session_summary(const std::filesystem::path& path, const std::string& participant) {
+  const RecordedSession session = read_session(path, participant);
+  const StudyRecords records = read_study(path);
+  const DataQualityRecords quality = read_data_quality(path);
+  const std::string kind =
+      session.known.kind == SessionKind::human ? "" : name_of(session.known.kind);
+  const Nanoseconds lasted = session.events.empty() ? Nanoseconds(0) : session.events.back().time;
+  return fmt::format("Session of {}{}: {}, {:.1f} min, begun {}\n\n{}\n{}{}{}{}", participant,
+                     kind.empty() ? "" : fmt::format(" ({})", kind), name_of(session.known.phase),
+                     seconds(lasted) / 60.0,
+                     session.events.empty() ? "never" : session.events.front().utc,
+                     trials_of(records, quality, participant), frames_of(quality, participant),
+                     validations_of(quality, participant), reactions_of(quality, participant),
+                     notes_of(session.events));
+}
+
+}  // namespace foveola::study

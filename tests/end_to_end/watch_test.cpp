@@ -1,0 +1,47 @@
+// Another terminal follows a session that goes on.
+#include <gmock/gmock.h>
+
+#include "study/record/maintenance.h"
+#include "tests/end_to_end/study_run.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST_F(StudyRun, IsWatchedFromAnotherTerminal) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  RunningProgram watcher({"study", "watch", participant_.database().string()});
+  RunningProgram machine(
+      {"study", "watch", participant_.database().string(), "--participant", "P1", "--json"});
+  watcher.wait_for("The session begins.");
+  EXPECT_THAT(
+      watcher.wait_for("now "),
+      HasSubstr("choosing_object, trial 1 of 1: hall with od, timing 1, attempt 1; then the "
+                "session's end"));
+  participant_.answer_page("Return");  // welcome
+  participant_.answer_page("Return");  // choosing
+  watcher.wait_for("The object Wall was chosen.");
+  time_trial();
+  watcher.wait_for("outline was marked after ");
+  rate("3");
+  end_by_enter();
+  watcher.wait_for("The trial was rated.");
+  EXPECT_EQ(watcher.wait_for_end(), 0) << "the session is over";
+  EXPECT_EQ(machine.wait_for_end(), 0);
+  EXPECT_THAT(machine.said(), AllOf(HasSubstr("\"event\":\"object_chosen\""),
+                                    HasSubstr("\"phase\":\"completed\"")));
+  EXPECT_TRUE(study::verify_study(participant_.database()).faults.empty());
+}
+
+TEST_F(StudyRun, ThereIsNothingToWatchBeforeASession) {
+  const ProgramResult none =
+      run_foveola({"study", "watch", (participant_.folder() / "none.sqlite").string()}, {});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.errors, HasSubstr("none.sqlite"));
+}
+
+}  // namespace
+}  // namespace foveola::test
