@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "renderer/base/error.h"
+#include "renderer/commands/live_window.h"
 #include "study/person/live_attempt.h"
 #include "study/person/words.h"
 
@@ -136,6 +137,27 @@ MeasuredTrials measure_trials(const PreflightSubject& subject, const std::stop_t
   }
   measured.gaze = measurement.gaze();
   return measured;
+}
+
+FoundDisplay found_display(const Window& window, const std::optional<int>& full_screen_on,
+                           const DisplayProfile& stated) {
+  const int monitor = full_screen_on.value_or(0);
+  FoundDisplay found{.is_full_screen = full_screen_on.has_value(),
+                     .refresh_rate_hz = said_refresh_rate_hz(window, monitor, stated)};
+  const std::vector<MonitorInfo> monitors = window.monitors();
+  const auto number = static_cast<std::size_t>(monitor);
+  if (number < monitors.size()) {
+    found.monitor_px = monitors[number].size_px;
+    found.monitor_width_m = monitors[number].width_m;
+  }
+  return found;
+}
+
+FoundDisplay as_measured(FoundDisplay found, const SessionDisplay& display) {
+  found.window_px = display.framebuffer();
+  found.refresh_rate_hz = display.refresh().rate_hz();
+  found.is_refresh_measured = display.refresh().is_measured();
+  return found;
 }
 
 }  // namespace foveola::study

@@ -1,10 +1,12 @@
 // Measures, in the window and with the tracker of a session, what its trials will have.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/window/window.h"
 #include "renderer/window/window_event.h"
 #include "study/person/person_tracker.h"
 #include "study/person/session_display.h"
@@ -35,5 +37,13 @@ struct MeasuredTrials {
 /// may see a method before its trial: 8 seconds in all, but 0.4 for each at least. What the display
 /// learns of drawing, trials then know. Throws Error if stopped.
 MeasuredTrials measure_trials(const PreflightSubject& subject, const std::stop_token& stop);
+
+/// The monitor that the window is on, as far as the system describes it; its size and rate are not
+/// measured yet. full_screen_on: the monitor that it fills. To be asked in the window's own thread.
+FoundDisplay found_display(const Window& window, const std::optional<int>& full_screen_on,
+                           const DisplayProfile& stated);
+
+/// The same with what the session's display has measured.
+FoundDisplay as_measured(FoundDisplay found, const SessionDisplay& display);
 
 }  // namespace foveola::study

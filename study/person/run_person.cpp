@@ -1,13 +1,12 @@
 #include "study/person/run_person.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <random>
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -20,6 +19,7 @@
 #include "study/driver/session_so_far.h"
 #include "study/person/consent_receipt.h"
 #include "study/person/console_words.h"
+#include "study/person/line_writer.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
 #include "study/person/preflight_measurement.h"
@@ -82,49 +82,10 @@ std::uint64_t drawn_seed() {
   return ((high << 32) | low) >> 1;
 }
 
-/// The monitor that the window is on, as far as the system describes it.
-FoundDisplay found_display(const Window& window, const std::optional<int>& full_screen_on,
-                           const DisplayProfile& stated) {
-  const int monitor = full_screen_on.value_or(0);
-  FoundDisplay found{.is_full_screen = full_screen_on.has_value(),
-                     .refresh_rate_hz = said_refresh_rate_hz(window, monitor, stated)};
-  const std::vector<MonitorInfo> monitors = window.monitors();
-  const auto number = static_cast<std::size_t>(monitor);
-  if (number < monitors.size()) {
-    found.monitor_px = monitors[number].size_px;
-    found.monitor_width_m = monitors[number].width_m;
-  }
-  return found;
-}
-
-bool is_refused(const PreflightCheck& check) { return check.verdict == PreflightVerdict::refused; }
-
-/// A rehearsal goes on whatever is found.
-void require_gate(const std::vector<PreflightCheck>& checks, SessionKind kind) {
-  std::vector<std::string> missed;
-  for (const PreflightCheck& check : checks) {
-    if (is_refused(check)) {
-      missed.push_back(check.name);
-    }
-  }
-  if (kind == SessionKind::human && !missed.empty()) {
-    throw Error("preflight",
-                fmt::format("misses what the protocol asks for: {}", fmt::join(missed, ", ")),
-                "nothing was begun; mend what the table says, or rehearse with --pilot");
-  }
-}
-
-void say(const std::string& text) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    fmt::print("{}\n", printable(line));
-  }
-  std::fflush(stdout);
-}
-
-void say_if_keys_are_late(KeyTimeSource source) {
+void say_if_keys_are_late(KeyTimeSource source, LineWriter& console) {
   if (source == KeyTimeSource::arrival) {
-    say("The X server's clock is not this machine's: marks have the times at which their keys "
+    console.write(
+        "The X server's clock is not this machine's: marks have the times at which their keys "
         "arrived.");
   }
 }
@@ -151,11 +112,11 @@ SessionState once_resumed(SessionState state) {
 }
 
 /// The session counts with its pictures or without: it goes on to its backup.
-void say_if_pictures_are_lost(SessionDisplay& display) {
+void say_if_pictures_are_lost(SessionDisplay& display, LineWriter& console) {
   try {
     display.finish_pictures();
   } catch (const Error& error) {
-    say(fmt::format("Not every page became a picture: {}", error.what()));
+    console.write(fmt::format("Not every page became a picture: {}", error.what()));
   }
 }
 
@@ -165,7 +126,7 @@ class PersonRun {
   PersonRun(const RunSettings& settings, const Protocol& protocol,
             const SceneFinderBeside& find_scene, const std::vector<SceneSource>& sources,
             DisplayProfile profile, const FoundDisplay& found_display, TrackerProfile tracker,
-            StudyStore& store, std::optional<SessionSoFar> so_far)
+            StudyStore& store, LineWriter& console, std::optional<SessionSoFar> so_far)
       : settings_(settings),
         protocol_(protocol),
         find_scene_(find_scene),
@@ -174,6 +135,7 @@ class PersonRun {
         found_display_(found_display),
         tracker_(std::move(tracker)),
         store_(store),
+        console_(console),
         so_far_(std::move(so_far)) {}
 
   Phase run(Window& window, WindowEvents& events, const IVec2& framebuffer, const Clock& clock,
@@ -190,7 +152,7 @@ class PersonRun {
     const std::string devices =
         devices_json(display, window.key_time_source(),
                      preflight(stages, workers, clock, events, display, gaze, stop));
-    say_if_keys_are_late(window.key_time_source());
+    say_if_keys_are_late(window.key_time_source(), console_);
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
     const std::unique_ptr<StageReloader> reloader = reloader_of(stages);
@@ -207,7 +169,7 @@ class PersonRun {
                                                   .pointer = gaze.pointer},
                                                  recorder)
                                        .run(stop);
-    say_if_pictures_are_lost(display);
+    say_if_pictures_are_lost(display, console_);
     return outcome.phase;
   }
 
@@ -215,7 +177,8 @@ class PersonRun {
   bool has_begun() const { return row_ != 0; }
 
  private:
-  /// Says what was found. Throws Error if the protocol asks for more.
+  /// Says what was found. Throws Error if the protocol asks for more; a rehearsal goes on whatever
+  /// is found.
   nlohmann::ordered_json preflight(const SceneStages& stages, const Workers& workers,
                                    const Clock& clock, WindowEvents& events,
                                    SessionDisplay& display, const WindowEyeTracker& gaze,
@@ -232,20 +195,19 @@ class PersonRun {
                                                     .eye = eye,
                                                     .viewer = viewer},
                                                    stop);
-    found_display_.window_px = display.framebuffer();
-    found_display_.refresh_rate_hz = display.refresh().rate_hz();
-    found_display_.is_refresh_measured = display.refresh().is_measured();
     const Preflight found{.speeds = measured.speeds,
                           .tracker = tracker_,
                           .gaze = measured.gaze,
                           .display = profile_,
-                          .found_display = found_display_,
+                          .found_display = as_measured(found_display_, display),
                           .free_bytes = free_bytes_for(settings_.database),
                           .is_clock_set = is_clock_synchronised()};
     const std::vector<PreflightCheck> checks = check_preflight(found, protocol_.preflight);
-    say(preflight_table(checks));
-    say(preflight_banner(found, settings_.kind == SessionKind::pilot));
-    require_gate(checks, settings_.kind);
+    console_.write(preflight_table(checks));
+    console_.write(preflight_banner(found, settings_.kind == SessionKind::pilot));
+    if (settings_.kind == SessionKind::human) {
+      require_gate(checks);
+    }
     return preflight_json(found, checks);
   }
 
@@ -280,7 +242,7 @@ class PersonRun {
     try {
       return std::make_unique<StageReloader>(stages, find, settings_.threads);
     } catch (const Error& refusal) {
-      say(fmt::format("Changes of the scenes will not be shown: {}", refusal.what()));
+      console_.write(fmt::format("Changes of the scenes will not be shown: {}", refusal.what()));
       return nullptr;
     }
   }
@@ -295,7 +257,7 @@ class PersonRun {
                        .devices = devices,
                        .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
-    say(
+    console_.write(
         fmt::format("Participant {}, row {} of the design, seed {}, {} trials. help says what can "
                     "be typed here.",
                     facts.participant, facts.design_row, facts.seed, plan_.size()));
@@ -318,10 +280,11 @@ class PersonRun {
     const KnownSession& known = so_far_->session;
     const Procedure procedure = procedure_of(protocol_, plan_);
     const SessionState state = once_resumed(so_far_->position.state);
-    say(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
+    console_.write(
+        fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
                     known.participant, seconds(so_far_->position.time)));
-    say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
-                    words_for_next(state, procedure, plan_)));
+    console_.write(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
+                               words_for_next(state, procedure, plan_)));
     row_ = known.id;
     std::vector<std::string> notes = {note_of_devices(devices)};
     if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
@@ -341,7 +304,7 @@ class PersonRun {
             .notes = std::move(notes),
             .screens = settings_.screens,
             .console = STDIN_FILENO,
-            .say = say};
+            .say = [this](const std::string& line) { console_.write(line); }};
   }
 
   const RunSettings& settings_;
@@ -352,6 +315,7 @@ class PersonRun {
   FoundDisplay found_display_;
   TrackerProfile tracker_;
   StudyStore& store_;
+  LineWriter& console_;
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
   std::int64_t row_ = 0;  ///< the session's row in the store
@@ -408,8 +372,10 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                  .monitor = settings.monitor,
                  .remedy_of_lost_display = how_to_go_on(settings)},
                 events, clock);
+  std::fflush(stdout);
+  LineWriter console(STDOUT_FILENO);
   PersonRun run(settings, protocol, find_scene, sources, display,
-                found_display(window, settings.monitor, display), tracker, store,
+                found_display(window, settings.monitor, display), tracker, store, console,
                 std::move(so_far));
   RunReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {

@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/error.h"
+
 namespace foveola::study {
 namespace {
 
@@ -226,6 +228,20 @@ std::vector<PreflightCheck> check_preflight(const Preflight& preflight, const Pr
           check_gaze_loss(preflight, gate), check_gaze_age(preflight, gate),
           check_display(preflight, gate),   check_disk(preflight, gate),
           check_clock(preflight, gate)};
+}
+
+void require_gate(const std::vector<PreflightCheck>& checks) {
+  std::vector<std::string> missed;
+  for (const PreflightCheck& check : checks) {
+    if (check.verdict == PreflightVerdict::refused) {
+      missed.push_back(check.name);
+    }
+  }
+  if (!missed.empty()) {
+    throw Error("preflight",
+                fmt::format("misses what the protocol asks for: {}", fmt::join(missed, ", ")),
+                "nothing was begun; mend what the table says, or rehearse with --pilot");
+  }
 }
 
 nlohmann::ordered_json preflight_json(const Preflight& preflight,

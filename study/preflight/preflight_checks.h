@@ -26,6 +26,9 @@ struct PreflightCheck {
 
 std::vector<PreflightCheck> check_preflight(const Preflight& preflight, const PreflightGate& gate);
 
+/// Throws Error, which names them, if checks miss what the protocol asks for.
+void require_gate(const std::vector<PreflightCheck>& checks);
+
 /// "preflight" of SessionFacts::devices: the figures and what came of them.
 nlohmann::ordered_json preflight_json(const Preflight& preflight,
                                       const std::vector<PreflightCheck>& checks);

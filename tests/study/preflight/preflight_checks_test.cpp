@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/error.h"
 #include "tests/study/preflight/found_preflight.h"
 
 namespace foveola::study {
@@ -82,6 +83,16 @@ TEST(PreflightChecks, EachLimitOfTheProtocolRefusesByItself) {
   EXPECT_THAT(refused({.tracked_eye = true}), ElementsAre("eye"));
   EXPECT_THAT(refused({.stated_display = true}), ElementsAre("display"));
   EXPECT_THAT(refused({.set_clock = true}), ElementsAre("clock"));
+}
+
+TEST(PreflightChecks, AGateNamesAllThatMissesIt) {
+  EXPECT_NO_THROW(require_gate(check_preflight(bad_preflight(), {})));
+  try {
+    require_gate(check_preflight(bad_preflight(), {.max_gaze_loss = 0.1, .set_clock = true}));
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("asks for: gaze lost, clock; nothing was begun"));
+  }
 }
 
 TEST(PreflightChecks, WhatNobodySaysIsNotGood) {
