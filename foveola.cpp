@@ -1,10 +1,12 @@
 // The program: the one place that puts the commands of all modules together.
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -148,8 +150,9 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
+/// Says nothing where nobody can hear it any more, as behind a closed terminal.
 int complain(const std::string& message, int exit_code) {
-  fmt::print(stderr, "foveola: error: {}\n", message);
+  std::fputs(fmt::format("foveola: error: {}\n", message).c_str(), stderr);
   return exit_code;
 }
 
@@ -203,6 +206,10 @@ int run(int argc, char** argv) {
     return complain(error.path1().string() + ": " + error.code().message(), user_error);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory; try a smaller image or scene", user_error);
+  } catch (const std::system_error& error) {
+    // Nobody reads what is printed any more: the terminal was closed.
+    const bool stopped = signals.token().stop_requested();
+    return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);
   } catch (const std::exception& error) {
     return complain(std::string("this is a fault in Foveola: ") + error.what(), user_error);
   }

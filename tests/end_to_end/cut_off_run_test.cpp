@@ -1,12 +1,20 @@
 // A session that is cut off in mid-trial ends with a line on what is safe and how to go on, and it
 // goes on.
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
+#include <pty.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_run.h"
@@ -53,6 +61,71 @@ TEST_F(CutOffRun, AClosedTerminalInterruptsIt) {
   EXPECT_THAT(participant_.program().said(), HasSubstr("give the same command with --resume"));
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
   go_on_to_the_end();
+}
+
+/// The program in a terminal of its own, which a test can close.
+class InTerminal {
+ public:
+  InTerminal(const std::vector<std::string>& arguments, const fs::path& folder) {
+    process_ = ::forkpty(&terminal_, nullptr, nullptr, nullptr);
+    if (process_ == 0) {
+      ::setenv("FOVEOLA_RESOURCES", (folder / "share").c_str(), 1);
+      ::setenv("FOVEOLA_SCENE_PATH", (folder / "real").c_str(), 1);
+      ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+      std::vector<std::string> all = {FOVEOLA_PROGRAM};
+      all.insert(all.end(), arguments.begin(), arguments.end());
+      std::vector<char*> words;
+      for (std::string& word : all) {
+        words.push_back(word.data());
+      }
+      words.push_back(nullptr);
+      ::execv(words[0], words.data());
+      ::_exit(127);
+    }
+  }
+  ~InTerminal() {
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);
+      ::waitpid(process_, nullptr, 0);
+    }
+  }
+  InTerminal(const InTerminal&) = delete;
+  InTerminal& operator=(const InTerminal&) = delete;
+
+  /// Until it has said `words`, or ends.
+  void wait_for(const std::string& words) const {
+    std::string said;
+    std::array<char, 1024> bytes{};
+    while (said.find(words) == std::string::npos) {
+      const ssize_t count = ::read(terminal_, bytes.data(), bytes.size());
+      ASSERT_GT(count, 0) << said;
+      said.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+  /// As the window manager's cross does. Returns what waitpid says of the program's end.
+  int close_and_wait() {
+    ::close(terminal_);
+    int status = 0;
+    ::waitpid(std::exchange(process_, -1), &status, 0);
+    return status;
+  }
+
+ private:
+  int terminal_ = -1;
+  pid_t process_ = -1;
+};
+
+TEST_F(CutOffRun, ATerminalThatIsClosedTakesNothingAlong) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  InTerminal terminal({"study", "run", "keys", "--db", participant_.database().string(),
+                       "--participant", "P1", "--window", "640x480"},
+                      participant_.folder() / "");
+  terminal.wait_for("Session time 0 is ");
+  const int status = terminal.close_and_wait();
+  ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
 }
 
 /// No file may grow beyond the largest that the study has now.
