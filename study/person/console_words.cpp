@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/utf8.h"
+
 namespace foveola::study {
 namespace {
 
@@ -64,7 +66,8 @@ struct Happened {
   /// goes on all about its devices.
   std::string operator()(const NoteWritten& note) const {
     constexpr std::size_t most_characters = 160;
-    const std::size_t end = std::min(note.text.find('\n'), most_characters);
+    const std::size_t end =
+        std::min(note.text.find('\n'), bytes_of_first(note.text, most_characters));
     return fmt::format("Note: {}{}", note.text.substr(0, end), end < note.text.size() ? " …" : "");
   }
   std::string operator()(const Withdrawn& /*event*/) const {

@@ -20,6 +20,8 @@ TEST(ConsoleWords, SayWhatHappened) {
   EXPECT_EQ(words(Marked{13214ms}), "material was marked after 3.214 s.");
   EXPECT_EQ(words(TimedOut{130s}), "material was not marked in 120 s.");
   EXPECT_EQ(words(NoteWritten{"it rings\nagain"}), "Note: it rings …");
+  const std::string umlauts = "ü" + std::string(158, 'x') + "üü";
+  EXPECT_EQ(words(NoteWritten{umlauts}), "Note: ü" + std::string(158, 'x') + "ü …");
   EXPECT_EQ(words(ObjectChosen{"lamp"}), "The object lamp was chosen.");
   EXPECT_EQ(words(ReactionPressed{.shown = 1s, .time = 1250ms}), "A reaction came after 250 ms.");
   EXPECT_EQ(words(ReactionPressed{.shown = 1s, .time = 900ms}), "A reaction came too early.");
