@@ -200,6 +200,15 @@ void TomlReader::read(std::string_view key, double& value, double minimum, doubl
   }
 }
 
+void TomlReader::read(std::string_view key, std::optional<double>& value, double minimum,
+                      double maximum) {
+  double number = 0.0;
+  read(key, number, minimum, maximum);
+  if (has(key)) {
+    value = number;
+  }
+}
+
 template <typename Vector>
 void TomlReader::read_vector(std::string_view key, Vector& value, double minimum, double maximum) {
   const toml::node* node = find(key);

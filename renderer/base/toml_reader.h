@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -53,6 +54,7 @@ class TomlReader {
   void read(std::string_view key, std::int64_t& value, std::int64_t minimum, std::int64_t maximum);
   /// Finite and within [minimum, maximum]; a whole number will do.
   void read(std::string_view key, double& value, double minimum, double maximum);
+  void read(std::string_view key, std::optional<double>& value, double minimum, double maximum);
   /// Arrays of as many numbers as the vector has components, each of them as above.
   void read(std::string_view key, Vec2& value, double minimum, double maximum);
   void read(std::string_view key, Vec3& value, double minimum, double maximum);

@@ -117,18 +117,10 @@ MeasuredDisplay read_measured(TomlReader table) {
   MeasuredDisplay measured;
   measured.date = table.require_text("date");
   table.read("instrument", measured.instrument);
-  const auto read = [&table](std::string_view key, std::optional<double>& value, double least,
-                             double most) {
-    double number = 0.0;
-    table.read(key, number, least, most);
-    if (table.has(key)) {
-      value = number;
-    }
-  };
-  read("white_cd_m2", measured.white_cd_m2, 0.001, 1e5);
-  read("black_cd_m2", measured.black_cd_m2, 0.0, 1e5);
-  read("gamma", measured.gamma, 0.1, 10.0);
-  read("refresh_rate_hz", measured.refresh_rate_hz, 1.0, 1000.0);
+  table.read("white_cd_m2", measured.white_cd_m2, 0.001, 1e5);
+  table.read("black_cd_m2", measured.black_cd_m2, 0.0, 1e5);
+  table.read("gamma", measured.gamma, 0.1, 10.0);
+  table.read("refresh_rate_hz", measured.refresh_rate_hz, 1.0, 1000.0);
   table.reject_unknown_keys();
   return measured;
 }

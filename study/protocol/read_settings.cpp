@@ -286,20 +286,12 @@ ReferenceQuality read_reference(TomlReader reader) {
 
 PreflightGate read_preflight(TomlReader reader) {
   PreflightGate gate;
-  const auto read = [&reader](std::string_view key, std::optional<double>& limit, double least,
-                              double most) {
-    double value = 0.0;
-    reader.read(key, value, least, most);
-    if (reader.has(key)) {
-      limit = value;
-    }
-  };
-  read("max_late_percent", gate.max_late_percent, 0.0, 100.0);
-  read("min_samples_per_second", gate.min_samples_per_second, 1.0, 1e12);
-  read("min_gaze_rate_hz", gate.min_gaze_rate_hz, 1.0, 10000.0);
-  read("max_gaze_loss", gate.max_gaze_loss, 0.0, 1.0);
-  read("max_gaze_age_s", gate.max_gaze_age_s, 0.001, 10.0);
-  read("min_free_gb", gate.min_free_gb, 0.0, 1e6);
+  reader.read("max_late_percent", gate.max_late_percent, 0.0, 100.0);
+  reader.read("min_samples_per_second", gate.min_samples_per_second, 1.0, 1e12);
+  reader.read("min_gaze_rate_hz", gate.min_gaze_rate_hz, 1.0, 10000.0);
+  reader.read("max_gaze_loss", gate.max_gaze_loss, 0.0, 1.0);
+  reader.read("max_gaze_age_s", gate.max_gaze_age_s, 0.001, 10.0);
+  reader.read("min_free_gb", gate.min_free_gb, 0.0, 1e6);
   reader.read("tracked_eye", gate.tracked_eye);
   reader.read("stated_display", gate.stated_display);
   reader.read("set_clock", gate.set_clock);
