@@ -5,12 +5,14 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "study/commands/command_line.h"
+#include "study/console/line_console.h"
 #include "study/person/run_person.h"
 #include "study/tables/session_summary.h"
 
@@ -39,6 +41,7 @@ struct RunArguments {
   bool takes_amendment = false;
   std::string screens;
   std::string receipt;
+  bool json = false;
 };
 
 void require_code(const std::string& code) {
@@ -83,7 +86,8 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
                        .despite_changes = arguments.despite_changes,
                        .other_protocol = arguments.takes_amendment
                                              ? OtherProtocol::take_as_amendment
-                                             : OtherProtocol::refuse};
+                                             : OtherProtocol::refuse,
+                       .json = arguments.json};
   if (arguments.full_screen) {
     settings.monitor = arguments.monitor;
   }
@@ -99,6 +103,12 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
     settings.receipt = arguments.receipt;
   }
   const RunReport report = run_person(settings, find_scene, stop);
+  if (arguments.json) {
+    fmt::print("{}\n", json_line("end", {{"participant", arguments.participant},
+                                         {"phase", name_of(report.phase)},
+                                         {"backup", report.backup.string()}}));
+    return;
+  }
   fmt::print("{}", session_summary(arguments.database, arguments.participant));
   fmt::print("{}: {} {}; backup {}\n", arguments.database, arguments.participant,
              name_of(report.phase), report.backup.string());
@@ -168,6 +178,9 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   command->add_option("--receipt", arguments->receipt,
                       "A file that gets what the participant consented to, and when, for them to "
                       "take along");
+  command->add_flag("--json", arguments->json,
+                    "The experimenter's console for machines: a JSON object a line, and how the "
+                    "session stands every second");
   command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });
 }
 

@@ -11,7 +11,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/utf8.h"
 #include "study/commands/command_line.h"
-#include "study/person/console_words.h"
+#include "study/console/console_words.h"
+#include "study/console/line_console.h"
 #include "study/record/event_log.h"
 #include "study/record/recorded_session.h"
 #include "study/record/study_records.h"
@@ -68,14 +69,16 @@ class Watch {
 
  private:
   void tell_of(const LoggedEvent& logged, const SessionState& after) const {
-    const std::string words = words_for(logged.event, after, protocol_);
+    const ToldEvent told{.time = logged.time,
+                         .name = name_of(logged.event),
+                         .phase = name_of(after.phase),
+                         .words = words_for(logged.event, after, protocol_)};
     if (arguments_.json) {
-      const nlohmann::ordered_json json = {
-          {"participant", participant_},    {"time_s", seconds(logged.time)}, {"utc", logged.utc},
-          {"event", name_of(logged.event)}, {"phase", name_of(after.phase)},  {"words", words}};
-      say(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+      nlohmann::ordered_json json = {{"participant", participant_}, {"utc", logged.utc}};
+      json.update(json_of(told));
+      say(json_line("event", json));
     } else {
-      say(fmt::format("{:9.3f} s  {}", seconds(logged.time), words));
+      say(line_of(told));
     }
   }
 

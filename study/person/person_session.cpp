@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/preview/direct_panorama.h"
-#include "study/person/console_words.h"
+#include "study/console/console_words.h"
 #include "study/person/pages.h"
 
 namespace foveola::study {
@@ -24,14 +24,14 @@ bool is(const Effect& effect) {
 }  // namespace
 
 PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownStudy& study,
-                             const Seat& seat, SessionRecorder& recorder)
+                             const Seat& seat, Console& console, SessionRecorder& recorder)
     : settings_(settings),
       study_(study),
       seat_(seat),
+      console_(console),
       recorder_(recorder),
       zero_(seat.clock.now() - settings.position.time),
       eye_(seat.tracker),
-      console_(settings.console),
       prompt_{.reaction = ReactionPresses(Pcg32(derive_seed(
                   settings.seed, SeedPurpose::waiting, {settings.position.state.presses_left})))},
       viewer_(seat.pointer, seat.head),
@@ -46,14 +46,21 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownS
 
 SessionOutcome PersonSession::run(const std::stop_token& stop) {
   // By this, what else was recorded on the machine can be laid beside the session.
-  settings_.say(
+  console_.say(
       fmt::format("Session time 0 is {:.9f} s of this machine's monotonic clock.", seconds(zero_)));
   return driver_.run(stop);
 }
 
 void PersonSession::follow(const DurableEvent& durable) {
-  settings_.say(fmt::format("{:9.3f} s  {}", seconds(durable.time),
-                            words_for(durable.event, durable.after, study_.protocol)));
+  const std::string words = words_for(durable.event, durable.after, study_.protocol);
+  console_.tell({.time = durable.time,
+                 .name = name_of(durable.event),
+                 .phase = name_of(durable.after.phase),
+                 .words = words});
+  if (std::holds_alternative<Marked>(durable.event) ||
+      std::holds_alternative<TimedOut>(durable.event)) {
+    last_mark_ = words;
+  }
   study::follow(prompt_, durable.event, context());
   if (std::holds_alternative<GazeValidated>(durable.event)) {
     eye_.correct(driver_.correction());
@@ -76,7 +83,7 @@ void PersonSession::carry_out(const Effect& effect) {
     prompt_.awaits_gaze = false;
     attempt_ = nullptr;
   } else if (is<EndSession>(effect) && driver_.seen().is_over()) {
-    settings_.say("The session is over. Enter in the window, or quit here, closes it.");
+    console_.say("The session is over. Enter in the window, or quit here, closes it.");
   }
 }
 
@@ -145,6 +152,7 @@ std::unique_ptr<AttemptPort> PersonSession::begin_attempt() {
                      .page = [this] { return page_of(prompt_, context(), now()); }});
   attempt_ = attempt.get();
   looking_times_ = {};
+  figures_.begin_attempt();
   return attempt;
 }
 
@@ -154,13 +162,6 @@ void PersonSession::wait_for_gaze() {
   }
   prompt_.awaits_gaze = true;
   driver_.feed(NoteWritten{"the trial waits for a gaze"});
-  const std::string status = eye_.status();
-  settings_.say(fmt::format(
-      "The trial does not begin: {}. It begins by itself once there is a valid gaze; no time runs "
-      "until then.",
-      !status.empty()            ? status
-      : seat_.pointer != nullptr ? "the pointer, which is the eye here, is not in the window"
-                                 : "the eye tracker does not see the eyes"));
 }
 
 }  // namespace foveola::study

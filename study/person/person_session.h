@@ -6,7 +6,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,8 +14,9 @@
 #include <vector>
 
 #include "renderer/gaze/pointer_eye_tracker.h"
+#include "study/console/console.h"
+#include "study/console/live_figures.h"
 #include "study/driver/session_driver.h"
-#include "study/person/console.h"
 #include "study/person/live_attempt.h"
 #include "study/person/page_watch.h"
 #include "study/person/prompt_state.h"
@@ -29,14 +29,13 @@
 namespace foveola::study {
 
 struct PersonSessionSettings {
+  std::string participant;  ///< the code
+  const char* eye = "";     ///< whose the gaze is: eye_of()
   SessionSeed seed;
   SessionPosition position;        ///< where the session goes on
   std::vector<std::string> notes;  ///< written when the session begins or goes on
   /// Each page and picture that the participant comes to is written there, as a file.
   std::optional<std::filesystem::path> screens;
-  int console = -1;  ///< the descriptor that the experimenter's lines come from; -1: none
-  /// Says a line to the experimenter.
-  std::function<void(const std::string& line)> say = [](const std::string& /*line*/) {};
 };
 
 /// What is shown; all of it must outlive the session.
@@ -62,8 +61,9 @@ struct Seat {
 
 class PersonSession final : private ClockPort, private DisplayPort, private InputPort {
  public:
+  /// console and recorder must outlive it.
   PersonSession(const PersonSessionSettings& settings, const ShownStudy& study, const Seat& seat,
-                SessionRecorder& recorder);
+                Console& console, SessionRecorder& recorder);
 
   /// Until the session is over and the participant has read so, it is interrupted by the
   /// experimenter, or `stop` is requested. Rethrows what kept the record from being written.
@@ -99,8 +99,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   // The input: what the experimenter types, and what the participant does.
   void act(SessionDriver& driver) override;
   void answer_console();
-  void report_tracker();
-  void report_slow_drawing();
+  void note_tracker();
   void answer_window();
   void answer(const WindowEvent& event);
   void answer_window_itself(const WindowEvent& event);
@@ -112,6 +111,12 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void turn_to_next_object();
   std::size_t object_ahead_now();
   bool is_picture_shown() const;
+
+  // How the session stands, for the experimenter.
+  void count_frame(Nanoseconds shown);
+  void show_status();
+  SessionStatus status() const;
+  std::vector<StatusWarning> warnings() const;
 
   // Whether the participant looks at the trial's object.
   const OfferedObject& chosen_object() const;
@@ -130,10 +135,10 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   PersonSessionSettings settings_;
   ShownStudy study_;
   Seat seat_;
+  Console& console_;
   SessionRecorder& recorder_;
   Nanoseconds zero_;  ///< the clock's time at which the session's is 0
   PersonTracker eye_;
-  ConsoleLines console_;
   PromptState prompt_;
   PageWatch page_watch_;
   Viewer viewer_;
@@ -147,7 +152,10 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
   std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
   bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
-  bool has_reported_slow_drawing_ = false;
+  std::optional<SlowDrawing> slow_drawing_;  ///< once it was found in an attempt
+  LiveFigures figures_;
+  std::string last_mark_;  ///< in words; empty before the first
+  std::optional<Nanoseconds> status_shown_;
   SessionDriver driver_;
 };
 

@@ -1,11 +1,12 @@
 // What the participant's keys and the experimenter's words do.
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "study/person/console_answer.h"
-#include "study/person/console_words.h"
+#include "study/console/console_answer.h"
+#include "study/console/console_words.h"
 #include "study/person/form_input.h"
 #include "study/person/person_session.h"
 
@@ -26,38 +27,19 @@ void PersonSession::answer_console() {
     if (answer.quits) {
       driver_.interrupt();
     } else if (answer.event && !driver_.feed(*answer.event)) {
-      settings_.say(fmt::format("not possible now: {}",
-                                words_for(driver_.state(), driver_.procedure(), study_.plan)));
+      console_.say(fmt::format("not possible now: {}",
+                               words_for(driver_.state(), driver_.procedure(), study_.plan)));
     } else if (!answer.reply.empty()) {
-      settings_.say(answer.reply);
+      console_.say(answer.reply);
     }
   }
 }
 
-void PersonSession::report_tracker() {
+void PersonSession::note_tracker() {
   const bool is_lost = eye_.is_lost();
-  if (is_lost == was_lost_) {
-    return;
-  }
-  was_lost_ = is_lost;
-  driver_.feed(
-      NoteWritten{is_lost ? "the eye tracker sends no gaze" : "the eye tracker sends gaze again"});
-  const std::string status = eye_.status();
-  if (is_lost) {
-    settings_.say(
-        fmt::format("The eye tracker sends no gaze{}{}. The session goes on; pause if it "
-                    "should not.",
-                    status.empty() ? "" : ": ", status));
-  }
-}
-
-void PersonSession::report_slow_drawing() {
-  if (has_reported_slow_drawing_ || attempt_ == nullptr) {
-    return;
-  }
-  if (const std::optional<SlowDrawing> slow = attempt_->slow_drawing()) {
-    has_reported_slow_drawing_ = true;
-    settings_.say(slow_drawing_line(*slow));
+  if (is_lost != std::exchange(was_lost_, is_lost)) {
+    driver_.feed(NoteWritten{is_lost ? "the eye tracker sends no gaze"
+                                     : "the eye tracker sends gaze again"});
   }
 }
 

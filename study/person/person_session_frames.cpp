@@ -97,9 +97,10 @@ Nanoseconds PersonSession::show() {
 void PersonSession::end_frame(Nanoseconds shown) {
   const Nanoseconds shown_by_clock = shown + zero_;
   page_watch_.was_shown(shown_by_clock);
-  report_tracker();
-  report_slow_drawing();
+  note_tracker();
   watch_gaze(shown);
+  count_frame(shown);
+  show_status();
   if (seat_.simulated_operator != nullptr) {
     show_to_operator(shown_by_clock);
   }

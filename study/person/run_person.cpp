@@ -16,10 +16,12 @@
 #include "renderer/base/utf8.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/gaze/gaze_source.h"
+#include "study/console/console_words.h"
+#include "study/console/line_console.h"
+#include "study/console/line_writer.h"
+#include "study/console/screen_console.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/consent_receipt.h"
-#include "study/person/console_words.h"
-#include "study/person/line_writer.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
 #include "study/person/preflight_measurement.h"
@@ -82,9 +84,9 @@ std::uint64_t drawn_seed() {
   return ((high << 32) | low) >> 1;
 }
 
-void say_if_keys_are_late(KeyTimeSource source, LineWriter& console) {
+void say_if_keys_are_late(KeyTimeSource source, Console& console) {
   if (source == KeyTimeSource::arrival) {
-    console.write(
+    console.say(
         "The X server's clock is not this machine's: marks have the times at which their keys "
         "arrived.");
   }
@@ -112,12 +114,25 @@ SessionState once_resumed(SessionState state) {
 }
 
 /// The session counts with its pictures or without: it goes on to its backup.
-void say_if_pictures_are_lost(SessionDisplay& display, LineWriter& console) {
+void say_if_pictures_are_lost(SessionDisplay& display, Console& console) {
   try {
     display.finish_pictures();
   } catch (const Error& error) {
-    console.write(fmt::format("Not every page became a picture: {}", error.what()));
+    console.say(fmt::format("Not every page became a picture: {}", error.what()));
   }
+}
+
+constexpr int no_input = -1;
+
+std::unique_ptr<Console> lines_of(const RunSettings& settings, LineWriter& output, int input) {
+  return settings.json ? std::unique_ptr<Console>(std::make_unique<JsonConsole>(output, input))
+                       : std::make_unique<LineConsole>(output, input);
+}
+
+/// The session's.
+std::unique_ptr<Console> console_of(const RunSettings& settings, LineWriter& output) {
+  std::unique_ptr<Console> screen = settings.json ? nullptr : ScreenConsole::open(output);
+  return screen != nullptr ? std::move(screen) : lines_of(settings, output, STDIN_FILENO);
 }
 
 /// All that one session takes, in the thread beside the window's.
@@ -126,7 +141,7 @@ class PersonRun {
   PersonRun(const RunSettings& settings, const Protocol& protocol,
             const SceneFinderBeside& find_scene, const std::vector<SceneSource>& sources,
             DisplayProfile profile, const FoundDisplay& found_display, TrackerProfile tracker,
-            StudyStore& store, LineWriter& console, std::optional<SessionSoFar> so_far)
+            StudyStore& store, LineWriter& output, std::optional<SessionSoFar> so_far)
       : settings_(settings),
         protocol_(protocol),
         find_scene_(find_scene),
@@ -135,7 +150,8 @@ class PersonRun {
         found_display_(found_display),
         tracker_(std::move(tracker)),
         store_(store),
-        console_(console),
+        output_(output),
+        console_(lines_of(settings, output, no_input)),
         so_far_(std::move(so_far)) {}
 
   Phase run(Window& window, WindowEvents& events, const IVec2& framebuffer, const Clock& clock,
@@ -152,10 +168,11 @@ class PersonRun {
     const std::string devices =
         devices_json(display, window.key_time_source(),
                      preflight(stages, workers, clock, events, display, gaze, stop));
-    say_if_keys_are_late(window.key_time_source(), console_);
+    say_if_keys_are_late(window.key_time_source(), *console_);
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
     const std::unique_ptr<StageReloader> reloader = reloader_of(stages);
+    std::unique_ptr<Console> console = console_of(settings_, output_);
     const SessionOutcome outcome = PersonSession(session,
                                                  {.protocol = protocol_,
                                                   .plan = plan_,
@@ -167,9 +184,10 @@ class PersonRun {
                                                   .display = display,
                                                   .tracker = *gaze.tracker,
                                                   .pointer = gaze.pointer},
-                                                 recorder)
+                                                 *console, recorder)
                                        .run(stop);
-    say_if_pictures_are_lost(display, console_);
+    console.reset();  // What comes now stands below what was said.
+    say_if_pictures_are_lost(display, *console_);
     return outcome.phase;
   }
 
@@ -203,8 +221,8 @@ class PersonRun {
                           .free_bytes = free_bytes_for(settings_.database),
                           .is_clock_set = is_clock_synchronised()};
     const std::vector<PreflightCheck> checks = check_preflight(found, protocol_.preflight);
-    console_.write(preflight_table(checks));
-    console_.write(preflight_banner(found, settings_.kind == SessionKind::pilot));
+    console_->say(preflight_table(checks));
+    console_->say(preflight_banner(found, settings_.kind == SessionKind::pilot));
     if (settings_.kind == SessionKind::human) {
       require_gate(checks);
     }
@@ -242,7 +260,7 @@ class PersonRun {
     try {
       return std::make_unique<StageReloader>(stages, find, settings_.threads);
     } catch (const Error& refusal) {
-      console_.write(fmt::format("Changes of the scenes will not be shown: {}", refusal.what()));
+      console_->say(fmt::format("Changes of the scenes will not be shown: {}", refusal.what()));
       return nullptr;
     }
   }
@@ -257,7 +275,7 @@ class PersonRun {
                        .devices = devices,
                        .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
-    console_.write(
+    console_->say(
         fmt::format("Participant {}, row {} of the design, seed {}, {} trials. help says what can "
                     "be typed here.",
                     facts.participant, facts.design_row, facts.seed, plan_.size()));
@@ -280,11 +298,11 @@ class PersonRun {
     const KnownSession& known = so_far_->session;
     const Procedure procedure = procedure_of(protocol_, plan_);
     const SessionState state = once_resumed(so_far_->position.state);
-    console_.write(
+    console_->say(
         fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
                     known.participant, seconds(so_far_->position.time)));
-    console_.write(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
-                               words_for_next(state, procedure, plan_)));
+    console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
+                              words_for_next(state, procedure, plan_)));
     row_ = known.id;
     std::vector<std::string> notes = {note_of_devices(devices)};
     if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
@@ -299,12 +317,12 @@ class PersonRun {
     if (store_.amendment()) {
       notes.push_back(note_of(*store_.amendment()));
     }
-    return {.seed = seed,
+    return {.participant = settings_.participant,
+            .eye = eye_of(tracker_.source),
+            .seed = seed,
             .position = position,
             .notes = std::move(notes),
-            .screens = settings_.screens,
-            .console = STDIN_FILENO,
-            .say = [this](const std::string& line) { console_.write(line); }};
+            .screens = settings_.screens};
   }
 
   const RunSettings& settings_;
@@ -315,7 +333,8 @@ class PersonRun {
   FoundDisplay found_display_;
   TrackerProfile tracker_;
   StudyStore& store_;
-  LineWriter& console_;
+  LineWriter& output_;
+  std::unique_ptr<Console> console_;  ///< before and after the session
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
   std::int64_t row_ = 0;  ///< the session's row in the store
@@ -373,9 +392,9 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                  .remedy_of_lost_display = how_to_go_on(settings)},
                 events, clock);
   std::fflush(stdout);
-  LineWriter console(STDOUT_FILENO);
+  LineWriter output(STDOUT_FILENO);
   PersonRun run(settings, protocol, find_scene, sources, display,
-                found_display(window, settings.monitor, display), tracker, store, console,
+                found_display(window, settings.monitor, display), tracker, store, output,
                 std::move(so_far));
   RunReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {

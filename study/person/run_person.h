@@ -33,6 +33,8 @@ struct RunSettings {
       OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
   /// Every page that the participant comes to is written there as a picture.
   std::optional<std::filesystem::path> screens;
+  /// The experimenter's console is for machines: a JSON object a line.
+  bool json = false;
   /// Gets a receipt of the participant's consent, once that was given.
   std::optional<std::filesystem::path> receipt;
 };
@@ -43,8 +45,9 @@ struct RunReport {
 };
 
 /// Runs in the program's first thread, whose is the window. The experimenter's console is standard
-/// input and output. Throws Error for what is wrong with the settings, the files, the window or the
-/// participant's session so far; then nothing was begun.
+/// input and output: a screen if both are a terminal, lines otherwise. Throws Error for what is
+/// wrong with the settings, the files, the window or the participant's session so far; then nothing
+/// was begun.
 RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_scene,
                      const std::stop_token& stop);
 

@@ -70,6 +70,7 @@ SessionOutcome run_in_window(const SharedWindow& shared, const BegunSession& beg
       so_far.position.state.phase == Phase::created
           ? std::vector<std::string>{}
           : std::vector<std::string>{note_of_devices(shared.study.devices)};
+  SilentConsole unwatched;
   return PersonSession({.seed = seed, .position = so_far.position, .notes = notes},
                        {.protocol = protocol,
                         .plan = begun.plan,
@@ -81,7 +82,7 @@ SessionOutcome run_in_window(const SharedWindow& shared, const BegunSession& beg
                         .tracker = tracker,
                         .head = &head,
                         .simulated_operator = &simulated_operator},
-                       recorder)
+                       unwatched, recorder)
       .run(stop);
 }
 

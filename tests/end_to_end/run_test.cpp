@@ -136,9 +136,10 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_THAT(read_file(receipt), AllOf(HasSubstr("You will look at pictures."),
                                         HasSubstr("Agreed to by participant P1 at 20")));
   participant_.begin({"--resume", "--tracker", profile});
-  EXPECT_THAT(participant_.program().said(),
-              HasSubstr("Now comes ready, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
-                        "questionnaire debrief"));
+  EXPECT_THAT(
+      participant_.program().said(),
+      HasSubstr("Now comes ready to start, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
+                "questionnaire debrief"));
   const std::vector<KeyPress> second = time_trial();
   rate("5");
   participant_.wait_for_page();  // debrief

@@ -19,7 +19,7 @@ TEST_F(StudyRun, IsWatchedFromAnotherTerminal) {
   watcher.wait_for("The session begins.");
   EXPECT_THAT(
       watcher.wait_for("now "),
-      HasSubstr("choosing_object, trial 1 of 1: hall with od, timing 1, attempt 1; then the "
+      HasSubstr("choosing an object, trial 1 of 1: hall with od, timing 1, attempt 1; then the "
                 "session's end"));
   participant_.answer_page("Return");  // welcome
   participant_.answer_page("Return");  // choosing

@@ -1,4 +1,4 @@
-#include "study/person/console_answer.h"
+#include "study/console/console_answer.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "study/person/line_writer.h"
+#include "study/console/line_writer.h"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "study/person/console_words.h"
+#include "study/console/console_words.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ TEST(ConsoleWords, SayWhatHappened) {
 }
 
 TEST(ConsoleWords, SayWhereTheSessionIs) {
-  EXPECT_EQ(words_for({.phase = Phase::consent}, procedure, plan), "consent, consent");
+  EXPECT_EQ(words_for({.phase = Phase::consent}, procedure, plan), "consent");
   EXPECT_EQ(
       words_for({.phase = Phase::marking, .step = 2, .attempt = 3, .timing = 2}, procedure, plan),
       "marking, trial 2 of 2 (catch): hall with fv, timing 2, attempt 3");

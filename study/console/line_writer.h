@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <thread>
 
 namespace foveola::study {
@@ -30,8 +29,6 @@ class LineWriter {
 
  private:
   void run();
-  /// Returns how much of `text` was taken within a moment; all of it if nobody ever will.
-  std::size_t write_some(std::string_view text) const;
 
   int descriptor_;
   std::mutex mutex_;

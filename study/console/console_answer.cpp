@@ -1,9 +1,9 @@
-#include "study/person/console_answer.h"
+#include "study/console/console_answer.h"
 
 #include <stdexcept>
 
-#include "study/person/console.h"
-#include "study/person/console_words.h"
+#include "study/console/console_command.h"
+#include "study/console/console_words.h"
 
 namespace foveola::study {
 

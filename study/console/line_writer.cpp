@@ -1,22 +1,13 @@
-#include "study/person/line_writer.h"
+#include "study/console/line_writer.h"
 
 #include <csignal>
 #include <sstream>
 #include <utility>
 
-#include <poll.h>
-#include <unistd.h>
-
 #include "renderer/base/utf8.h"
+#include "study/console/taken_output.h"
 
 namespace foveola::study {
-namespace {
-
-/// A terminal that has room for any has room for so many; a pipe for more.
-constexpr std::size_t most_at_once = 256;
-
-}  // namespace
-
 LineWriter::LineWriter(int descriptor) : descriptor_(descriptor), thread_([this] { run(); }) {}
 
 LineWriter::~LineWriter() {
@@ -44,6 +35,7 @@ void LineWriter::run() {
   ::sigaddset(&broken_pipe, SIGPIPE);
   ::pthread_sigmask(SIG_BLOCK, &broken_pipe, nullptr);
 
+  constexpr std::chrono::milliseconds moment(50);
   using SteadyTime = std::chrono::steady_clock::time_point;
   SteadyTime last_taken = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
@@ -53,9 +45,9 @@ void LineWriter::run() {
     if (text_.empty() || (is_closing_ && now - last_taken > patience)) {
       return;
     }
-    const std::string next = text_.substr(written_, most_at_once);
+    const std::string next = text_.substr(written_, most_taken_at_once);
     lock.unlock();
-    const std::size_t taken = write_some(next);
+    const std::size_t taken = write_taken(descriptor_, next, moment);
     lock.lock();
     written_ += taken;
     if (written_ == text_.size()) {
@@ -66,16 +58,6 @@ void LineWriter::run() {
       last_taken = std::chrono::steady_clock::now();
     }
   }
-}
-
-std::size_t LineWriter::write_some(std::string_view text) const {
-  constexpr int moment_ms = 50;
-  pollfd output{.fd = descriptor_, .events = POLLOUT, .revents = 0};
-  if (::poll(&output, 1, moment_ms) == 0) {
-    return 0;
-  }
-  const ssize_t written = ::write(descriptor_, text.data(), text.size());
-  return written < 0 ? text.size() : static_cast<std::size_t>(written);
 }
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-#include "study/person/console_words.h"
+#include "study/console/console_words.h"
 
 #include <algorithm>
 
@@ -103,6 +103,25 @@ std::string words_for_step(const AgendaStep& step, const Plan& plan) {
   return std::visit(Words{plan}, step);
 }
 
+/// Empty where the step says it.
+std::string words_for(Phase phase) {
+  switch (phase) {
+    case Phase::consent:
+    case Phase::questionnaire:
+    case Phase::validation:
+    case Phase::reaction:
+      return "";
+    case Phase::choosing_object:
+      return "choosing an object";
+    case Phase::ready:
+      return "ready to start";
+    case Phase::armed:
+      return "about to begin";
+    default:
+      return name_of(phase);
+  }
+}
+
 }  // namespace
 
 std::string words_for(const Event& event, const SessionState& after, const Protocol& protocol) {
@@ -110,11 +129,12 @@ std::string words_for(const Event& event, const SessionState& after, const Proto
 }
 
 std::string words_for(const SessionState& state, const Procedure& procedure, const Plan& plan) {
-  std::string words = name_of(state.phase);
+  const std::string phase = words_for(state.phase);
   if (state.is_over() || state.step >= procedure.agenda.size()) {
-    return words;
+    return phase;
   }
-  words += ", " + words_for_step(procedure.agenda[state.step], plan);
+  const std::string step = words_for_step(procedure.agenda[state.step], plan);
+  std::string words = phase.empty() ? step : phase + ", " + step;
   if (trial_of(procedure, state)) {
     words += fmt::format(", timing {}, attempt {}", state.timing, state.attempt);
   }

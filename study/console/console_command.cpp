@@ -1,12 +1,9 @@
-#include "study/person/console.h"
+#include "study/console/console_command.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 namespace foveola::study {
 namespace {
@@ -32,6 +29,12 @@ constexpr std::array words = {
     CommandWord{"help", ConsoleAction::help, "", "these lines"},
 };
 
+/// The end of `words` if it is none of them.
+const CommandWord* known_word(std::string_view word) {
+  return std::find_if(words.begin(), words.end(),
+                      [&](const CommandWord& one) { return one.word == word; });
+}
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r";
   const std::size_t begin = text.find_first_not_of(blank);
@@ -48,8 +51,7 @@ std::optional<ConsoleCommand> parse_console_line(std::string_view line) {
   const std::size_t gap = std::min(command.find_first_of(" \t"), command.size());
   const std::string_view word = command.substr(0, gap);
   const std::string_view text = trimmed(command.substr(gap));
-  const auto* const known = std::find_if(words.begin(), words.end(),
-                                         [&](const CommandWord& one) { return one.word == word; });
+  const auto* const known = known_word(word);
   const bool is_whole = known != words.end() && known->argument.empty() == text.empty();
   return is_whole
              ? std::optional(ConsoleCommand{.action = known->action, .text = std::string(text)})
@@ -62,40 +64,6 @@ std::string console_help() {
     help += fmt::format("  {:<16}{}\n", fmt::format("{} {}", one.word, one.argument), one.help);
   }
   return help;
-}
-
-ConsoleLines::ConsoleLines(int descriptor)
-    : thread_([this, descriptor](const std::stop_token& stop) { read(descriptor, stop); }) {}
-
-std::vector<std::string> ConsoleLines::take() {
-  const std::scoped_lock lock(mutex_);
-  return std::exchange(lines_, {});
-}
-
-void ConsoleLines::read(int descriptor, const std::stop_token& stop) {
-  constexpr int patience_ms = 50;
-  std::array<char, 4096> bytes{};
-  while (!stop.stop_requested()) {
-    pollfd input{.fd = descriptor, .events = POLLIN, .revents = 0};
-    if (::poll(&input, 1, patience_ms) <= 0) {
-      continue;
-    }
-    const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
-    if (count <= 0) {
-      return;
-    }
-    keep({bytes.data(), static_cast<std::size_t>(count)});
-  }
-}
-
-void ConsoleLines::keep(std::string_view bytes) {
-  unfinished_ += bytes;
-  for (std::size_t end = unfinished_.find('\n'); end != std::string::npos;
-       end = unfinished_.find('\n')) {
-    const std::scoped_lock lock(mutex_);
-    lines_.push_back(unfinished_.substr(0, end));
-    unfinished_.erase(0, end + 1);
-  }
 }
 
 }  // namespace foveola::study

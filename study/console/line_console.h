@@ -1,0 +1,56 @@
+// The experimenter's console as lines, for people (and for files and pipes) or for machines.
+#pragma once
+
+#include <optional>
+
+#include "study/console/console.h"
+#include "study/console/line_reader.h"
+#include "study/console/line_writer.h"
+
+namespace foveola::study {
+
+/// Lines to read. How the session stands is not among them but for its warnings, as they arise.
+class LineConsole final : public Console {
+ public:
+  /// writer must outlive it. input: the descriptor that commands come from; -1: none do.
+  LineConsole(LineWriter& writer, int input) : writer_(writer), reader_(input) {}
+
+  void say(const std::string& text) override { writer_.write(text); }
+  void tell(const ToldEvent& event) override;
+  void show(const SessionStatus& status) override;
+  std::vector<std::string> take() override { return reader_.take(); }
+
+ private:
+  LineWriter& writer_;
+  LineReader reader_;
+  std::vector<StatusWarning> warnings_;
+};
+
+/// "   12.345 s  outline was marked after 3.214 s."
+std::string line_of(const ToldEvent& event);
+
+/// A JSON object a line. Its "kind" is text, event, or status: that comes every second, and at once
+/// with a new warning. Commands are typed as for LineConsole.
+class JsonConsole final : public Console {
+ public:
+  /// As of LineConsole.
+  JsonConsole(LineWriter& writer, int input) : writer_(writer), reader_(input) {}
+
+  void say(const std::string& text) override;
+  void tell(const ToldEvent& event) override;
+  void show(const SessionStatus& status) override;
+  std::vector<std::string> take() override { return reader_.take(); }
+
+ private:
+  LineWriter& writer_;
+  LineReader reader_;
+  std::optional<Nanoseconds> shown_;  ///< the time of the status that was written last
+  std::vector<StatusWarning> warnings_;
+};
+
+nlohmann::ordered_json json_of(const ToldEvent& event);
+
+/// One line, whatever bytes its texts have.
+std::string json_line(const char* kind, const nlohmann::ordered_json& members);
+
+}  // namespace foveola::study

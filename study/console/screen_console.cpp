@@ -1,0 +1,119 @@
+#include "study/console/screen_console.h"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/utf8.h"
+#include "study/console/line_console.h"
+#include "study/console/screen_layout.h"
+
+namespace foveola::study {
+
+std::unique_ptr<ScreenConsole> ScreenConsole::open(LineWriter& afterwards) {
+  if (!Terminal::is_there()) {
+    return nullptr;
+  }
+  std::unique_ptr<ScreenConsole> console(new ScreenConsole(afterwards));
+  return console->wait_until_open() ? std::move(console) : nullptr;
+}
+
+ScreenConsole::ScreenConsole(LineWriter& afterwards)
+    : afterwards_(afterwards), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+ScreenConsole::~ScreenConsole() {
+  thread_.request_stop();
+  thread_.join();
+  afterwards_.write(fmt::format("{}", fmt::join(said_, "\n")));
+}
+
+bool ScreenConsole::wait_until_open() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return has_tried_; });
+  return is_open_;
+}
+
+void ScreenConsole::say(const std::string& text) {
+  std::istringstream lines(text);
+  const std::scoped_lock lock(mutex_);
+  for (std::string line; std::getline(lines, line);) {
+    said_.push_back(printable(line));
+  }
+  is_to_paint_ = true;
+}
+
+void ScreenConsole::tell(const ToldEvent& event) { say(line_of(event)); }
+
+void ScreenConsole::show(const SessionStatus& status) {
+  const std::scoped_lock lock(mutex_);
+  status_ = status;
+  is_to_paint_ = true;
+}
+
+std::vector<std::string> ScreenConsole::take() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(asked_for_, {});
+}
+
+void ScreenConsole::run(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds moment(50);
+  Terminal terminal;
+  {
+    const std::scoped_lock lock(mutex_);
+    has_tried_ = true;
+    is_open_ = terminal.is_open();
+  }
+  changed_.notify_all();
+  while (terminal.is_open() && !stop.stop_requested() && terminal.wait(moment)) {
+    follow_keys(terminal);
+    paint(terminal);
+  }
+}
+
+void ScreenConsole::follow_keys(Terminal& terminal) {
+  for (const TypedKey& key : terminal.keys()) {
+    follow(key);
+  }
+}
+
+void ScreenConsole::follow(const TypedKey& key) {
+  const bool is_help = key.kind == TypedKey::Kind::character && key.character == U'?';
+  std::unique_lock lock(mutex_);
+  is_to_paint_ = true;
+  if (is_help && prompt_.question().empty()) {
+    lock.unlock();
+    for (const std::string& line : key_help()) {
+      say(line);
+    }
+  } else if (std::optional<std::string> line = prompt_.follow(key, status_.is_paused)) {
+    asked_for_.push_back(std::move(*line));
+  }
+}
+
+void ScreenConsole::paint(Terminal& terminal) {
+  const bool is_resized = terminal.has_new_size();
+  if (!terminal.send()) {
+    return;
+  }
+  SessionStatus status;
+  std::vector<std::string> said;
+  std::string question;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!std::exchange(is_to_paint_, false) && !is_resized) {
+      return;
+    }
+    status = status_;
+    const auto newest = static_cast<std::ptrdiff_t>(std::min(said_.size(), terminal.size().rows));
+    said.assign(said_.end() - newest, said_.end());
+    question = prompt_.question();
+  }
+  terminal.paint(
+      screen_lines({.status = status, .said = said, .question = question}, terminal.size()));
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,57 @@
+// The experimenter's console as one screen of the terminal.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "study/console/console.h"
+#include "study/console/key_prompt.h"
+#include "study/console/line_writer.h"
+#include "study/console/terminal.h"
+
+namespace foveola::study {
+
+/// Paints and reads keys in a thread of its own. At its end the terminal is as it was before, and
+/// what was said meanwhile stands there as LineConsole would have written it.
+class ScreenConsole final : public Console {
+ public:
+  /// Null if standard input and output are no terminal that can be painted on. If they are, nothing
+  /// else may write or read there while there is a ScreenConsole.
+  /// afterwards: for standard output; must outlive it.
+  static std::unique_ptr<ScreenConsole> open(LineWriter& afterwards);
+  ~ScreenConsole() override;
+  ScreenConsole(const ScreenConsole&) = delete;
+  ScreenConsole& operator=(const ScreenConsole&) = delete;
+
+  void say(const std::string& text) override;
+  void tell(const ToldEvent& event) override;
+  void show(const SessionStatus& status) override;
+  std::vector<std::string> take() override;
+
+ private:
+  explicit ScreenConsole(LineWriter& afterwards);
+  /// Returns whether the terminal could be opened.
+  bool wait_until_open();
+  void run(const std::stop_token& stop);
+  void follow_keys(Terminal& terminal);
+  void follow(const TypedKey& key);
+  void paint(Terminal& terminal);
+
+  LineWriter& afterwards_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  SessionStatus status_;
+  std::vector<std::string> said_;
+  KeyPrompt prompt_;
+  std::vector<std::string> asked_for_;
+  bool is_to_paint_ = true;
+  bool has_tried_ = false;  ///< to open the terminal
+  bool is_open_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace foveola::study

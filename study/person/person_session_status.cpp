@@ -1,0 +1,73 @@
+// How the session stands, as the experimenter sees it.
+#include <fmt/format.h>
+
+#include "study/console/console_words.h"
+#include "study/person/key_words.h"
+#include "study/person/person_session.h"
+
+namespace foveola::study {
+
+void PersonSession::count_frame(Nanoseconds shown) {
+  if (attempt_ == nullptr) {
+    figures_.add_frame(shown, arrived_);
+    return;
+  }
+  figures_.add_attempt_frame(attempt_->newest_frame().is_late);
+  figures_.add_frame(shown, attempt_->arrived_gaze());
+  if (!slow_drawing_) {
+    slow_drawing_ = attempt_->slow_drawing();
+  }
+}
+
+void PersonSession::show_status() {
+  constexpr Nanoseconds interval = std::chrono::milliseconds(250);
+  if (!status_shown_ || now() - *status_shown_ >= interval) {
+    status_shown_ = now();
+    console_.show(status());
+  }
+}
+
+SessionStatus PersonSession::status() const {
+  const SessionState& seen = driver_.seen();
+  return {.participant = settings_.participant,
+          .time = now(),
+          .is_paused = seen.phase == Phase::paused,
+          .now = words_for(seen, driver_.procedure(), study_.plan),
+          .then = words_for_next(seen, driver_.procedure(), study_.plan),
+          .next_key = words_for_next_key(prompt_, context()),
+          .frames = figures_.frames(seat_.display.refresh().rate_hz()),
+          .gaze = figures_.gaze(settings_.eye, seat_.clock.now()),
+          .last_mark = last_mark_,
+          .warnings = warnings()};
+}
+
+std::vector<StatusWarning> PersonSession::warnings() const {
+  std::vector<StatusWarning> all;
+  const std::string tracker = eye_.status();
+  if (prompt_.awaits_gaze) {
+    all.push_back(
+        {WarningKind::awaits_gaze,
+         fmt::format("The trial does not begin: {}. It begins by itself once there is a valid "
+                     "gaze; no time runs until then.",
+                     !tracker.empty()           ? tracker
+                     : seat_.pointer != nullptr ? "the pointer, which is the eye here, is not in "
+                                                  "the window"
+                                                : "the eye tracker does not see the eyes")});
+  }
+  if (was_lost_) {
+    all.push_back({WarningKind::no_gaze,
+                   fmt::format("The eye tracker sends no gaze{}{}. The session goes on; pause if "
+                               "it should not.",
+                               tracker.empty() ? "" : ": ", tracker)});
+  }
+  // Where drawing is slow, that is why frames are late.
+  if (slow_drawing_) {
+    all.push_back({WarningKind::slow_drawing, slow_drawing_line(*slow_drawing_)});
+  } else if (std::optional<StatusWarning> late =
+                 warning_of(figures_.frames(seat_.display.refresh().rate_hz()))) {
+    all.push_back(std::move(*late));
+  }
+  return all;
+}
+
+}  // namespace foveola::study
