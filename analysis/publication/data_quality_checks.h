@@ -1,4 +1,5 @@
-// Data-quality checks: whether frames, gaze, latency and orders were as good as the study needs.
+// Data-quality checks: whether frames, gaze, latency, sessions and orders were as good as the study
+// needs.
 #pragma once
 
 #include <optional>
@@ -7,24 +8,13 @@
 
 #include "analysis/dataset/outlying_times.h"
 #include "analysis/dataset/study_tables.h"
+#include "analysis/publication/data_quality_check.h"
 #include "analysis/publication/gaze_by_trial.h"
 #include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {
-
-enum class Verdict { passed, flagged, unknown };
-
-/// "passed", "flagged", "not recorded".
-std::string_view name_of(Verdict verdict);
-
-struct DataQualityCheck {
-  std::string name;
-  std::string found;  ///< The value found, in words, with its unit.
-  std::string limit;  ///< The limit, and its source.
-  Verdict verdict = Verdict::unknown;
-};
 
 /// One participant's catch trials, in which nothing is rendered: a mark is a false alarm.
 struct CatchFigures {
@@ -57,8 +47,10 @@ struct DataQualityReport {
 };
 
 /// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, objects
-/// out of view at marks, the gaze elsewhere than on the object, the balance of orders, single times
-/// that stand out, and whether the data are people's; for the participants in `tables`.
+/// out of view at marks, the gaze elsewhere than on the object, sessions that were cut off, trials
+/// timed again, notes, the balance of orders, false alarms, single times that stand out, and
+/// whether the data are people's; for the participants in `tables`. Whoever misses a limit of their
+/// own is named.
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality,
                                      const study::StudyRecords& records);

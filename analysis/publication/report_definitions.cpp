@@ -93,6 +93,12 @@ std::string definitions_section(const StudyTables& tables) {
          "of the gaze used plus the mean time from polling to the display; and how long after the "
          "frame on the display the latest mark came. Limits that no source gives are Foveola’s own "
          "and say so.");
+  define("How sessions went",
+         "A session was cut off if its program was killed, lost its display or power, or was left "
+         "before the session’s end; attempts that this ended are lost, and are timed again. Trials "
+         "timed again for another reason (asked for, or after a pause in mid-trial) are named "
+         "apart. Notes are the program’s and the experimenter’s, but for those of devices, clock, "
+         "amended protocol and the window’s size.");
   define("Gaze on the object",
          fmt::format(
              "The gaze that a frame used lies within the chosen object’s angular radius and {:g}° "

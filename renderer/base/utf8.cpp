@@ -74,4 +74,9 @@ std::size_t bytes_of_first(std::string_view text, std::size_t characters) {
   return static_cast<std::size_t>(end - text.begin());
 }
 
+std::string beginning_of(std::string_view text, std::size_t characters) {
+  const std::size_t end = std::min(text.find('\n'), bytes_of_first(text, characters));
+  return printable(text.substr(0, end)) + (end < text.size() ? " …" : "");
+}
+
 }  // namespace foveola

@@ -25,4 +25,8 @@ std::string printable(std::string_view text);
 /// The bytes of the first `characters` of a text, or of all of it if it has fewer.
 std::size_t bytes_of_first(std::string_view text, std::size_t characters);
 
+/// The first line of a text, printable, of no more than its first `characters`; " …" behind it if
+/// there is more of the text.
+std::string beginning_of(std::string_view text, std::size_t characters);
+
 }  // namespace foveola

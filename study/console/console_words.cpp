@@ -1,7 +1,5 @@
 #include "study/console/console_words.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "renderer/base/utf8.h"
@@ -66,9 +64,7 @@ struct Happened {
   /// goes on all about its devices.
   std::string operator()(const NoteWritten& note) const {
     constexpr std::size_t most_characters = 160;
-    const std::size_t end =
-        std::min(note.text.find('\n'), bytes_of_first(note.text, most_characters));
-    return fmt::format("Note: {}{}", note.text.substr(0, end), end < note.text.size() ? " …" : "");
+    return "Note: " + beginning_of(note.text, most_characters);
   }
   std::string operator()(const Withdrawn& /*event*/) const {
     return "The participant stopped taking part.";

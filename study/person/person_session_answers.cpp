@@ -9,6 +9,7 @@
 #include "study/console/console_words.h"
 #include "study/person/form_input.h"
 #include "study/person/person_session.h"
+#include "study/record/routine_notes.h"
 
 namespace foveola::study {
 
@@ -96,8 +97,7 @@ void PersonSession::follow_size(const WindowResized& size) {
   seat_.display.resize(size.framebuffer);
   viewer_.show(seat_.display.geometry(), size.framebuffer,
                static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x));
-  driver_.feed(NoteWritten{
-      fmt::format("the window has {} x {} pixels", size.framebuffer.x, size.framebuffer.y)});
+  driver_.feed(NoteWritten{note_of_window_size(size.framebuffer)});
 }
 
 void PersonSession::pause_or_leave() {

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double minute_s = 60.0;
 constexpr double day_s = 86400.0;
+constexpr std::string_view clock_set_back_by = "the computer's clock was set back by ";
 
 /// Since 1970. Empty if the text is no UTC time.
 std::optional<double> seconds_of(const std::string& utc) {
@@ -41,10 +43,12 @@ std::optional<std::string> note_of_clock(const std::vector<LoggedEvent>& events,
     return std::nullopt;
   }
   const std::optional<std::string> back = clock_set_back(events.back().utc, now);
-  return back ? std::optional(fmt::format("the computer's clock was set back by {} since {}, when "
-                                          "the session's last event was recorded",
-                                          *back, events.back().utc))
+  return back ? std::optional(
+                    fmt::format("{}{} since {}, when the session's last event was recorded",
+                                clock_set_back_by, *back, events.back().utc))
               : std::nullopt;
 }
+
+bool is_note_of_clock(const std::string& note) { return note.starts_with(clock_set_back_by); }
 
 }  // namespace foveola::study

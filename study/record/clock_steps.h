@@ -20,4 +20,7 @@ std::optional<std::string> clock_set_back(const std::string& before, const std::
 std::optional<std::string> note_of_clock(const std::vector<LoggedEvent>& events,
                                          const std::string& now);
 
+/// Whether it is such a note.
+bool is_note_of_clock(const std::string& note);
+
 }  // namespace foveola::study

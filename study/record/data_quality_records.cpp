@@ -8,6 +8,7 @@
 #include "renderer/base/parallel.h"
 #include "study/record/database.h"
 #include "study/record/kept_attempts.h"
+#include "study/record/routine_notes.h"
 
 namespace fs = std::filesystem;
 
@@ -206,6 +207,39 @@ std::vector<ReactionRow> read_reactions(SQLite::Database& database) {
   return reactions;
 }
 
+std::vector<std::string> read_notes_to_read(SQLite::Statement& notes, std::int64_t session) {
+  std::vector<std::string> texts;
+  notes.reset();
+  notes.bind(1, session);
+  while (notes.executeStep()) {
+    if (std::string text = notes.getColumn(0).getString(); !is_routine_note(text)) {
+      texts.push_back(std::move(text));
+    }
+  }
+  return texts;
+}
+
+/// A program that was killed could not say so: the one that goes on records the interruption.
+std::vector<SessionCourse> read_courses(SQLite::Database& database) {
+  std::vector<SessionCourse> courses;
+  SQLite::Statement notes(database, "SELECT text FROM note WHERE session = ? ORDER BY sequence");
+  SQLite::Statement rows(database,
+                         "SELECT id, participant,"
+                         " (SELECT count(*) FROM event WHERE session = session.id"
+                         "  AND type = 'interrupted') AS interruptions,"
+                         " (SELECT count(*) FROM attempt WHERE session = session.id"
+                         "  AND outcome = 'interrupted') AS attempts_lost"
+                         " FROM session WHERE state <> 'withdrawn' ORDER BY id");
+  while (rows.executeStep()) {
+    courses.push_back(
+        {.participant = rows.getColumn("participant").getString(),
+         .interruptions = static_cast<std::size_t>(rows.getColumn("interruptions").getInt64()),
+         .attempts_lost = static_cast<std::size_t>(rows.getColumn("attempts_lost").getInt64()),
+         .notes = read_notes_to_read(notes, rows.getColumn("id").getInt64())});
+  }
+  return courses;
+}
+
 }  // namespace
 
 DataQualityRecords read_data_quality(const fs::path& path) {
@@ -216,6 +250,7 @@ DataQualityRecords read_data_quality(const fs::path& path) {
     read_attempts(database, records);
     records.gaze_runs = read_gaze_runs(database);
     records.reactions = read_reactions(database);
+    records.courses = read_courses(database);
   });
   return records;
 }

@@ -1,5 +1,5 @@
 // What data quality follows from in a study's sessions: frames, gaze and objects, validations,
-// reactions.
+// reactions, interruptions and notes.
 #pragma once
 
 #include <cstdint>
@@ -54,11 +54,20 @@ struct ReactionRow {
   bool early = false;
 };
 
+/// What happened to a session beside what its trials measured.
+struct SessionCourse {
+  std::string participant;
+  std::size_t interruptions = 0;   ///< how often it was cut off, or left before its end
+  std::size_t attempts_lost = 0;   ///< attempts that these ended
+  std::vector<std::string> notes;  ///< in the order of time, without is_routine_note
+};
+
 struct DataQualityRecords {
   std::vector<FrameFigures> frames;  ///< a row for each session that has frames
   std::vector<AttemptGazeRow> gaze;  ///< by session, trial and attempt
   std::vector<GazeRunRow> gaze_runs;
   std::vector<ReactionRow> reactions;
+  std::vector<SessionCourse> courses;  ///< a row for each session
 };
 
 /// Reads a study's file without changing it, attempt by attempt; none of withdrawn sessions. Throws

@@ -153,11 +153,8 @@ std::string notes_of(const std::vector<LoggedEvent>& events) {
   std::string text;
   for (const LoggedEvent& logged : events) {
     if (const auto* note = std::get_if<NoteWritten>(&logged.event)) {
-      const std::size_t end =
-          std::min(note->text.find('\n'), bytes_of_first(note->text, most_characters));
-      text +=
-          fmt::format("  {:9.3f} s  {}{}\n", seconds(logged.time),
-                      printable(note->text.substr(0, end)), end < note->text.size() ? " …" : "");
+      text += fmt::format("  {:9.3f} s  {}\n", seconds(logged.time),
+                          beginning_of(note->text, most_characters));
     }
   }
   return text.empty() ? "No notes.\n" : "Notes:\n" + text;

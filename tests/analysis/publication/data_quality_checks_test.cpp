@@ -15,7 +15,9 @@
 namespace foveola::analysis {
 namespace {
 
+using testing::AllOf;
 using testing::Each;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -61,8 +63,8 @@ TEST(DataQualityChecks, GoodDataPass) {
                        {"P1", 2, 0.8, 0.1, 0.0, true},
                        {"P2", 1, 0.9, 0.1, 0.0, true}};
   const DataQualityReport report = report_on(complete_study(2), quality);
-  for (const char* name :
-       {"refresh", "valid gaze", "Latency", "mark upon it", "Validation", "People"}) {
+  for (const char* name : {"refresh", "valid gaze", "Latency", "mark upon it", "Validation",
+                           "People", "timed again"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::passed) << name;
   }
   EXPECT_THAT(check_of(report, "Validation").found, HasSubstr("0.90° at most"));
@@ -78,8 +80,21 @@ TEST(DataQualityChecks, WhatWasMissedIsFlaggedWithWhoMissedItMost) {
   const DataQualityReport report = report_on(complete_study(2), quality);
   for (const char* name : {"refresh", "valid gaze", "Latency", "mark upon it"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::flagged) << name;
-    EXPECT_THAT(check_of(report, name).found, HasSubstr("participant P2; 1 above the limit"));
+    EXPECT_THAT(check_of(report, name).found,
+                AllOf(HasSubstr("participant P2"), EndsWith("above the limit: P2")));
   }
+}
+
+TEST(DataQualityChecks, EverybodyAboveAFramesLimitIsNamed) {
+  study::DataQualityRecords quality;
+  for (int i = 1; i <= 8; ++i) {
+    quality.frames.push_back(good_frames("P" + std::to_string(i)));
+    quality.frames.back().late = i == 3 ? 20 : 100 + 10 * static_cast<std::uint64_t>(i);
+  }
+  const DataQualityReport report = report_on(complete_study(8), quality);
+  EXPECT_EQ(check_of(report, "refresh").found,
+            "at most 1.8 %, participant P8; above the limit: P1, P2, P4, P5, P6, P7, P8");
+  EXPECT_THAT(check_of(report, "valid gaze").found, EndsWith("above the limit: none"));
 }
 
 TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
@@ -92,8 +107,8 @@ TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
 
 TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
   const DataQualityReport report = report_on(complete_study(2));
-  for (const char* name :
-       {"refresh", "valid gaze", "Latency", "Validation", "out of view", "gaze elsewhere"}) {
+  for (const char* name : {"refresh", "valid gaze", "Latency", "Validation", "out of view",
+                           "gaze elsewhere", "cut off", "Notes"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::unknown) << name;
   }
   EXPECT_TRUE(report.reactions.empty());
@@ -268,19 +283,19 @@ TEST(DataQualityChecks, GazeUpToHalfTheTimeElsewhereAndObjectsInViewPass) {
   EXPECT_EQ(check_of(report, "gaze elsewhere").found, "0 of 6 trials; tracker: camera");
 }
 
-TEST(DataQualityChecks, OfManyMarksOutOfViewThreeAreNamed) {
-  study::StudyRecords records = complete_study(1);
+TEST(DataQualityChecks, OfManyMarksOutOfViewFiveAreToldAndEverybodyIsNamed) {
+  study::StudyRecords records = complete_study(4);
   study::DataQualityRecords quality;
   quality.gaze = gaze_on_objects(records);
-  for (const std::size_t i : {1U, 2U, 4U, 5U}) {
+  for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U, 12U, 18U}) {
     quality.gaze[i].figures.marks[1].object_in_view = false;
   }
   const DataQualityCheck check = check_of(report_on(records, quality), "out of view");
   EXPECT_EQ(check.verdict, Verdict::flagged);
   EXPECT_EQ(
       check.found,
-      "4 of 12 marks: P1, aula, vp, material; P1, aula, fv, material; P1, barn, vp, material; "
-      "and others");
+      "8 of 48 marks: P1, aula, od, material; P1, aula, vp, material; P1, aula, fv, material; "
+      "P1, barn, vp, material; P1, barn, fv, material; and 3 others of P2, P3, P4");
 }
 
 TEST(DataQualityChecks, WhoseGazeIsNotKnownIsNotCalledGood) {
@@ -314,6 +329,69 @@ TEST(DataQualityChecks, OnlyTheLastTimingsOfAnalysedTestTrialsAreHeldAgainstTheG
   const DataQualityReport report = report_on(records, quality);
   EXPECT_EQ(check_of(report, "out of view").found, "0 of 18 marks");
   EXPECT_EQ(check_of(report, "gaze elsewhere").found, "0 of 9 trials; tracker: camera");
+}
+
+TEST(DataQualityChecks, SessionsThatWentThroughWithoutAWordPass) {
+  study::DataQualityRecords quality;
+  quality.courses = {{.participant = "P1"}, {.participant = "P2"}};
+  const DataQualityReport report = report_on(complete_study(2), quality);
+  EXPECT_EQ(check_of(report, "cut off").verdict, Verdict::passed);
+  EXPECT_EQ(check_of(report, "cut off").found, "none");
+  EXPECT_EQ(check_of(report, "Notes").verdict, Verdict::passed);
+  EXPECT_EQ(check_of(report, "Notes").found, "none");
+}
+
+TEST(DataQualityChecks, WhoseSessionWasCutOffIsNamedIfAnalysed) {
+  study::StudyRecords records = complete_study(4);
+  records.sessions[3].state = "interrupted";
+  study::DataQualityRecords quality;
+  quality.courses = {{.participant = "P1", .interruptions = 1, .attempts_lost = 0},
+                     {.participant = "P2"},
+                     {.participant = "P3", .interruptions = 2, .attempts_lost = 1},
+                     {.participant = "P4", .interruptions = 3, .attempts_lost = 3}};
+  const DataQualityCheck check = check_of(report_on(records, quality), "cut off");
+  EXPECT_EQ(check.verdict, Verdict::flagged);
+  EXPECT_EQ(check.found, "P1: 1 time, 0 attempts lost; P3: 2 times, 1 attempt lost");
+}
+
+TEST(DataQualityChecks, EverybodyWithNotesIsNamedWithTheFirst) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[2].state = "interrupted";
+  study::DataQualityRecords quality;
+  quality.courses = {
+      {.participant = "P1",
+       .notes = {"the eye tracker sends no gaze", "the eye tracker sends gaze again"}},
+      {.participant = "P2", .notes = {std::string(100, 'x') + "\nand more"}},
+      {.participant = "P3", .notes = {"not analysed"}}};
+  const DataQualityCheck check = check_of(report_on(records, quality), "Notes");
+  EXPECT_EQ(check.verdict, Verdict::flagged);
+  EXPECT_EQ(check.found,
+            "P1: the eye tracker sends no gaze (and 1 more); P2: " + std::string(80, 'x') + " …");
+}
+
+/// Puts a timing that ended so before that of the trial which counts.
+void add_earlier_timing(study::StudyRecords& records, std::uint32_t trial,
+                        const std::string& outcome) {
+  study::TrialRow row = records.trials[trial];
+  row.counts = false;
+  row.outcome = word_in(records, outcome);
+  records.add_trial(row, std::vector<Value>(records.measures.size()));
+}
+
+TEST(DataQualityChecks, TrialsTimedAgainAreNamedButForThoseThatWereCutOff) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[2].state = "interrupted";
+  (void)gaze_on_objects(records);  // numbers the trials
+  EXPECT_EQ(check_of(report_on(records), "timed again").found, "0 of 12 trials");
+  add_earlier_timing(records, 1, "interrupted");
+  EXPECT_EQ(check_of(report_on(records), "timed again").verdict, Verdict::passed);
+  add_earlier_timing(records, 2, "retimed");
+  add_earlier_timing(records, 2, "paused");
+  add_earlier_timing(records, 7, "retimed");
+  add_earlier_timing(records, 13, "retimed");
+  const DataQualityCheck check = check_of(report_on(records), "timed again");
+  EXPECT_EQ(check.verdict, Verdict::flagged);
+  EXPECT_EQ(check.found, "2 of 12 trials: P1, aula, fv (retimed, paused); P2, aula, vp (retimed)");
 }
 
 }  // namespace

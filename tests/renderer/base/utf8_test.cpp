@@ -56,5 +56,13 @@ TEST(Utf8Test, CountsTheBytesOfTheFirstCharacters) {
   EXPECT_EQ(bytes_of_first(text, 9), 10U);
 }
 
+TEST(Utf8Test, ABeginningEndsWithItsLineOrItsCharacters) {
+  EXPECT_EQ(beginning_of("the phone rang", 20), "the phone rang");
+  EXPECT_EQ(beginning_of("the phone rang", 9), "the phone …");
+  EXPECT_EQ(beginning_of("aä€𝄞", 2), "aä …");
+  EXPECT_EQ(beginning_of("a\x1b[2J\nb", 20), "a?[2J …");
+  EXPECT_EQ(beginning_of("", 3), "");
+}
+
 }  // namespace
 }  // namespace foveola

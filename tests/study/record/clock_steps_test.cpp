@@ -35,6 +35,8 @@ TEST(ClockSteps, ASessionThatGoesOnNotesThem) {
               Optional(std::string(
                   "the computer's clock was set back by 5 m 00 s since "
                   "2026-11-21T09:40:00.000Z, when the session's last event was recorded")));
+  EXPECT_TRUE(is_note_of_clock(*note_of_clock(events, "2026-11-21T09:35:00.000Z")));
+  EXPECT_FALSE(is_note_of_clock("the clock on the wall was set back"));
 }
 
 }  // namespace

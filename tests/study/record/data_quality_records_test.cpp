@@ -220,6 +220,26 @@ TEST_F(DataQuality, ValidationsAndReactionsAreThoseOfTheSession) {
   EXPECT_TRUE(records.gaze_runs.back().passed);
 }
 
+TEST_F(DataQuality, InterruptionsAndNotesAreThoseOfTheSession) {
+  {
+    StudyStore store(path_, thorough_protocol());
+    run_thorough_session(store, "P01");
+    PlayedSession second(store, facts_of("P02"), small_plan());
+    second.begin();
+    second.happen(ms(10), NoteWritten{note_of_devices("{}")});
+  }
+  const std::vector<SessionCourse> courses = read_data_quality(path_).courses;
+  ASSERT_EQ(courses.size(), 2U);
+  EXPECT_EQ(courses[0].participant, "P01");
+  EXPECT_EQ(courses[0].interruptions, 1U);
+  EXPECT_EQ(courses[0].attempts_lost, 1U);
+  EXPECT_THAT(courses[0].notes, ElementsAre("glasses"));
+  EXPECT_EQ(courses[1].participant, "P02");
+  EXPECT_EQ(courses[1].interruptions, 0U);
+  EXPECT_EQ(courses[1].attempts_lost, 0U);
+  EXPECT_THAT(courses[1].notes, IsEmpty());
+}
+
 TEST_F(DataQuality, WithdrawnSessionsSayNothing) {
   {
     StudyStore store(path_, thorough_protocol());
@@ -230,6 +250,7 @@ TEST_F(DataQuality, WithdrawnSessionsSayNothing) {
   EXPECT_THAT(records.gaze, IsEmpty());
   EXPECT_THAT(records.gaze_runs, IsEmpty());
   EXPECT_THAT(records.reactions, IsEmpty());
+  EXPECT_THAT(records.courses, IsEmpty());
 }
 
 TEST_F(DataQuality, FramesThatWereChangedAreRefused) {

@@ -1,0 +1,37 @@
+#include "study/record/routine_notes.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/digest.h"
+#include "study/record/amendment_note.h"
+#include "study/record/clock_steps.h"
+#include "study/record/session_devices.h"
+
+namespace foveola::study {
+namespace {
+
+TEST(RoutineNotes, AreThoseOfASessionThatGoesOn) {
+  const std::string amended = "name = \"other words\"\n";
+  EXPECT_TRUE(is_routine_note(note_of_devices(R"({"tracker":{"profile":"camera"}})")));
+  EXPECT_TRUE(is_routine_note(note_of(
+      Amendment{.sha256 = sha256(std::string_view(amended)), .changed = {}, .text = amended})));
+  EXPECT_TRUE(is_routine_note(*note_of_clock(
+      {{Nanoseconds(1), Interrupted{}, "2026-11-21T09:40:00.000Z"}}, "2026-11-21T09:35:00.000Z")));
+}
+
+TEST(RoutineNotes, AreThoseOfTheWindowsSize) {
+  EXPECT_EQ(note_of_window_size({1280, 720}), "the window has 1280 x 720 pixels");
+  EXPECT_TRUE(is_routine_note(note_of_window_size({1280, 720})));
+}
+
+TEST(RoutineNotes, AreNoneThatSomebodyShouldRead) {
+  for (const char* const note :
+       {"the eye tracker sends no gaze", "the trial waits for a gaze", "the window is hidden",
+        "lost the monitor DP-1", "the window has a crack", "goes on with a headache",
+        "goes by an amended protocol, SHA-256 of nothing", ""}) {
+    EXPECT_FALSE(is_routine_note(note)) << note;
+  }
+}
+
+}  // namespace
+}  // namespace foveola::study
