@@ -89,8 +89,8 @@ std::optional<StatusWarning> warning_of(const FrameStatus& frames) {
   }
   return StatusWarning{
       WarningKind::late_frames,
-      fmt::format("{} of this trial's {} frames missed their refresh. The machine is too slow, or "
-                  "busy with something else; pause and look what else runs.",
+      fmt::format("{} of this trial's {} frames missed their refresh. The machine is too slow for "
+                  "this window, or busy with something else: pause, and look what else runs.",
                   frames.late, frames.frames)};
 }
 

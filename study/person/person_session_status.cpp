@@ -60,12 +60,12 @@ std::vector<StatusWarning> PersonSession::warnings() const {
                                "it should not.",
                                tracker.empty() ? "" : ": ", tracker)});
   }
-  // Where drawing is slow, that is why frames are late.
+  if (std::optional<StatusWarning> late =
+          warning_of(figures_.frames(seat_.display.refresh().rate_hz()))) {
+    all.push_back(std::move(*late));
+  }
   if (slow_drawing_) {
     all.push_back({WarningKind::slow_drawing, slow_drawing_line(*slow_drawing_)});
-  } else if (std::optional<StatusWarning> late =
-                 warning_of(figures_.frames(seat_.display.refresh().rate_hz()))) {
-    all.push_back(std::move(*late));
   }
   return all;
 }

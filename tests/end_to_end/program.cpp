@@ -24,23 +24,11 @@ std::string content_of(const fs::path& path) {
   return std::move(content).str();
 }
 
-/// In the child: never returns.
-[[noreturn]] void become(const std::vector<std::string>& command, const Environment& environment,
-                         const fs::path& output, const fs::path& errors) {
-  for (const auto& [name, value] : environment) {
-    ::setenv(name.c_str(), value.c_str(), 1);
-  }
+void write_into(const fs::path& output, const fs::path& errors) {
   constexpr mode_t mode = 0600;
   ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
   ::dup2(::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDOUT_FILENO);
   ::dup2(::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDERR_FILENO);
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  }
-  arguments.push_back(nullptr);
-  ::execvp(arguments[0], arguments.data());
-  ::_exit(127);
 }
 
 std::string base64(const std::vector<unsigned char>& bytes) {
@@ -59,11 +47,25 @@ std::string base64(const std::vector<unsigned char>& bytes) {
 
 }  // namespace
 
+void become(const std::vector<std::string>& command, const Environment& environment) {
+  for (const auto& [name, value] : environment) {
+    ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  std::vector<char*> arguments;
+  for (const std::string& argument : command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  }
+  arguments.push_back(nullptr);
+  ::execvp(arguments[0], arguments.data());
+  ::_exit(127);
+}
+
 ProgramResult run_program(const std::vector<std::string>& command, const Environment& environment) {
   const TemporaryFolder folder;
   const pid_t child = ::fork();
   if (child == 0) {
-    become(command, environment, folder / "output", folder / "errors");
+    write_into(folder / "output", folder / "errors");
+    become(command, environment);
   }
   int status = 0;
   if (child < 0 || ::waitpid(child, &status, 0) != child) {

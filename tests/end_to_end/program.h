@@ -18,6 +18,10 @@ struct ProgramResult {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
+/// Makes this process the program of `command`, found as a shell would, with `environment` set on
+/// top of its own; 127 is its exit code if that cannot be. For a child of a fork.
+[[noreturn]] void become(const std::vector<std::string>& command, const Environment& environment);
+
 /// Runs `command` (program and arguments) to its end, with `environment` set on top of this
 /// process's own, and no standard input.
 ProgramResult run_program(const std::vector<std::string>& command,

@@ -1,5 +1,6 @@
 // A person's whole session in the real window, by keys, and what its record then must hold.
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -235,6 +236,28 @@ TEST_F(StudyRun, ATrialThatFollowsTheGazeWaitsForOne) {
   const study::Verification verified = study::verify_study(participant_.database());
   EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
   EXPECT_EQ(participant_.replay().exit_code, 0);
+}
+
+TEST_F(StudyRun, AMachineThatSlowsDownIsToldOfWhileItDoes) {
+  constexpr int halts = 5;
+  constexpr std::chrono::milliseconds halt{150};
+  constexpr std::chrono::milliseconds between{50};
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  participant_.answer_page("Return");  // choosing
+  participant_.answer_page("space");   // ready
+  EXPECT_EQ(participant_.wait_for_page(), "marking");
+  for (int i = 0; i < halts; ++i) {
+    participant_.program().kill(SIGSTOP);
+    std::this_thread::sleep_for(halt);
+    participant_.program().kill(SIGCONT);
+    std::this_thread::sleep_for(between);
+  }
+  EXPECT_THAT(participant_.program().wait_for("missed their refresh"),
+              HasSubstr("busy with something else"));
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
 }
 
 }  // namespace

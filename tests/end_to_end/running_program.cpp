@@ -24,19 +24,10 @@ RunningProgram::RunningProgram(std::vector<std::string> arguments, const Environ
   }
   process_ = ::fork();
   if (process_ == 0) {
-    for (const auto& [name, value] : environment) {
-      ::setenv(name.c_str(), value.c_str(), 1);
-    }
     ::dup2(to_it[0], STDIN_FILENO);
     ::dup2(from_it[1], STDOUT_FILENO);
     ::dup2(from_it[1], STDERR_FILENO);
-    std::vector<char*> words;
-    for (std::string& argument : arguments) {
-      words.push_back(argument.data());
-    }
-    words.push_back(nullptr);
-    ::execv(words[0], words.data());
-    ::_exit(127);
+    become(arguments, environment);
   }
   ::close(to_it[0]);
   ::close(from_it[1]);

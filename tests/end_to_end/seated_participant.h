@@ -55,6 +55,8 @@ class SeatedParticipant {
   /// Presses `key` once the next page stands.
   void answer_page(const std::string& key);
 
+  /// What the program needs to know where it finds the study's parts.
+  Environment environment() const { return hall_.environment(); }
   RunningProgram& program() { return *program_; }
   const TemporaryFolder& folder() const { return hall_.folder; }
   /// Renames another file into the place of the scene's.

@@ -1,95 +1,19 @@
 #include "study/console/screen_console.h"
 
-#include <array>
-#include <cstdlib>
-#include <functional>
+#include <cstdio>
 
 #include <gmock/gmock.h>
-#include <poll.h>
-#include <pty.h>
-#include <sys/ioctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/waiting.h"
+#include "tests/at_terminal.h"
 
 namespace foveola::study {
 namespace {
 
+using test::AtTerminal;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-constexpr winsize usual_size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
-
-/// A process in a terminal of its own, whose keys and eyes are the test's.
-class AtTerminal {
- public:
-  /// body: what the process does; returns its exit code.
-  AtTerminal(const char* kind, const std::function<int()>& body) {
-    winsize size = usual_size;
-    process_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
-    if (process_ == 0) {
-      ::setenv("TERM", kind, 1);
-      ::_exit(body());
-    }
-  }
-  ~AtTerminal() {
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-    ::close(terminal_);
-  }
-  AtTerminal(const AtTerminal&) = delete;
-  AtTerminal& operator=(const AtTerminal&) = delete;
-
-  void type(const std::string& keys) const {
-    ASSERT_EQ(::write(terminal_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
-  }
-
-  /// What is painted over something else comes in pieces; as a whole only where the size changes.
-  /// Throws std::runtime_error if it never comes.
-  void wait_for(const std::string& words) {
-    winsize size = usual_size;
-    test::wait_until(words, [&] {
-      size.ws_row = size.ws_row == usual_size.ws_row ? usual_size.ws_row + 1 : usual_size.ws_row;
-      ::ioctl(terminal_, TIOCSWINSZ, &size);
-      read();
-      return seen_.find(words) != std::string::npos;
-    });
-  }
-
-  /// Returns what waitpid says of the process's end, for which nothing is read meanwhile.
-  int wait_without_reading() const {
-    int status = -1;
-    test::wait_until("its end", [&] { return ::waitpid(process_, &status, WNOHANG) != 0; });
-    return status;
-  }
-
-  /// All that was painted and written until the process has ended.
-  std::string all_seen() {
-    test::wait_until("its end", [&] { return !read(); });
-    return seen_;
-  }
-
- private:
-  /// What there is. Returns false once nobody is at the other end.
-  bool read() {
-    std::array<char, 4096> bytes{};
-    pollfd input{.fd = terminal_, .events = POLLIN, .revents = 0};
-    while (::poll(&input, 1, 100) > 0) {
-      const ssize_t count = ::read(terminal_, bytes.data(), bytes.size());
-      if (count <= 0) {
-        return false;
-      }
-      seen_.append(bytes.data(), static_cast<std::size_t>(count));
-    }
-    return true;
-  }
-
-  int terminal_ = -1;
-  pid_t process_ = -1;
-  std::string seen_;
-};
 
 /// Shows a session until it is asked to quit; answers each line by saying it.
 int run_until_quit() {
@@ -151,7 +75,7 @@ TEST(ScreenConsole, ATerminalThatCannotBePaintedOnHasNone) {
 }
 
 TEST(ScreenConsole, ATerminalThatTakesNothingDoesNotHoldItUp) {
-  const AtTerminal terminal("xterm", [] {
+  AtTerminal terminal("xterm", [] {
     LineWriter output(STDOUT_FILENO);
     const std::unique_ptr<ScreenConsole> console = ScreenConsole::open(output);
     for (int i = 0; i < 100; ++i) {

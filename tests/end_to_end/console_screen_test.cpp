@@ -1,0 +1,45 @@
+// The experimenter's console as a screen of the terminal, through a session.
+#include <gmock/gmock.h>
+
+#include "tests/at_terminal.h"
+#include "tests/end_to_end/study_run.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST_F(StudyRun, IsSeenAndSteeredOnOneScreen) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  AtTerminal terminal("xterm", [&]() -> int {
+    become({FOVEOLA_PROGRAM, "study", "run", "keys", "--db", participant_.database(),
+            "--participant", "P1", "--window", "640x480"},
+           participant_.environment());
+  });
+  terminal.wait_for("Foveola, participant P1");
+  participant_.point_at(320, 240);
+  terminal.wait_for("once the notice is read");
+  participant_.type("Return");
+  terminal.wait_for("Enter chooses Wall");
+  participant_.type("Return");
+  terminal.wait_for("ready to start, trial 1 of 1: hall with od");
+  participant_.type("space");
+  terminal.wait_for("Space marks outline");
+  participant_.type("space");
+  terminal.wait_for("outline was marked after");
+  terminal.wait_for("Space marks material");
+  terminal.type("nit rings\r");
+  terminal.wait_for("Note: it rings");
+  terminal.type("p");
+  terminal.wait_for("paused, trial 1 of 1");
+  terminal.type("q");
+  terminal.wait_for("It goes on later with --resume.");
+  terminal.type("\r");
+  EXPECT_THAT(terminal.all_seen(), HasSubstr("give the same command with --resume"));
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
+  EXPECT_THAT(participant_.ask("SELECT text FROM note"), ElementsAre("it rings"));
+}
+
+}  // namespace
+}  // namespace foveola::test
