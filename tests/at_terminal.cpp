@@ -2,6 +2,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +23,8 @@ constexpr winsize usual_size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypi
 }  // namespace
 
 AtTerminal::AtTerminal(const char* kind, const std::function<int()>& body) {
+  // What is not written yet must not be written twice.
+  std::fflush(nullptr);
   winsize size = usual_size;
   process_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
   if (process_ == 0) {

@@ -154,7 +154,11 @@ struct Terminal::Screen {
   Screen& operator=(const Screen&) = delete;
 };
 
-bool Terminal::is_there() { return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1; }
+bool Terminal::is_there() {
+  // Whoever changes a terminal's modes from behind another process is stopped.
+  return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1 &&
+         ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
+}
 
 Terminal::Terminal()
     : modes_(std::make_unique<Modes>()),

@@ -16,7 +16,7 @@ namespace foveola::study {
 /// what is painted to be taken.
 class Terminal {
  public:
-  /// Whether standard input and output are a terminal.
+  /// Whether standard input and output are a terminal, and this process is in front of it.
   static bool is_there();
 
   Terminal();

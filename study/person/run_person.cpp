@@ -68,10 +68,16 @@ Protocol protocol_of(const RunSettings& settings) {
   return protocol;
 }
 
-/// A simulated eye is nobody's; but a rehearsal may have one.
+/// Whether it is nobody's who sits there.
+bool is_nobodys_eye(TrackerSource source) {
+  return source == TrackerSource::simulated || source == TrackerSource::recorded;
+}
+
+/// A rehearsal may have any eye.
 void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
-  if (kind == SessionKind::human && tracker.source == TrackerSource::simulated) {
-    throw Error("--tracker", "the profile " + tracker.name + " is of a simulated eye",
+  if (kind == SessionKind::human && is_nobodys_eye(tracker.source)) {
+    throw Error("--tracker",
+                fmt::format("the profile {} is of a {} eye", tracker.name, eye_of(tracker.source)),
                 "name the tracker that is there, or rehearse with --pilot");
   }
 }
@@ -285,12 +291,12 @@ class PersonRun {
 
   /// Whoever reads the record must not take such a gaze for a person's.
   std::vector<std::string> notes_of_eye() const {
-    const std::string eye = eye_of(tracker_.source);
-    return eye == "simulated" || eye == "recorded"
-               ? std::vector<std::string>{fmt::format("THE EYE IS {}, by the profile {}",
-                                                      eye == "simulated" ? "SIMULATED" : "RECORDED",
-                                                      tracker_.name)}
-               : std::vector<std::string>();
+    if (!is_nobodys_eye(tracker_.source)) {
+      return {};
+    }
+    const bool is_simulated = tracker_.source == TrackerSource::simulated;
+    return {fmt::format("THE EYE IS {}, by the profile {}", is_simulated ? "SIMULATED" : "RECORDED",
+                        tracker_.name)};
   }
 
   PersonSessionSettings going_on(const std::string& devices) {
@@ -304,7 +310,8 @@ class PersonRun {
     console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
                               words_for_next(state, procedure, plan_)));
     row_ = known.id;
-    std::vector<std::string> notes = {note_of_devices(devices)};
+    std::vector<std::string> notes = notes_of_eye();
+    notes.push_back(note_of_devices(devices));
     if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
       notes.push_back(std::move(*note));
     }

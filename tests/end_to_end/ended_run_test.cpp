@@ -7,6 +7,7 @@
 
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/end_to_end/tracker_profile.h"
 
 namespace fs = std::filesystem;
 
@@ -95,6 +96,18 @@ TEST_F(StudyRun, TheExperimenterMayExclude) {
   EXPECT_THAT(participant_.ask("SELECT type, json_extract(payload, '$.reason') FROM event "
                                "ORDER BY sequence"),
               ElementsAre("session_started|-", "excluded|the tracker failed"));
+}
+
+TEST_F(StudyRun, TakesNobodysEyeForAPersons) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  const std::string simulated =
+      participant_.folder().write("nobody.toml", tracker_profile("simulated", 120));
+  const std::string recorded = participant_.folder().write(
+      "former.toml", tracker_profile("recorded", 120) + "recording = \"gaze.csv\"\n");
+  expect_one_line(participant_.run_besides("P2", {"--tracker", simulated}), 1,
+                  "is of a simulated eye; name the tracker that is there");
+  expect_one_line(participant_.run_besides("P2", {"--tracker", recorded}), 1,
+                  "is of a recorded eye; name the tracker that is there");
 }
 
 TEST_F(StudyRun, SaysWhatIsWrong) {

@@ -28,13 +28,15 @@ std::vector<std::string> wait_for_lines(LineReader& reader, std::size_t count) {
 TEST(LineReader, ReadsWholeLines) {
   std::array<int, 2> pipe{};
   ASSERT_EQ(::pipe(pipe.data()), 0);
-  LineReader reader(pipe[0]);
-  const std::string typed = "state\nnote a";
-  ASSERT_EQ(::write(pipe[1], typed.data(), typed.size()), static_cast<ssize_t>(typed.size()));
-  EXPECT_THAT(wait_for_lines(reader, 1), ElementsAre("state"));
-  ASSERT_EQ(::write(pipe[1], "bc\n", 3), 3);
-  EXPECT_THAT(wait_for_lines(reader, 1), ElementsAre("note abc"));
-  ::close(pipe[1]);
+  {
+    LineReader reader(pipe[0]);
+    const std::string typed = "state\nnote a";
+    ASSERT_EQ(::write(pipe[1], typed.data(), typed.size()), static_cast<ssize_t>(typed.size()));
+    EXPECT_THAT(wait_for_lines(reader, 1), ElementsAre("state"));
+    ASSERT_EQ(::write(pipe[1], "bc\n", 3), 3);
+    EXPECT_THAT(wait_for_lines(reader, 1), ElementsAre("note abc"));
+    ::close(pipe[1]);
+  }
   ::close(pipe[0]);
 }
 
