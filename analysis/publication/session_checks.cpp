@@ -1,6 +1,7 @@
 #include "analysis/publication/session_checks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 

@@ -367,13 +367,20 @@ void write_receipt(const RunSettings& settings, const Protocol& protocol, const 
   }
 }
 
-fs::path back_up(const StudyStore& store, const fs::path& database) {
+/// Throws Error, which says that the session itself is safe, if there can be none.
+fs::path back_up(const StudyStore& store, const RunSettings& settings) {
   std::string name = utc_now();
   std::replace(name.begin(), name.end(), ':', '-');
-  const fs::path folder = backup_folder(database);
-  fs::create_directories(folder);
+  const fs::path folder = backup_folder(settings.database);
   const fs::path backup = folder / (name + ".sqlite");
-  store.back_up(backup);
+  try {
+    fs::create_directories(folder);
+    store.back_up(backup);
+  } catch (const std::exception& fault) {
+    throw Error(fmt::format("all that {} did is in {}, but its backup failed", settings.participant,
+                            settings.database.string()),
+                fault.what(), "make one with foveola study backup once that is mended");
+  }
   return backup;
 }
 
@@ -414,8 +421,8 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
       throw Error(fmt::format("the session of {} was cut off", settings.participant), fault.what(),
                   how_to_go_on(settings));
     }
-    report.backup = back_up(store, settings.database);
     write_receipt(settings, protocol, store);
+    report.backup = back_up(store, settings);
   });
   return report;
 }

@@ -65,7 +65,7 @@ class FrameSums {
   void add_frame(const FrameRow& frame) {
     ++figures_.frames;
     figures_.late += frame.is_late ? 1 : 0;
-    figures_.untracked += frame.gaze_valid ? 0 : 1;
+    figures_.untracked += has_gaze(frame) ? 0 : 1;
     figures_.mean_gaze_age_s += seconds_of(frame.gaze_age);
     figures_.mean_to_display_s += seconds_of(frame.presented - frame.time);
   }

@@ -17,7 +17,7 @@ struct FrameFigures {
   std::string participant;
   std::uint64_t frames = 0;
   std::uint64_t late = 0;          ///< missed their refresh
-  std::uint64_t untracked = 0;     ///< the tracker's newest gaze was not valid
+  std::uint64_t untracked = 0;     ///< without has_gaze
   double mean_gaze_age_s = 0.0;    ///< how old the gaze was that a frame used, in the mean
   double mean_to_display_s = 0.0;  ///< from polling to the display
   double longest_frame_s = 0.0;    ///< from one presented frame to the next

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/csv.h"
 #include "renderer/base/files.h"
 #include "tests/end_to_end/hall.h"
+#include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/study_rows.h"
 
 namespace foveola::test {
@@ -52,25 +52,13 @@ class AnalysableStudy : public testing::Test, protected Hall {
   std::string written(const std::string& name) const {
     return read_file(own_folder() / "out" / name);
   }
-  std::vector<std::map<std::string, std::string>> rows_in(const std::string& name) const;
+  std::vector<NamedFields> rows_in(const std::string& name) const {
+    return rows_of_csv(own_folder() / "out" / name);
+  }
   Rows recorded(const std::string& sql) const {
     return all_rows_of(path_of("study.sqlite"), sql + " ORDER BY 1");
   }
 };
-
-/// The file's rows by their columns.
-std::vector<std::map<std::string, std::string>> AnalysableStudy::rows_in(
-    const std::string& name) const {
-  const std::vector<CsvRow> lines = parse_csv(written(name), name);
-  std::vector<std::map<std::string, std::string>> rows;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    std::map<std::string, std::string>& row = rows.emplace_back();
-    for (std::size_t column = 0; column < lines[i].size(); ++column) {
-      row[lines[0][column]] = lines[i][column];
-    }
-  }
-  return rows;
-}
 
 Rows sorted(Rows rows) {
   std::sort(rows.begin(), rows.end());
@@ -172,8 +160,8 @@ class EveryMeasure : public AnalysableStudy {
   }
 
   /// Of every timing, whether it counts or not.
-  std::vector<std::map<std::string, std::string>> timings() const {
-    std::vector<std::map<std::string, std::string>> rows = rows_in("trials_long.csv");
+  std::vector<NamedFields> timings() const {
+    std::vector<NamedFields> rows = rows_in("trials_long.csv");
     for (auto& row : rows_in("trials_timed_again.csv")) {
       rows.push_back(std::move(row));
     }

@@ -12,11 +12,7 @@ using ::testing::HasSubstr;
 
 TEST_F(StudyRun, IsSeenAndSteeredOnOneScreen) {
   participant_.write_protocol(one_trial_keys, short_look);
-  AtTerminal terminal("xterm", [&]() -> int {
-    become({FOVEOLA_PROGRAM, "study", "run", "keys", "--db", participant_.database(),
-            "--participant", "P1", "--window", "640x480"},
-           participant_.environment());
-  });
+  AtTerminal terminal("xterm", participant_.at_terminal());
   terminal.wait_for("Foveola, participant P1");
   participant_.point_at(320, 240);
   terminal.wait_for("once the notice is read");

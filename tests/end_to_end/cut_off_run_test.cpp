@@ -1,22 +1,18 @@
 // A session that is cut off in mid-trial ends with a line on what is safe and how to go on, and it
 // goes on.
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <pty.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "study/record/maintenance.h"
+#include "tests/at_terminal.h"
+#include "tests/end_to_end/small_disk.h"
 #include "tests/end_to_end/study_run.h"
 
 namespace fs = std::filesystem;
@@ -41,6 +37,22 @@ class CutOffRun : public StudyRun {
     participant_.program().wait_for("outline was marked");
   }
 
+  void write_more_than_a_journal_keeps_free() {
+    participant_.program().type_line("note " + std::string(2'000'000, 'x'));
+  }
+
+  /// Which says what is safe and how to go on.
+  void expect_end_with_one_line() {
+    EXPECT_EQ(participant_.program().wait_for_end(), 1);
+    const std::string said = participant_.program().said();
+    const std::size_t line = said.find("foveola: error: ");
+    ASSERT_NE(line, std::string::npos) << said;
+    EXPECT_THAT(said.substr(line), AllOf(HasSubstr("the session of P1 was cut off"),
+                                         HasSubstr("what P1 did up to then"),
+                                         HasSubstr("give the same command with --resume")));
+    EXPECT_EQ(said.find('\n', line), said.size() - 1) << said;
+  }
+
   void go_on_to_the_end() {
     participant_.begin({"--resume"});
     time_trial();
@@ -63,65 +75,10 @@ TEST_F(CutOffRun, AClosedTerminalInterruptsIt) {
   go_on_to_the_end();
 }
 
-/// The program in a terminal of its own, which a test can close.
-class InTerminal {
- public:
-  InTerminal(const std::vector<std::string>& arguments, const fs::path& folder) {
-    process_ = ::forkpty(&terminal_, nullptr, nullptr, nullptr);
-    if (process_ == 0) {
-      ::setenv("FOVEOLA_RESOURCES", (folder / "share").c_str(), 1);
-      ::setenv("FOVEOLA_SCENE_PATH", (folder / "real").c_str(), 1);
-      ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
-      std::vector<std::string> all = {FOVEOLA_PROGRAM};
-      all.insert(all.end(), arguments.begin(), arguments.end());
-      std::vector<char*> words;
-      for (std::string& word : all) {
-        words.push_back(word.data());
-      }
-      words.push_back(nullptr);
-      ::execv(words[0], words.data());
-      ::_exit(127);
-    }
-  }
-  ~InTerminal() {
-    if (process_ > 0) {
-      ::kill(process_, SIGKILL);
-      ::waitpid(process_, nullptr, 0);
-    }
-  }
-  InTerminal(const InTerminal&) = delete;
-  InTerminal& operator=(const InTerminal&) = delete;
-
-  /// Until it has said `words`, or ends.
-  void wait_for(const std::string& words) const {
-    std::string said;
-    std::array<char, 1024> bytes{};
-    while (said.find(words) == std::string::npos) {
-      const ssize_t count = ::read(terminal_, bytes.data(), bytes.size());
-      ASSERT_GT(count, 0) << said;
-      said.append(bytes.data(), static_cast<std::size_t>(count));
-    }
-  }
-
-  /// As the window manager's cross does. Returns what waitpid says of the program's end.
-  int close_and_wait() {
-    ::close(terminal_);
-    int status = 0;
-    ::waitpid(std::exchange(process_, -1), &status, 0);
-    return status;
-  }
-
- private:
-  int terminal_ = -1;
-  pid_t process_ = -1;
-};
-
 TEST_F(CutOffRun, ATerminalThatIsClosedTakesNothingAlong) {
   participant_.write_protocol(one_trial_keys, short_look);
-  InTerminal terminal({"study", "run", "keys", "--db", participant_.database().string(),
-                       "--participant", "P1", "--window", "640x480"},
-                      participant_.folder() / "");
-  terminal.wait_for("Session time 0 is ");
+  AtTerminal terminal("xterm", participant_.at_terminal());
+  terminal.wait_for("next key");
   const int status = terminal.close_and_wait();
   ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 130);
@@ -141,15 +98,46 @@ void let_no_file_grow(pid_t process, const fs::path& study) {
 TEST_F(CutOffRun, ADiskThatTakesNoMoreEndsItWithOneLine) {
   begin_trial();
   let_no_file_grow(participant_.program().process(), participant_.database());
-  // More than fits into what a journal has kept free.
-  participant_.program().type_line("note " + std::string(2'000'000, 'x'));
-  EXPECT_EQ(participant_.program().wait_for_end(), 1);
-  const std::string said = participant_.program().said();
-  EXPECT_THAT(said.substr(said.find("foveola: error: ")),
-              AllOf(HasSubstr("the session of P1 was cut off"), HasSubstr("what P1 did up to then"),
-                    HasSubstr("give the same command with --resume")));
-  EXPECT_EQ(said.find("foveola: error: "), said.rfind("foveola: error: "));
+  write_more_than_a_journal_keeps_free();
+  expect_end_with_one_line();
   go_on_to_the_end();
+}
+
+TEST_F(CutOffRun, AFullDiskEndsItWithOneLineUntilThereIsRoom) {
+  if (const std::string refusal = refusal_of_own_mounts(); !refusal.empty()) {
+    GTEST_SKIP() << refusal;
+  }
+  const SmallDisk disk(participant_.folder() / "disk");
+  participant_.keep_study_in(disk.folder());
+  begin_trial();
+  disk.fill();
+  write_more_than_a_journal_keeps_free();
+  expect_end_with_one_line();
+  disk.make_room();
+  go_on_to_the_end();
+}
+
+TEST_F(CutOffRun, ADiskThatIsFullAtTheEndCostsNothingButTheBackup) {
+  if (const std::string refusal = refusal_of_own_mounts(); !refusal.empty()) {
+    GTEST_SKIP() << refusal;
+  }
+  const SmallDisk disk(participant_.folder() / "disk");
+  participant_.keep_study_in(disk.folder());
+  begin_trial();
+  participant_.answer_page("space");
+  participant_.wait_for_page();
+  rate("3");
+  EXPECT_EQ(participant_.wait_for_page(), "completed");
+  disk.fill();
+  participant_.type("Return");
+  EXPECT_EQ(participant_.program().wait_for_end(), 1);
+  EXPECT_THAT(participant_.program().said(),
+              AllOf(HasSubstr("all that P1 did is in "), HasSubstr("but its backup failed: "),
+                    HasSubstr("make one with foveola study backup")));
+  disk.make_room();
+  const study::Verification verified = study::verify_study(participant_.database());
+  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("completed"));
 }
 
 }  // namespace

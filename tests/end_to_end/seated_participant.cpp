@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "tests/end_to_end/tracker_profile.h"
 #include "tests/waiting.h"
 
@@ -35,16 +37,19 @@ position = [0.0, 1.9, -0.5]
 radius_deg = 8.0
 )";
 
-const char* const small_display = R"(
+constexpr int usual_refresh_rate_hz = 60;
+
+/// The refresh rate is to be filled in.
+constexpr const char* small_display = R"(
 title = "A small monitor"
 kind = "monitor"
 width_px = 1280
 height_px = 1024
-refresh_rate_hz = 60
+refresh_rate_hz = {}
 width_m = 0.34
 height_m = 0.272
 viewing_distance_m = 0.6
-scan_out = { duration_ms = 16.7, provenance = "assumed" }
+scan_out = {{ duration_ms = 16.7, provenance = "assumed" }}
 )";
 
 constexpr std::chrono::milliseconds keystroke{40};  ///< as long as a finger's, about
@@ -69,8 +74,12 @@ std::string picture_of_page(const fs::path& folder, int number) {
 
 SeatedParticipant::SeatedParticipant() {
   folder().write("share/scenes/hall.toml", std::string(hall_descriptor) + lamp);
-  folder().write("share/data/displays/desktop.toml", small_display);
+  set_refresh_rate(usual_refresh_rate_hz);
   folder().write("share/data/trackers/pointer.toml", tracker_profile("pointer", 125));
+}
+
+void SeatedParticipant::set_refresh_rate(int hz) const {
+  folder().write("share/data/displays/desktop.toml", fmt::format(small_display, hz));
 }
 
 void SeatedParticipant::write_protocol(const std::string& keys, const std::string& tables) const {
@@ -80,14 +89,24 @@ void SeatedParticipant::write_protocol(const std::string& keys, const std::strin
 void SeatedParticipant::begin(const std::vector<std::string>& options) {
   screens_ = folder() / ("screens-" + std::to_string(++runs_));
   pages_ = 0;
-  std::vector<std::string> arguments = {
-      "study",    "run",     "keys",   "--db", database().string(), "--participant",  "P1",
-      "--window", "640x480", "--seed", "7",    "--screens",         screens_.string()};
+  std::vector<std::string> arguments = command();
+  arguments.insert(arguments.end(), {"--screens", screens_.string()});
   arguments.insert(arguments.end(), options.begin(), options.end());
   program_ = std::make_unique<RunningProgram>(arguments, hall_.environment());
   const std::string line = program_->wait_for("Session time 0 is ");
   zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
   point_at(320, 240);
+}
+
+std::function<int()> SeatedParticipant::at_terminal() const {
+  std::vector<std::string> program = command();
+  program.insert(program.begin(), FOVEOLA_PROGRAM);
+  return [program, environment = hall_.environment()]() -> int { become(program, environment); };
+}
+
+std::vector<std::string> SeatedParticipant::command() const {
+  return {"study",    "run",     "keys",   "--db", database().string(), "--participant", code_,
+          "--window", "640x480", "--seed", "7"};
 }
 
 std::string SeatedParticipant::wait_for_page() {
@@ -153,7 +172,7 @@ ProgramResult SeatedParticipant::run_besides(const std::string& participant,
 }
 
 ProgramResult SeatedParticipant::replay() const {
-  return hall_.run({"study", "replay", database().string(), "--participant", "P1"});
+  return hall_.run({"study", "replay", database().string(), "--participant", code_});
 }
 
 ProgramResult SeatedParticipant::status() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,9 +32,18 @@ class SeatedParticipant {
   /// keys and tables: of the protocol's TOML, beside its name, scenes and orders.
   void write_protocol(const std::string& keys, const std::string& tables) const;
 
-  /// Starts the program for participant P1, with more options if there are any, and waits until the
-  /// session has begun.
+  /// What the monitor's profile says that it has: a frame has as long to be in time.
+  void set_refresh_rate(int hz) const;
+
+  /// Another participant takes the seat, which at first is P1's.
+  void seat(std::string participant) { code_ = std::move(participant); }
+
+  /// Starts the program for the participant, with more options if there are any, and waits until
+  /// the session has begun.
   void begin(const std::vector<std::string>& options = {});
+
+  /// Makes a process that is at a terminal the program for the participant.
+  std::function<int()> at_terminal() const;
 
   /// Waits until the next page that the participant comes to stands, and returns the session's
   /// phase. Throws std::runtime_error if it never does.
@@ -55,13 +65,12 @@ class SeatedParticipant {
   /// Presses `key` once the next page stands.
   void answer_page(const std::string& key);
 
-  /// What the program needs to know where it finds the study's parts.
-  Environment environment() const { return hall_.environment(); }
   RunningProgram& program() { return *program_; }
   const TemporaryFolder& folder() const { return hall_.folder; }
   /// Renames another file into the place of the scene's.
   void replace_scene(const std::string& glb) const;
-  std::filesystem::path database() const { return folder() / "study.sqlite"; }
+  std::filesystem::path database() const { return database_; }
+  void keep_study_in(const std::filesystem::path& folder) { database_ = folder / "study.sqlite"; }
   /// The X server crashes. Nobody can press keys from then on.
   void take_display_away();
 
@@ -77,9 +86,14 @@ class SeatedParticipant {
   Rows ask(const std::string& sql) const { return all_rows_of(database(), sql); }
 
  private:
+  /// The program's arguments.
+  std::vector<std::string> command() const;
+
   XServer server_;
   std::optional<XUser> user_{std::in_place, server_.display()};
   Hall hall_;
+  std::filesystem::path database_ = hall_.folder / "study.sqlite";
+  std::string code_ = "P1";
   std::unique_ptr<RunningProgram> program_;
   std::filesystem::path screens_;  ///< a picture of each page
   int runs_ = 0;

@@ -63,6 +63,22 @@ TEST_F(DataQuality, FramesAreOfTheCountedAttempts) {
   EXPECT_NEAR(figures.longest_mark_after_frame_s, 0.004, 1e-12);
 }
 
+// A tracker that falls silent sends no invalid sample.
+TEST_F(DataQuality, AGazeOlderThanABlinkIsNone) {
+  {
+    StudyStore store(path_, small_protocol());
+    PlayedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    session.choose_and_start(ms(900));
+    std::vector<FrameRow> frames = frames_from(ms(1000));
+    frames[0].gaze_age = ms(600);
+    frames[1].gaze_age = ms(601);
+    store.record(session.id(), FrameChunk{.attempt = {}, .first = 0, .frames = frames});
+    session.happen(ms(1000), FirstFramePresented{ms(1000)});
+  }
+  EXPECT_EQ(read_data_quality(path_).frames.at(0).untracked, 3U);
+}
+
 /// The vase is straight to the right of the camera, which looks straight ahead.
 constexpr const char* with_vase_at_right =
     R"({"camera":{"position":[1,0,0],"azimuth_rad":0,"elevation_rad":0},)"
