@@ -152,6 +152,12 @@ struct Terminal::Screen {
   }
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
+
+  /// "dumb", of many an editor, knows no place but the next.
+  bool can_be_painted_on() const {
+    return screen != nullptr && ::tigetstr("cup") != nullptr &&
+           ::tigetstr("cup") != reinterpret_cast<char*>(-1);
+  }
 };
 
 bool Terminal::is_there() {
@@ -164,7 +170,7 @@ Terminal::Terminal()
     : modes_(std::make_unique<Modes>()),
       screen_(std::make_unique<Screen>()),
       size_(size_of_terminal()) {
-  if (screen_->screen == nullptr) {
+  if (!screen_->can_be_painted_on()) {
     screen_.reset();
     return;
   }
