@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -100,14 +101,38 @@ bool take_next(Bytes* bytes, std::string* /*error*/, const std::string& /*name*/
   return !bytes->empty();
 }
 
-/// Answers every file access of tinygltf out of `contents`.
-tinygltf::FsCallbacks callbacks_into(Contents& contents) {
-  return {
-      .FileExists = [](const std::string&, void*) { return true; },
-      .ExpandFilePath = [](const std::string& name, void*) { return name; },
-      .ReadWholeFile = take_next,
-      .WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) { return false; },
-      .user_data = &contents};
+/// From version 2.9 on, tinygltf asks for a file's size before it reads it.
+template <typename Callbacks>
+void add_file_size(Callbacks& callbacks) {
+  if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+    callbacks.GetFileSizeInBytes = [](std::size_t* bytes, std::string* /*error*/,
+                                      const std::string& /*name*/, void* user_data) {
+      const auto& contents = *static_cast<const Contents*>(user_data);
+      *bytes = contents.items.at(contents.next).size();
+      return true;
+    };
+  }
+}
+
+/// Answers every file access of tinygltf out of `contents`. From version 2.9 on it keeps its own
+/// way of reading files, which knows no folder to stay in, unless every callback is there: throws
+/// std::logic_error if it does.
+template <typename Loader>
+void confine(Loader& loader, Contents& contents) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string&, void*) { return true; };
+  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+  callbacks.ReadWholeFile = take_next;
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) {
+    return false;
+  };
+  callbacks.user_data = &contents;
+  add_file_size(callbacks);
+  if constexpr (std::is_void_v<decltype(loader.SetFsCallbacks(callbacks))>) {
+    loader.SetFsCallbacks(callbacks);
+  } else if (!loader.SetFsCallbacks(callbacks)) {
+    throw std::logic_error("tinygltf would read files by itself");
+  }
 }
 
 /// Keeps the encoded bytes of an image that has no buffer view to keep them.
@@ -122,7 +147,7 @@ bool keep_encoded_image(tinygltf::Image* image, const int /*index*/, std::string
 
 std::shared_ptr<tinygltf::Model> model_of(const Json& document, Contents contents) {
   tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks(callbacks_into(contents));
+  confine(loader, contents);
   loader.SetImageLoader(keep_encoded_image, nullptr);
   auto model = std::make_shared<tinygltf::Model>();
   std::string error;

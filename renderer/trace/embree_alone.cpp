@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include "renderer/base/clock.h"
@@ -44,9 +43,11 @@ struct ClosestHit {
   using Single = RTCRayHit;
   using Packet = RTCRayHit8;
   static constexpr const char* name = "rtcIntersect";
-  static constexpr auto trace_one = rtcIntersect1;
-  static constexpr auto trace_eight = rtcIntersect8;
+  static constexpr auto trace_one = embree::intersect_1;
+  static constexpr auto trace_eight = embree::intersect_8;
+#if FOVEOLA_EMBREE < 4
   static constexpr auto trace_many = rtcIntersect1M;
+#endif
 
   static Single single(const Ray& ray) {
     Single query{.ray = embree_ray(ray), .hit = {}};
@@ -68,9 +69,11 @@ struct AnyHit {
   using Single = RTCRay;
   using Packet = RTCRay8;
   static constexpr const char* name = "rtcOccluded";
-  static constexpr auto trace_one = rtcOccluded1;
-  static constexpr auto trace_eight = rtcOccluded8;
+  static constexpr auto trace_one = embree::occluded_1;
+  static constexpr auto trace_eight = embree::occluded_8;
+#if FOVEOLA_EMBREE < 4
   static constexpr auto trace_many = rtcOccluded1M;
+#endif
 
   static Single single(const Ray& ray) { return embree_ray(ray); }
   static Packet packet() { return {}; }
@@ -89,13 +92,13 @@ class Replay {
     const double time_s = timed(singles.size(), task_rays, [&](std::size_t begin, std::size_t end) {
       RayQueryContext context(source_);
       for (std::size_t i = begin; i < end; ++i) {
-        Query::trace_one(scene_, &context, &singles[i]);
+        Query::trace_one(scene_, context, embree::incoherent, singles[i]);
       }
     });
     return {fmt::format("{}1", Query::name), time_s};
   }
 
-  EmbreeTime in_packets(RTCIntersectContextFlags flags) const {
+  EmbreeTime in_packets(embree::QueryFlags flags) const {
     const std::size_t count = (rays_.size() + packet_size - 1) / packet_size;
     std::vector<typename Query::Packet> packets(count, Query::packet());
     for (std::size_t i = 0; i < rays_.size(); ++i) {
@@ -103,20 +106,22 @@ class Replay {
     }
     const double time_s =
         timed(count, task_rays / packet_size, [&](std::size_t begin, std::size_t end) {
-          RayQueryContext context(source_, flags);
+          RayQueryContext context(source_);
           for (std::size_t i = begin; i < end; ++i) {
             alignas(32) std::array<int, packet_size> valid{};
             std::fill_n(valid.begin(), std::min(packet_size, rays_.size() - i * packet_size), -1);
-            Query::trace_eight(valid.data(), scene_, &context, &packets[i]);
+            Query::trace_eight(valid.data(), scene_, context, flags, packets[i]);
           }
         });
     return {fmt::format("{}8, {}", Query::name, name_of(flags)), time_s};
   }
 
-  EmbreeTime in_streams(std::size_t length, RTCIntersectContextFlags flags) const {
+#if FOVEOLA_EMBREE < 4
+  EmbreeTime in_streams(std::size_t length, embree::QueryFlags flags) const {
     std::vector<typename Query::Single> singles = all_singles();
     const double time_s = timed(singles.size(), task_rays, [&](std::size_t begin, std::size_t end) {
-      RayQueryContext context(source_, flags);
+      RayQueryContext context(source_);
+      context.flags = flags;
       for (std::size_t i = begin; i < end; i += length) {
         Query::trace_many(scene_, &context, &singles[i],
                           static_cast<unsigned>(std::min(length, end - i)),
@@ -125,10 +130,11 @@ class Replay {
     });
     return {fmt::format("{}1M of {}, {}", Query::name, length, name_of(flags)), time_s};
   }
+#endif
 
  private:
-  static const char* name_of(RTCIntersectContextFlags flags) {
-    return flags == RTC_INTERSECT_CONTEXT_FLAG_COHERENT ? "coherent" : "incoherent";
+  static const char* name_of(embree::QueryFlags flags) {
+    return flags == embree::coherent ? "coherent" : "incoherent";
   }
 
   std::vector<typename Query::Single> all_singles() const {
@@ -154,10 +160,13 @@ class Replay {
 
 template <typename Query>
 std::vector<EmbreeTime> time_all(const Replay<Query>& replay) {
-  return {replay.one_by_one(), replay.in_packets(RTC_INTERSECT_CONTEXT_FLAG_COHERENT),
-          replay.in_packets(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT),
-          replay.in_streams(64, RTC_INTERSECT_CONTEXT_FLAG_COHERENT),
-          replay.in_streams(1024, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT)};
+  std::vector<EmbreeTime> times = {replay.one_by_one(), replay.in_packets(embree::coherent),
+                                   replay.in_packets(embree::incoherent)};
+#if FOVEOLA_EMBREE < 4
+  times.push_back(replay.in_streams(64, embree::coherent));
+  times.push_back(replay.in_streams(1024, embree::incoherent));
+#endif
+  return times;
 }
 
 }  // namespace

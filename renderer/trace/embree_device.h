@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-#include <embree3/rtcore.h>
+#include "renderer/trace/embree.h"
 
 namespace foveola {
 

@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
 #include "renderer/base/digest.h"
 #include "renderer/base/random.h"
 #include "renderer/trace/embree_device.h"
@@ -38,7 +36,8 @@ static_assert(offsetof(RayLanes, direction) == offsetof(RTCRay8, dir_x));
 static_assert(offsetof(RayLanes, t_max) == offsetof(RTCRay8, tfar));
 static_assert(offsetof(RayLanes, mask) == offsetof(RTCRay8, mask));
 static_assert(offsetof(RayLanes, key) == offsetof(RTCRay8, id));
-static_assert(sizeof(HitQueries) == sizeof(RTCRayHit8));
+// Embree 4 writes one column more than Embree 3.
+static_assert(sizeof(HitQueries) >= sizeof(RTCRayHit8));
 static_assert(alignof(HitQueries) == alignof(RTCRayHit8));
 static_assert(offsetof(HitQueries, u) == offsetof(RTCRayHit8, hit.u));
 static_assert(offsetof(HitQueries, triangle) == offsetof(RTCRayHit8, hit.primID));
@@ -126,7 +125,7 @@ Hit closest_hit_of(RTCScene scene, const Ray& ray, RayQueryContext& context) {
   std::memcpy(&query.ray, &ray, sizeof(query.ray));  // the same bytes (asserted above)
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene, &context, &query);
+  embree::intersect_1(scene, context, embree::incoherent, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
     return {};
   }
@@ -312,8 +311,8 @@ Hit RayScene::closest_hit_of_any_opacity(const Ray& ray) const {
 void RayScene::find_hits(HitQueries& queries, const LaneMask& lanes) const {
   RayQueryContext context(*embree_->source);
   // The same bytes (asserted above).
-  rtcIntersect8(reinterpret_cast<const int*>(&lanes), embree_->scene.get(), &context,
-                reinterpret_cast<RTCRayHit8*>(&queries));
+  embree::intersect_8(reinterpret_cast<const int*>(&lanes), embree_->scene.get(), context,
+                      embree::incoherent, reinterpret_cast<RTCRayHit8&>(queries));
 }
 
 bool RayScene::asks_for_keys() const { return embree_->asks_for_keys; }
@@ -334,6 +333,37 @@ void RayScene::find_blocked(RayStream& rays) const {
     context.met_thin_surface = rays.met_thin_surface_.data();
     std::fill_n(context.met_thin_surface, rays.size(), 0U);
   }
+  find_blocked(embree_->scene.get(), context, rays, id);
+}
+
+#if FOVEOLA_EMBREE >= 4
+
+void RayScene::find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStream& rays,
+                            std::uint32_t* id) {
+  for (std::size_t first = 0; first < rays.size(); first += lane_count) {
+    const std::size_t count = std::min(lane_count, rays.size() - first);
+    RTCRay8 packet{};
+    alignas(32) std::array<int, lane_count> valid{};
+    std::fill_n(valid.begin(), count, -1);
+    std::copy_n(rays.origin_.data(0) + first, count, packet.org_x);
+    std::copy_n(rays.origin_.data(1) + first, count, packet.org_y);
+    std::copy_n(rays.origin_.data(2) + first, count, packet.org_z);
+    std::copy_n(rays.direction_.data(0) + first, count, packet.dir_x);
+    std::copy_n(rays.direction_.data(1) + first, count, packet.dir_y);
+    std::copy_n(rays.direction_.data(2) + first, count, packet.dir_z);
+    std::copy_n(rays.t_max_.data() + first, count, packet.tfar);
+    std::copy_n(id + first, count, packet.id);
+    std::fill_n(packet.mask, lane_count, ~0U);
+    embree::occluded_8(valid.data(), scene, context, embree::incoherent, packet);
+    std::copy_n(packet.tfar, count, rays.t_max_.data() + first);
+  }
+}
+
+#else
+
+void RayScene::find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStream& rays,
+                            std::uint32_t* id) {
+  context.flags = embree::incoherent;
   RTCRayNp stream{.org_x = rays.origin_.data(0),
                   .org_y = rays.origin_.data(1),
                   .org_z = rays.origin_.data(2),
@@ -346,7 +376,9 @@ void RayScene::find_blocked(RayStream& rays) const {
                   .mask = rays.mask_.data(),
                   .id = id,
                   .flags = rays.met_thin_surface_.data()};
-  rtcOccludedNp(embree_->scene.get(), &context, &stream, static_cast<unsigned>(rays.size()));
+  rtcOccludedNp(scene, &context, &stream, static_cast<unsigned>(rays.size()));
 }
+
+#endif
 
 }  // namespace foveola

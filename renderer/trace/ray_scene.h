@@ -17,6 +17,8 @@ struct RTCSceneTy;
 
 namespace foveola {
 
+struct RayQueryContext;
+
 /// The points origin + t * direction for t in (t_min, t_max). Laid out as Embree's single ray.
 struct alignas(16) Ray {
   Vec3 origin{0.0F};
@@ -87,6 +89,7 @@ struct HitQueries {
   Vec3Lanes normal;  ///< Embree's, which nothing reads
   FloatLanes u, v;
   UintLanes triangle, geometry, instance;
+  UintLanes instance_part;  ///< Embree 4's, which nothing reads
 
   explicit HitQueries(const RayLanes& wanted) : rays(wanted) {
     geometry.fill(Hit::nothing);
@@ -146,6 +149,11 @@ class RayScene {
 
  private:
   struct Embree;
+
+  /// id: of each ray, for the filters.
+  static void find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStream& rays,
+                           std::uint32_t* id);
+
   std::unique_ptr<Embree> embree_;
 };
 

@@ -154,10 +154,7 @@ struct Terminal::Screen {
   Screen& operator=(const Screen&) = delete;
 
   /// "dumb", of many an editor, knows no place but the next.
-  bool can_be_painted_on() const {
-    return screen != nullptr && ::tigetstr("cup") != nullptr &&
-           ::tigetstr("cup") != reinterpret_cast<char*>(-1);
-  }
+  bool can_be_painted_on() const { return screen != nullptr && ::tigetstr("cup") != nullptr; }
 };
 
 bool Terminal::is_there() {
