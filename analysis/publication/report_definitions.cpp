@@ -91,10 +91,9 @@ std::string definitions_section(const StudyTables& tables) {
       "The figures of data quality",
       "From the frame log of the attempts that count, per session: the share of frames that "
       "missed their refresh; of frames whose tracker’s newest gaze was not valid, or older than a "
-      "blink lasts (600 ms); the mean age "
-      "of the gaze used plus the mean time from polling to the display; and how long after the "
-      "frame on the display the latest mark came. Limits that no source gives are Foveola’s own "
-      "and say so.");
+      "blink lasts (600 ms); the mean age of the gaze used plus the mean time from polling to the "
+      "display; and how long after the frame on the display the latest mark came. Limits that no "
+      "source gives are Foveola’s own and say so.");
   define("How sessions went",
          "A session was cut off if its program was killed, lost its display or power, or was left "
          "before the session’s end; attempts that this ended are lost, and are timed again. Trials "

@@ -333,13 +333,7 @@ void RayScene::find_blocked(RayStream& rays) const {
     context.met_thin_surface = rays.met_thin_surface_.data();
     std::fill_n(context.met_thin_surface, rays.size(), 0U);
   }
-  find_blocked(embree_->scene.get(), context, rays, id);
-}
-
 #if FOVEOLA_EMBREE >= 4
-
-void RayScene::find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStream& rays,
-                            std::uint32_t* id) {
   for (std::size_t first = 0; first < rays.size(); first += lane_count) {
     const std::size_t count = std::min(lane_count, rays.size() - first);
     RTCRay8 packet{};
@@ -354,15 +348,10 @@ void RayScene::find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStre
     std::copy_n(rays.t_max_.data() + first, count, packet.tfar);
     std::copy_n(id + first, count, packet.id);
     std::fill_n(packet.mask, lane_count, ~0U);
-    embree::occluded_8(valid.data(), scene, context, embree::incoherent, packet);
+    embree::occluded_8(valid.data(), embree_->scene.get(), context, embree::incoherent, packet);
     std::copy_n(packet.tfar, count, rays.t_max_.data() + first);
   }
-}
-
 #else
-
-void RayScene::find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStream& rays,
-                            std::uint32_t* id) {
   context.flags = embree::incoherent;
   RTCRayNp stream{.org_x = rays.origin_.data(0),
                   .org_y = rays.origin_.data(1),
@@ -376,9 +365,8 @@ void RayScene::find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStre
                   .mask = rays.mask_.data(),
                   .id = id,
                   .flags = rays.met_thin_surface_.data()};
-  rtcOccludedNp(scene, &context, &stream, static_cast<unsigned>(rays.size()));
-}
-
+  rtcOccludedNp(embree_->scene.get(), &context, &stream, static_cast<unsigned>(rays.size()));
 #endif
+}
 
 }  // namespace foveola

@@ -17,8 +17,6 @@ struct RTCSceneTy;
 
 namespace foveola {
 
-struct RayQueryContext;
-
 /// The points origin + t * direction for t in (t_min, t_max). Laid out as Embree's single ray.
 struct alignas(16) Ray {
   Vec3 origin{0.0F};
@@ -149,11 +147,6 @@ class RayScene {
 
  private:
   struct Embree;
-
-  /// id: of each ray, for the filters.
-  static void find_blocked(RTCSceneTy* scene, RayQueryContext& context, RayStream& rays,
-                           std::uint32_t* id);
-
   std::unique_ptr<Embree> embree_;
 };
 

@@ -11,8 +11,8 @@ namespace foveola::study {
 /// A terminal that has room for any has room for so many bytes; a pipe for more.
 inline constexpr std::size_t most_taken_at_once = 256;
 
-/// Writes the beginning of `text`, once `descriptor` takes any, and returns how many bytes of it;
-/// 0 if it takes none within `longest`, all of them if it never will again.
+/// Writes the beginning of `text` once `descriptor` takes any. Returns how many bytes were taken: 0
+/// if none were within `longest`, all if none ever will be again.
 std::size_t write_taken(int descriptor, std::string_view text, std::chrono::milliseconds longest);
 
 }  // namespace foveola::study

@@ -17,14 +17,13 @@
 #include "renderer/commands/live_window.h"
 #include "renderer/gaze/gaze_source.h"
 #include "study/console/console_words.h"
-#include "study/console/line_console.h"
-#include "study/console/line_writer.h"
-#include "study/console/screen_console.h"
+#include "study/console/open_console.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/consent_receipt.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
 #include "study/person/preflight_measurement.h"
+#include "study/person/run_equipment.h"
 #include "study/person/session_window.h"
 #include "study/person/words.h"
 #include "study/preflight/preflight_checks.h"
@@ -41,46 +40,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-constexpr const char* usual_tracker = "pointer";
-constexpr const char* usual_display = "desktop";
-
-DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol) {
-  if (settings.display.empty() && protocol.display.profile) {
-    return *protocol.display.profile;
-  }
-  return read_display_profile(settings.display.empty() ? usual_display : settings.display);
-}
-
-TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol) {
-  if (settings.tracker.empty() && protocol.tracker.profile) {
-    return *protocol.tracker.profile;
-  }
-  return read_tracker_profile(settings.tracker.empty() ? usual_tracker : settings.tracker);
-}
-
-/// The protocol with the settings' filter of the gaze.
-Protocol protocol_of(const RunSettings& settings) {
-  Protocol protocol = load_protocol(settings.protocol);
-  if (settings.gaze_filter) {
-    protocol.tracker.filter = *settings.gaze_filter;
-  }
-  return protocol;
-}
-
-/// Whether it is nobody's who sits there.
-bool is_nobodys_eye(TrackerSource source) {
-  return source == TrackerSource::simulated || source == TrackerSource::recorded;
-}
-
-/// A rehearsal may have any eye.
-void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
-  if (kind == SessionKind::human && is_nobodys_eye(tracker.source)) {
-    throw Error("--tracker",
-                fmt::format("the profile {} is of a {} eye", tracker.name, eye_of(tracker.source)),
-                "name the tracker that is there, or rehearse with --pilot");
-  }
-}
 
 /// Positive as SQLite's integers.
 std::uint64_t drawn_seed() {
@@ -128,19 +87,6 @@ void say_if_pictures_are_lost(SessionDisplay& display, Console& console) {
   }
 }
 
-constexpr int no_input = -1;
-
-std::unique_ptr<Console> lines_of(const RunSettings& settings, LineWriter& output, int input) {
-  return settings.json ? std::unique_ptr<Console>(std::make_unique<JsonConsole>(output, input))
-                       : std::make_unique<LineConsole>(output, input);
-}
-
-/// The session's.
-std::unique_ptr<Console> console_of(const RunSettings& settings, LineWriter& output) {
-  std::unique_ptr<Console> screen = settings.json ? nullptr : ScreenConsole::open(output);
-  return screen != nullptr ? std::move(screen) : lines_of(settings, output, STDIN_FILENO);
-}
-
 /// All that one session takes, in the thread beside the window's.
 class PersonRun {
  public:
@@ -157,7 +103,7 @@ class PersonRun {
         tracker_(std::move(tracker)),
         store_(store),
         output_(output),
-        console_(lines_of(settings, output, no_input)),
+        console_(open_output(settings.json, output)),
         so_far_(std::move(so_far)) {}
 
   Phase run(Window& window, WindowEvents& events, const IVec2& framebuffer, const Clock& clock,
@@ -178,7 +124,7 @@ class PersonRun {
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
     const std::unique_ptr<StageReloader> reloader = reloader_of(stages);
-    std::unique_ptr<Console> console = console_of(settings_, output_);
+    std::unique_ptr<Console> console = open_console(settings_.json, output_);
     const SessionOutcome outcome = PersonSession(session,
                                                  {.protocol = protocol_,
                                                   .plan = plan_,
@@ -281,10 +227,8 @@ class PersonRun {
                        .devices = devices,
                        .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
-    console_->say(
-        fmt::format("Participant {}, row {} of the design, seed {}, {} trials. help says what can "
-                    "be typed here.",
-                    facts.participant, facts.design_row, facts.seed, plan_.size()));
+    console_->say(fmt::format("Participant {}, row {} of the design, seed {}, {} trials.",
+                              facts.participant, facts.design_row, facts.seed, plan_.size()));
     row_ = store_.begin_session(facts, plan_);
     return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, notes_of_eye());
   }
@@ -304,9 +248,8 @@ class PersonRun {
     const KnownSession& known = so_far_->session;
     const Procedure procedure = procedure_of(protocol_, plan_);
     const SessionState state = once_resumed(so_far_->position.state);
-    console_->say(
-        fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
-                    known.participant, seconds(so_far_->position.time)));
+    console_->say(fmt::format("Participant {} goes on after {:.0f} s.", known.participant,
+                              seconds(so_far_->position.time)));
     console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
                               words_for_next(state, procedure, plan_)));
     row_ = known.id;

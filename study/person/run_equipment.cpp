@@ -1,0 +1,50 @@
+#include "study/person/run_equipment.h"
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "study/preflight/preflight.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr const char* usual_tracker = "pointer";
+constexpr const char* usual_display = "desktop";
+
+}  // namespace
+
+DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol) {
+  if (settings.display.empty() && protocol.display.profile) {
+    return *protocol.display.profile;
+  }
+  return read_display_profile(settings.display.empty() ? usual_display : settings.display);
+}
+
+TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol) {
+  if (settings.tracker.empty() && protocol.tracker.profile) {
+    return *protocol.tracker.profile;
+  }
+  return read_tracker_profile(settings.tracker.empty() ? usual_tracker : settings.tracker);
+}
+
+Protocol protocol_of(const RunSettings& settings) {
+  Protocol protocol = load_protocol(settings.protocol);
+  if (settings.gaze_filter) {
+    protocol.tracker.filter = *settings.gaze_filter;
+  }
+  return protocol;
+}
+
+bool is_nobodys_eye(TrackerSource source) {
+  return source == TrackerSource::simulated || source == TrackerSource::recorded;
+}
+
+void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
+  if (kind == SessionKind::human && is_nobodys_eye(tracker.source)) {
+    throw Error("--tracker",
+                fmt::format("the profile {} is of a {} eye", tracker.name, eye_of(tracker.source)),
+                "name the tracker that is there, or rehearse with --pilot");
+  }
+}
+
+}  // namespace foveola::study

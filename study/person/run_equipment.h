@@ -1,0 +1,24 @@
+// What a run's settings and its protocol ask for: the display, the tracker, and what the gaze goes
+// through.
+#pragma once
+
+#include "study/person/run_person.h"
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+/// Each that is not in the settings is the protocol's, or the usual one. Throw Error if there is no
+/// such profile.
+DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol);
+TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol);
+
+/// The protocol with the settings' filter of the gaze. Throws Error if it cannot be read.
+Protocol protocol_of(const RunSettings& settings);
+
+/// Whether it is nobody's who sits there: simulated, or recorded before.
+bool is_nobodys_eye(TrackerSource source);
+
+/// Throws Error if a person's session that counts would have nobody's eye; a rehearsal may.
+void require_real_gaze(const TrackerProfile& tracker, SessionKind kind);
+
+}  // namespace foveola::study
