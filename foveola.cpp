@@ -17,6 +17,7 @@
 #include "analysis/commands/bench_convergence.h"
 #include "analysis/commands/bench_statistics.h"
 #include "analysis/commands/commands.h"
+#include "analysis/commands/manual_text.h"
 #include "analysis/publication/analyze_study.h"
 #include "analysis/publication/output_folder.h"
 #include "analysis/publication/published_comparison_report.h"
@@ -24,6 +25,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
+#include "renderer/command_line/commands.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/preview_command.h"
@@ -75,7 +77,7 @@ class SignalStop {
  private:
   /// nohup asks for it.
   static bool is_ignored(int signal) {
-    struct sigaction action {};
+    struct sigaction action{};
     return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
   }
 
@@ -189,6 +191,7 @@ int run(int argc, char** argv) {
       {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
       signals.token());
   analysis::add_analysis_commands(app, signals.token());
+  add_command_line_commands(app, analysis::manual_text());
   try {
     check_numbers(app);
     reject_unknown_commands(app, {argv + 1, argv + argc});

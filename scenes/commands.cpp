@@ -227,7 +227,7 @@ void add_make(CLI::App& app, const std::stop_token& stop) {
   const auto arguments = std::make_shared<MakeArguments>();
   CLI::App* command = app.add_subcommand("make", "Make built-in scenes as .glb files");
   command->add_option("NAME", arguments->names, "The scenes to make (default: all)")
-      ->check(check_builtin_name);
+      ->check(check_builtin_name, fmt::format("{{{}}}", fmt::join(builtin_names(), ",")));
   command->add_option("-o,--output", arguments->folder,
                       "The folder to put them in (default: the cache)");
   command
@@ -292,8 +292,7 @@ fs::path fetch(const Descriptor& descriptor, const FetchArguments& arguments,
     return file;
   }
   Progress progress("downloading " + descriptor.file_name);
-  return fetch_from_web(
-      descriptor, [&](double fraction) { progress.update(fraction); }, stop);
+  return fetch_from_web(descriptor, [&](double fraction) { progress.update(fraction); }, stop);
 }
 
 void add_fetch(CLI::App& app, const std::stop_token& stop) {

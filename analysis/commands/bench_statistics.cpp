@@ -94,8 +94,7 @@ void run_bench_statistics(const CoverageSettings& settings, bool json,
       std::move(others.begin(), others.end(), std::back_inserter(figures));
     };
     // The shares of the time that they take.
-    add(measure_coverage(
-        settings, [&](double done) { progress.update(0.5 * done); }, stop));
+    add(measure_coverage(settings, [&](double done) { progress.update(0.5 * done); }, stop));
     add(measure_crossed_coverage(
         settings, [&](double done) { progress.update(0.5 + 0.1 * done); }, stop));
     add(measure_censored_coverage(

@@ -155,7 +155,7 @@ using Kind = std::vector<const SpeedUp*>;
 
 /// The geometric mean of what all rows of a kind have, empty unless every one of them has it; of a
 /// single row its own estimate.
-std::optional<Estimate> over_all(const Kind& rows, std::optional<Estimate> SpeedUp::*estimate) {
+std::optional<Estimate> over_all(const Kind& rows, std::optional<Estimate> SpeedUp::* estimate) {
   if (rows.size() == 1) {
     return rows.front()->*estimate;
   }

@@ -185,8 +185,7 @@ void take_pilot(const study::StudyRecords& pilot, bool with_times, ExpectedStudy
   for (std::size_t mark = 0; with_times && mark < marks.size(); ++mark) {
     expected.times[mark].baseline_s = geometric_mean_of_baseline(set, marks[mark]);
   }
-  take_spread(
-      set, {marks.front()}, [](std::size_t) { return 1.0; }, expected.times_spread);
+  take_spread(set, {marks.front()}, [](std::size_t) { return 1.0; }, expected.times_spread);
   expected.later_marks_variation =
       later_marks_variation(set).value_or(expected.later_marks_variation);
   take_spread(

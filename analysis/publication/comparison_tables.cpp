@@ -179,7 +179,7 @@ void add_primary(ColumnsOf<Comparison>& columns) {
            [](const PrimaryResult& result) { return name_of(result.scale); });
   add("estimate", "Estimate of the primary analysis",
       [](const PrimaryResult& result) { return in_scale(result.scale, result.estimate); });
-  const auto end = [](const PrimaryResult& result, double Interval::*which) {
+  const auto end = [](const PrimaryResult& result, double Interval::* which) {
     return result.interval ? std::optional(in_scale(result.scale, *result.interval.*which))
                            : std::nullopt;
   };

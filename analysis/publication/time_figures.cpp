@@ -21,8 +21,8 @@ namespace {
 
 /// Seconds, or per cent of the baseline.
 struct TimeScale {
-  std::vector<double> MethodTimes::*participants;
-  std::optional<Estimate> MethodTimes::*estimate;
+  std::vector<double> MethodTimes::* participants;
+  std::optional<Estimate> MethodTimes::* estimate;
   std::size_t first_method = 0;  ///< The methods from this one on are drawn.
 };
 

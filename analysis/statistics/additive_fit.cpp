@@ -71,7 +71,7 @@ double AdditiveFit::freedom(std::size_t index) const {
 }
 
 /// Adds to the effects what the residuals of each have on average; returns the largest change.
-double AdditiveFit::sweep(Effects& effects, std::size_t TrialValue::*index) const {
+double AdditiveFit::sweep(Effects& effects, std::size_t TrialValue::* index) const {
   std::vector<double> sums(effects.means.size(), 0.0);
   for (std::size_t i = 0; i < values_.size(); ++i) {
     if (kept_[i]) {

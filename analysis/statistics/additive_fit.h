@@ -45,7 +45,7 @@ class AdditiveFit {
     double present() const;
   };
 
-  double sweep(Effects& effects, std::size_t TrialValue::*index) const;
+  double sweep(Effects& effects, std::size_t TrialValue::* index) const;
   void fit();
 
   std::vector<TrialValue> values_;

@@ -9,7 +9,7 @@ namespace foveola::analysis {
 namespace {
 
 /// The additive fit of what `quantity` is of each value.
-AdditiveFit fit_of(const std::vector<OrderedValue>& values, double OrderedValue::*quantity) {
+AdditiveFit fit_of(const std::vector<OrderedValue>& values, double OrderedValue::* quantity) {
   std::vector<TrialValue> trials;
   trials.reserve(values.size());
   for (const OrderedValue& value : values) {

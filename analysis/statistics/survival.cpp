@@ -78,7 +78,7 @@ std::optional<SurvivalMedian> median_of(const std::vector<SurvivalStep>& steps) 
   if (!median) {
     return std::nullopt;
   }
-  const auto end_of = [&](double Interval::*end) {
+  const auto end_of = [&](double Interval::* end) {
     return time_of_half(steps, [=](const SurvivalStep& step) {
       return step.interval ? std::optional((*step.interval).*end) : std::nullopt;
     });

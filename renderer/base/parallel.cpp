@@ -93,8 +93,7 @@ void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
 #else
 void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
   arena.execute([&] {
-    tbb::parallel_for(
-        0, arena.max_concurrency(), [&](int) { work(); }, tbb::simple_partitioner());
+    tbb::parallel_for(0, arena.max_concurrency(), [&](int) { work(); }, tbb::simple_partitioner());
   });
 }
 #endif

@@ -262,6 +262,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
   const nlohmann::ordered_json json = {{"version", build_info().version},
                                        {"compiler", build_info().compiler},
                                        {"instruction_set", build_info().instruction_set},
+                                       {"embree_version", embree_version()},
                                        {"processor", machine_info().processor},
                                        {"scene", arguments.scene},
                                        {"method", settings.method},
@@ -302,8 +303,12 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
     runs.push_back(measure(source, settings, arguments.repetitions, arguments.no_fast_path));
   }
   print_warnings(runs.front().warnings);
-  arguments.json ? print_json(runs, arguments, settings)
-                 : print_table(runs, settings.budget.samples);
+  if (arguments.json) {
+    print_json(runs, arguments, settings);
+    return;
+  }
+  fmt::print("Embree {}\n", embree_version());
+  print_table(runs, settings.budget.samples);
 }
 
 }  // namespace

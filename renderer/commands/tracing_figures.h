@@ -18,8 +18,8 @@ namespace foveola {
 /// A kind of ray, and how often it was asked for.
 struct RayKind {
   const char* name;
-  std::uint64_t RayCounts::*count;
-  std::vector<Ray> RayLog::*rays;
+  std::uint64_t RayCounts::* count;
+  std::vector<Ray> RayLog::* rays;
   RayQuery query;
 };
 inline constexpr std::array<RayKind, 4> ray_kinds{

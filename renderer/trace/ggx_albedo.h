@@ -144,7 +144,7 @@ template <typename Number>
 inline SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
   const NodePositionOf<Number> place(albedo_position(cosine, alpha_), cosine_steps);
   const auto cell = GgxAlbedo::cell(nodes_, first_node_ + place.below);
-  const auto between = [&](Number Vec2Of<Number>::*value) {
+  const auto between = [&](Number Vec2Of<Number>::* value) {
     const auto at_roughness = [&](std::size_t node) {
       const Number smoother = cell.smoother[node].*value;
       return smoother + rougher_weight_ * (cell.rougher[node].*value - smoother);

@@ -16,8 +16,7 @@ class RectangleSampler : public ViewSampler {
   void aim(const Aim&) override {}
 
   void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
-    sample_places(
-        points, [this](const Vec2& point) { return rectangle_.place(point); }, samples);
+    sample_places(points, [this](const Vec2& point) { return rectangle_.place(point); }, samples);
   }
 
   double density_per_sr(const Vec3& direction) const override {

@@ -134,8 +134,7 @@ Shape plate(const Sheet& sheet, const Cells& cells, double depth) {
 }
 
 Shape plate(const Sheet& sheet, double depth) {
-  return plate(
-      sheet, [](std::size_t, std::size_t) { return true; }, depth);
+  return plate(sheet, [](std::size_t, std::size_t) { return true; }, depth);
 }
 
 Shape with_folded_edges(Shape shape, double fold) {

@@ -59,8 +59,8 @@ int open_lock_file(const fs::path& path) {
 
 /// Whether the file at `path` is still the open one: whoever had it before may have removed it.
 bool is_at(const fs::path& path, int descriptor) {
-  struct stat open_file {};
-  struct stat named_file {};
+  struct stat open_file{};
+  struct stat named_file{};
   return ::fstat(descriptor, &open_file) == 0 && ::stat(path.c_str(), &named_file) == 0 &&
          open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
 }

@@ -92,20 +92,23 @@ Json values_of(const Excluded& event) { return {{"reason", event.reason}}; }
 void read_values(const Json& json, Excluded& event) { event.reason = json.at("reason"); }
 
 template <typename TimedEvent>
-requires requires(TimedEvent event) { event.time; }
-Json values_of(const TimedEvent& event) { return {{"time_ns", event.time.count()}}; }
+  requires requires(TimedEvent event) { event.time; }
+Json values_of(const TimedEvent& event) {
+  return {{"time_ns", event.time.count()}};
+}
 template <typename TimedEvent>
-requires requires(TimedEvent event) { event.time; }
+  requires requires(TimedEvent event) { event.time; }
 void read_values(const Json& json, TimedEvent& event) {
   event.time = nanoseconds_from(json.at("time_ns"));
 }
 
 template <typename BareEvent>
-requires std::is_empty_v<BareEvent> Json values_of(const BareEvent& /*event*/) {
+  requires std::is_empty_v<BareEvent>
+Json values_of(const BareEvent& /*event*/) {
   return Json::object();
 }
 template <typename BareEvent>
-requires std::is_empty_v<BareEvent>
+  requires std::is_empty_v<BareEvent>
 void read_values(const Json& /*json*/, BareEvent& /*event*/) {}
 
 /// Tries the events from the one at `index` of the variant on.

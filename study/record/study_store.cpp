@@ -48,7 +48,7 @@ struct FileIdentity {
 
 /// None, which is 0, if there is no file.
 FileIdentity identity_of(const fs::path& path) {
-  struct stat status {};
+  struct stat status{};
   return ::stat(path.c_str(), &status) == 0 ? FileIdentity{status.st_dev, status.st_ino}
                                             : FileIdentity{};
 }

@@ -13,7 +13,7 @@ struct Overloaded : Functions... {
 };
 template <typename... Functions>
 // NOLINTNEXTLINE(readability-identifier-naming): a deduction guide has its class's name.
-Overloaded(Functions...)->Overloaded<Functions...>;
+Overloaded(Functions...) -> Overloaded<Functions...>;
 
 using Result = std::optional<Transition>;
 

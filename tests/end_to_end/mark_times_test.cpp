@@ -11,7 +11,7 @@ namespace foveola::test {
 namespace {
 
 void print_lateness(const char* than, const std::vector<double>& marks_s,
-                    const std::vector<KeyPress>& presses, double KeyPress::*since_s) {
+                    const std::vector<KeyPress>& presses, double KeyPress::* since_s) {
   std::vector<double> late_ms;
   for (std::size_t i = 0; i < marks_s.size(); ++i) {
     late_ms.push_back(1e3 * (marks_s[i] - presses[i].*since_s));

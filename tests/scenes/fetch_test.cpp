@@ -55,9 +55,7 @@ class FetchTest : public ::testing::Test {
   /// What went wrong; empty if nothing.
   std::string fetch(const Descriptor& descriptor, const std::stop_token& stop = {}) {
     try {
-      EXPECT_EQ(fetch_from_web(
-                    descriptor, [](double) {}, stop),
-                target());
+      EXPECT_EQ(fetch_from_web(descriptor, [](double) {}, stop), target());
     } catch (const Error& error) {
       return error.what();
     }

@@ -70,19 +70,13 @@ TEST(Configurations, OfPlainPathsAreTheirPartsTogether) {
 }
 
 TEST(Configurations, RefuseWhatMakesNoSense) {
-  EXPECT_THAT(
-      [] {
-        (void)make_configurations({"od", "dov"}, {});
-      },
-      ThrowsMessage<Error>(HasSubstr("dov")));
+  EXPECT_THAT([] { (void)make_configurations({"od", "dov"}, {}); },
+              ThrowsMessage<Error>(HasSubstr("dov")));
   EXPECT_THAT(
       [] { (void)make_configurations({"od"}, {"no-magic"}); },
       ThrowsMessage<UsageError>(HasSubstr("no option 'no-magic'; choose from: independent")));
-  EXPECT_THAT(
-      [] {
-        (void)make_configurations({"od", "fv", "od"}, {});
-      },
-      ThrowsMessage<UsageError>(HasSubstr("'od' comes twice")));
+  EXPECT_THAT([] { (void)make_configurations({"od", "fv", "od"}, {}); },
+              ThrowsMessage<UsageError>(HasSubstr("'od' comes twice")));
   EXPECT_THROW((void)make_configurations({}, {}), UsageError);
 }
 

@@ -256,8 +256,8 @@ StudyRecords both_of(const StudyRecords& records, const StudyRecords& others) {
 /// Everybody twice: the same means, narrower intervals, smaller P-values.
 TEST(Invariance, OfMeansWhenEverybodyIsThereTwice) {
   const StudyRecords records = uneven_study(9);
-  const StudyRecords others = renamed(
-      records, [](const std::string& code) { return code + "b"; }, unchanged, unchanged);
+  const StudyRecords others =
+      renamed(records, [](const std::string& code) { return code + "b"; }, unchanged, unchanged);
   const StudyRecords twice = both_of(records, others);
   const Analysis a = analysis_of(records);
   const Analysis b = analysis_of(twice);

@@ -98,11 +98,8 @@ TEST(Background, AnAnswerThatIsNoNumberIsNamed) {
   const Dataset set = select_for_analysis(saving_study());
   const std::vector<BackgroundAnswer> answers = {
       {"P1", "a", std::numeric_limits<double>::quiet_NaN()}};
-  EXPECT_THAT(
-      [&] {
-        (void)correlate_background(set, answers, {{"a"}, false});
-      },
-      ThrowsMessage<Error>(AllOf(HasSubstr("participant P1"), HasSubstr("question a"))));
+  EXPECT_THAT([&] { (void)correlate_background(set, answers, {{"a"}, false}); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("participant P1"), HasSubstr("question a"))));
 }
 
 TEST(Background, IsWhatWasAnsweredInNumbersToTheQuestionnaireOfThatId) {

@@ -35,9 +35,7 @@ TEST(CensoredCoverage, DoesNotDependOnThreads) {
 TEST(CensoredCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(measure_censored_coverage(
-                  {}, [](double) {}, stop.get_token())
-                  .empty());
+  EXPECT_TRUE(measure_censored_coverage({}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

@@ -34,9 +34,7 @@ TEST(Coverage, IntervalsCoverAndTestsSeldomReject) {
 TEST(Coverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(measure_coverage(
-                  {}, [](double) {}, stop.get_token())
-                  .empty());
+  EXPECT_TRUE(measure_coverage({}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

@@ -32,9 +32,7 @@ TEST(CrossedCoverage, DoesNotDependOnThreads) {
 TEST(CrossedCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(measure_crossed_coverage(
-                  {}, [](double) {}, stop.get_token())
-                  .empty());
+  EXPECT_TRUE(measure_crossed_coverage({}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

@@ -150,9 +150,7 @@ TEST(StudyPower, ATargetOutOfReachHasNoFewestParticipants) {
 TEST(StudyPower, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(power_curve(
-                  example_study(), {}, {}, [](std::size_t) {}, stop.get_token())
-                  .empty());
+  EXPECT_TRUE(power_curve(example_study(), {}, {}, [](std::size_t) {}, stop.get_token()).empty());
 }
 
 }  // namespace

@@ -90,11 +90,8 @@ TEST(PairedT, UnitsDoNotMatterToRatios) {
 }
 
 TEST(PairedT, ATimeWithoutALogarithmIsNamed) {
-  EXPECT_THAT(
-      [] {
-        (void)logarithms(std::vector<double>{1, 0});
-      },
-      ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
+  EXPECT_THAT([] { (void)logarithms(std::vector<double>{1, 0}); },
+              ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
 }
 
 }  // namespace

@@ -6,6 +6,19 @@
 #include "tests/encoded_image.h"
 
 namespace foveola::test {
+
+GlbBuilder textured_triangle(const std::string& buffer_uri, const std::string& image_uri) {
+  GlbBuilder glb = one_triangle();
+  Json& primitive = glb.document["meshes"][0]["primitives"][0];
+  primitive["attributes"]["TEXCOORD_0"] = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
+  glb.document["buffers"] = {{{"byteLength", glb.buffer.size()}, {"uri", buffer_uri}}};
+  glb.add("images", {{"uri", image_uri}});
+  const Json texture = {{"index", glb.add("textures", {{"source", 0}})}};
+  primitive["material"] =
+      glb.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", texture}}}});
+  return glb;
+}
+
 Scene LoadGltf::load_bytes(const std::string& bytes, const std::string& name) const {
   return load_gltf(write(name, bytes));
 }

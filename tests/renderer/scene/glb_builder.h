@@ -61,6 +61,10 @@ inline GlbBuilder one_triangle() {
   return glb;
 }
 
+/// one_triangle for a .gltf file: its buffer, which is not written, at one uri, and in its material
+/// the image at the other.
+GlbBuilder textured_triangle(const std::string& buffer_uri, const std::string& image_uri);
+
 /// A test with a folder of its own.
 class InTemporaryFolder : public ::testing::Test {
  protected:

@@ -36,18 +36,8 @@ TEST_F(GltfFiles, KnowsTheHashOfItsFile) {
   EXPECT_EQ(load_bytes(bytes).sha256, sha256(bytes));
 }
 
-/// one_triangle as .gltf, its buffer in triangle.bin and in its material the image `uri`.
-GlbBuilder with_image(const std::string& uri) {
-  GlbBuilder glb = one_triangle();
-  Json& primitive = glb.document["meshes"][0]["primitives"][0];
-  primitive["attributes"]["TEXCOORD_0"] = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
-  glb.document["buffers"] = {{{"byteLength", glb.buffer.size()}, {"uri", "triangle.bin"}}};
-  glb.add("images", {{"uri", uri}});
-  const Json texture = {{"index", glb.add("textures", {{"source", 0}})}};
-  primitive["material"] =
-      glb.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", texture}}}});
-  return glb;
-}
+/// Its buffer is in triangle.bin.
+GlbBuilder with_image(const std::string& uri) { return textured_triangle("triangle.bin", uri); }
 
 /// As `sha256sum scene.gltf a.png triangle.bin | cut -c-64 | sha256sum` has it.
 TEST_F(GltfFiles, HashCoversTheFilesBesideIt) {

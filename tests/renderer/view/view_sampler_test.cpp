@@ -136,8 +136,7 @@ TEST_P(EverySampler, ABatchIsItsPointsOneByOne) {
 
 std::string name_of_test(const testing::TestParamInfo<std::tuple<std::string, Looking>>& test) {
   std::string name = std::get<0>(test.param);
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name + "_at_" + std::get<1>(test.param).name;
 }
 

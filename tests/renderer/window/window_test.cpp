@@ -61,8 +61,7 @@ class WindowTest : public ::testing::Test {
   std::vector<WindowEvent> events_while(const std::function<void(test::XUser&)>& act,
                                         const IsLast& is_last) {
     test::XUser user(server_.display());
-    return pass_on_while(
-        window_, events_, [&] { act(user); }, is_last);
+    return pass_on_while(window_, events_, [&] { act(user); }, is_last);
   }
 
   test::XServer server_;
@@ -185,8 +184,7 @@ TEST_F(WindowTest, KeysHaveTheServersTimeHoweverLateTheyAreRead) {
     }
     return downs.size() == before.size();
   };
-  pass_on_while(
-      window_, events_, [] {}, is_last);
+  pass_on_while(window_, events_, [] {}, is_last);
   ASSERT_EQ(downs.size(), before.size());
   for (std::size_t i = 0; i < downs.size(); ++i) {
     EXPECT_GE(downs[i].time, before[i] - tick_of_server) << i;
@@ -298,20 +296,20 @@ TEST_F(MonitorTest, AWindowLeavesFullScreenWithItsMonitor) {
   Window window({.monitor = 1}, events_, clock_);
   EXPECT_EQ(window.framebuffer_size(), IVec2(800, 600));
   const auto is_lost = tells_of<MonitorLost>("DUMMY1");
-  const auto lost = pass_on_while(
-      window, events_, [&] { monitors_->take_away("DUMMY1"); }, is_lost);
+  const auto lost =
+      pass_on_while(window, events_, [&] { monitors_->take_away("DUMMY1"); }, is_lost);
   EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), is_lost));
   EXPECT_EQ(window.monitors().size(), 1U);
 
   // It is a window like others now: it can fill the monitor that is left.
   const auto fills_the_other = has_size({1024, 768});
-  const auto filled = pass_on_while(
-      window, events_, [&] { window.toggle_full_screen(); }, fills_the_other);
+  const auto filled =
+      pass_on_while(window, events_, [&] { window.toggle_full_screen(); }, fills_the_other);
   EXPECT_TRUE(std::any_of(filled.begin(), filled.end(), fills_the_other));
 
   const auto is_found = tells_of<MonitorFound>("DUMMY1");
-  const auto found = pass_on_while(
-      window, events_, [&] { monitors_->bring_back("DUMMY1"); }, is_found);
+  const auto found =
+      pass_on_while(window, events_, [&] { monitors_->bring_back("DUMMY1"); }, is_found);
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), is_found));
   EXPECT_EQ(window.monitors().size(), 2U);
   EXPECT_EQ(window.framebuffer_size(), IVec2(1024, 768)) << "it stays where it is";
@@ -320,8 +318,7 @@ TEST_F(MonitorTest, AWindowLeavesFullScreenWithItsMonitor) {
 TEST_F(MonitorTest, AWindowComesToAMonitorThatIsLeft) {
   Window window({.title = title, .monitor = 0}, events_, clock_);
   const auto is_lost = tells_of<MonitorLost>("DUMMY0");
-  pass_on_while(
-      window, events_, [&] { monitors_->take_away("DUMMY0"); }, is_lost);
+  pass_on_while(window, events_, [&] { monitors_->take_away("DUMMY0"); }, is_lost);
   test::XUser user(monitors_->display());
   test::wait_until("the window on DUMMY1, whose left edge is at 1024", [&] {
     const auto place = user.place_of(title);
@@ -332,8 +329,8 @@ TEST_F(MonitorTest, AWindowComesToAMonitorThatIsLeft) {
 TEST_F(MonitorTest, AWindowStaysWhenAnotherMonitorIsLost) {
   Window window({.monitor = 0}, events_, clock_);
   const auto is_lost = tells_of<MonitorLost>("DUMMY1");
-  const auto lost = pass_on_while(
-      window, events_, [&] { monitors_->take_away("DUMMY1"); }, is_lost);
+  const auto lost =
+      pass_on_while(window, events_, [&] { monitors_->take_away("DUMMY1"); }, is_lost);
   EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), is_lost));
   EXPECT_EQ(window.framebuffer_size(), IVec2(1024, 768));
 }

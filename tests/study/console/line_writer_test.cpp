@@ -56,7 +56,9 @@ TEST_F(LineWriterTest, WritesAllToASlowReaderBeforeItsEnd) {
       taken += count;
     }
   });
-  { LineWriter(output()).write(much); }
+  {
+    LineWriter(output()).write(much);
+  }
   reader.join();
   EXPECT_EQ(taken, much.size() + 1);
 }

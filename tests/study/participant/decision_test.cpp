@@ -250,7 +250,7 @@ TEST(Traits, SpreadBetweenPeopleAsAskedFor) {
   population.decision.reaction_spread = 0.1;
   population.decision.drift_per_trial = 0.02;
   population.rating.bias_spread = 0.5;
-  const auto of = [&](double Traits::*trait, bool in_log) {
+  const auto of = [&](double Traits::* trait, bool in_log) {
     return moments(draws, [&](std::uint32_t seed) {
       const double value = draw_traits(population, seed).*trait;
       return in_log ? std::log(value) : value;

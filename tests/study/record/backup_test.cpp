@@ -39,7 +39,9 @@ TEST_F(Backup, ThatCannotBeMadeLeavesNothing) {
 }
 
 TEST_F(Backup, LiesBesideTheStudyByItsTime) {
-  { const StudyStore store(path_, small_protocol()); }
+  {
+    const StudyStore store(path_, small_protocol());
+  }
   const fs::path first = back_up_study(path_);
   const fs::path second = back_up_study(path_);
   EXPECT_NE(first, second);

@@ -34,9 +34,13 @@ TEST_F(ControllerLocks, IsOfTheFileUnderWhateverName) {
 }
 
 TEST_F(ControllerLocks, LeavesNothingBehind) {
-  { const ControllerLock lock(path_); }
+  {
+    const ControllerLock lock(path_);
+  }
   EXPECT_TRUE(folder_.content().empty());
-  { const ControllerLock again(path_); }
+  {
+    const ControllerLock again(path_);
+  }
 }
 
 TEST_F(ControllerLocks, OfAKilledProgramIsGoneWithIt) {
@@ -56,7 +60,9 @@ TEST_F(ControllerLocks, OfAKilledProgramIsGoneWithIt) {
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   EXPECT_EQ(folder_.content().size(), 1U);
-  { const ControllerLock next(path_); }
+  {
+    const ControllerLock next(path_);
+  }
   EXPECT_TRUE(folder_.content().empty());
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);

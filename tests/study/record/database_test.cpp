@@ -268,7 +268,9 @@ TEST(Database, LogOfACrashIsReadAndSurvivesARefusal) {
   EXPECT_EQ(crashed.content().at("study.sqlite-wal"), before.at("study.sqlite-wal"));
 
   EXPECT_EQ(read_study(path).sessions.at(0).state, "choosing_object");
-  { const StudyStore recovered(path, small_protocol()); }
+  {
+    const StudyStore recovered(path, small_protocol());
+  }
   EXPECT_THAT(crashed.content(), testing::SizeIs(1));
   EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "2");
 }

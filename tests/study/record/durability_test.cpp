@@ -127,7 +127,9 @@ TEST(Durability, KilledProgramHasKeptAllItAcknowledged) {
     EXPECT_GE(acknowledged, enough);
 
     EXPECT_EQ(read_study(path).sessions.size(), 1U);
-    { const StudyStore recovered(path, small_protocol()); }
+    {
+      const StudyStore recovered(path, small_protocol());
+    }
     EXPECT_THAT(folder.content(), testing::SizeIs(1));
     EXPECT_EQ(query(path, "PRAGMA integrity_check"), "ok");
     const int kept = std::stoi(query(path, "SELECT count(*) FROM event"));

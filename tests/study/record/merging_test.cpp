@@ -73,9 +73,7 @@ TEST_F(Merging, RefusesASessionThatDiffers) {
     StudyStore store(a_, thorough_protocol());
     store.record(2, FrameChunk{.attempt = {}, .first = 10, .frames = plausible_frames(10)});
   }
-  EXPECT_THAT(refusal([&] {
-                merge_studies({a_, folder_ / "older.sqlite"}, all_);
-              }),
+  EXPECT_THAT(refusal([&] { merge_studies({a_, folder_ / "older.sqlite"}, all_); }),
               AllOf(StartsWith((folder_ / "older.sqlite").string()),
                     HasSubstr("its session of participant P02 differs")));
   EXPECT_FALSE(fs::exists(all_));
@@ -87,42 +85,36 @@ TEST_F(Merging, RefusesTwoPeopleOfOneCode) {
     StudyStore store(c, thorough_protocol());
     run_session(store, "P02");
   }
-  EXPECT_THAT(refusal([&] {
-                merge_studies({a_, b_, c}, all_);
-              }),
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_, c}, all_); }),
               AllOf(StartsWith(c.string()), HasSubstr("participant P02 is another person")));
   EXPECT_THAT(folder_.entries(), ElementsAre("a.sqlite", "b.sqlite", "c.sqlite"));
 }
 
 TEST_F(Merging, RefusesAnotherStudy) {
   const fs::path c = folder_ / "c.sqlite";
-  { const StudyStore store(c, other_protocol()); }
-  EXPECT_THAT(refusal([&] {
-                merge_studies({a_, c}, all_);
-              }),
+  {
+    const StudyStore store(c, other_protocol());
+  }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, c}, all_); }),
               AllOf(StartsWith(c.string()), HasSubstr("is another study than " + a_.string())));
   const fs::path d = folder_ / "d.sqlite";
-  { const StudyStore store(d, protocol_with_another_tracker()); }
-  EXPECT_THAT(refusal([&] {
-                merge_studies({a_, d}, all_);
-              }),
+  {
+    const StudyStore store(d, protocol_with_another_tracker());
+  }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, d}, all_); }),
               HasSubstr("its study_profile differs"));
 }
 
 TEST_F(Merging, RefusesADamagedSource) {
   tamper(b_, "UPDATE mark SET time_ns = 5");
-  EXPECT_THAT(refusal([&] {
-                merge_studies({a_, b_}, all_);
-              }),
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, all_); }),
               AllOf(StartsWith(b_.string()), HasSubstr("participant P03: its rows in mark")));
   EXPECT_FALSE(fs::exists(all_));
 }
 
 TEST_F(Merging, OverwritesNothing) {
   EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, a_); }), HasSubstr("exists already"));
-  EXPECT_THAT(refusal([&] {
-                merge_studies({a_, b_}, folder_ / "none/x.sqlite");
-              }),
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, folder_ / "none/x.sqlite"); }),
               HasSubstr("does not exist"));
 }
 

@@ -69,7 +69,7 @@ std::string folder_of_name(const std::string& name) {
 }
 
 std::uint64_t inode_of(const fs::path& path) {
-  struct stat about {};
+  struct stat about{};
   return ::stat(path.c_str(), &about) == 0 ? about.st_ino : 0;
 }
 
@@ -184,7 +184,7 @@ void DiskWatch::see_names() {
 }
 
 bool DiskWatch::is_watched(int descriptor, FileId& file) const {
-  struct stat about {};
+  struct stat about{};
   if (::fstat(descriptor, &about) != 0) {
     return false;
   }

@@ -87,7 +87,7 @@ class Recorder {
     state_ = next.state;
   }
 
-  void add(std::size_t Holdings::*kind, std::future<void> done) {
+  void add(std::size_t Holdings::* kind, std::future<void> done) {
     remember(kind);
     in_flight_.push_back(std::move(done));
     while (in_flight_.size() > 2) {
@@ -95,7 +95,7 @@ class Recorder {
     }
   }
 
-  void remember(std::size_t Holdings::*kind) {
+  void remember(std::size_t Holdings::* kind) {
     commits_.push_back(commits_.back());
     ++(commits_.back().*kind);
   }

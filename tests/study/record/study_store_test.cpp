@@ -31,7 +31,9 @@ TEST_F(Store, LeavesOneFileInWalMode) {
 }
 
 TEST_F(Store, KeepsTheProtocolToTheLetter) {
-  { const StudyStore store(path_, small_protocol()); }
+  {
+    const StudyStore store(path_, small_protocol());
+  }
   EXPECT_EQ(stored("SELECT protocol_text FROM study"), small_protocol().text);
   EXPECT_EQ(stored("SELECT protocol_sha256 FROM study"), small_protocol().sha256);
   EXPECT_THAT(stored("SELECT created_utc FROM study"),
@@ -45,7 +47,9 @@ TEST_F(Store, KeepsTheProtocolToTheLetter) {
 }
 
 TEST_F(Store, KeepsTheProfilesToTheLetter) {
-  { const StudyStore store(path_, small_protocol()); }
+  {
+    const StudyStore store(path_, small_protocol());
+  }
   EXPECT_THAT(
       column("SELECT device || ' ' || name || ': ' || toml FROM study_profile"
              " ORDER BY device"),
@@ -55,7 +59,9 @@ TEST_F(Store, KeepsTheProfilesToTheLetter) {
 }
 
 TEST_F(Store, KeepsTheMarksAndRatings) {
-  { const StudyStore store(path_, small_protocol()); }
+  {
+    const StudyStore store(path_, small_protocol());
+  }
   EXPECT_THAT(column("SELECT mark FROM study_mark ORDER BY position"),
               ElementsAre("outline", "material"));
   EXPECT_EQ(

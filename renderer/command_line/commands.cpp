@@ -1,0 +1,50 @@
+#include "renderer/command_line/commands.h"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "renderer/base/build_info.h"
+#include "renderer/command_line/completion.h"
+
+namespace foveola {
+namespace {
+
+void add_manual(CLI::App& app, const ManualText& text) {
+  CLI::App* command = app.add_subcommand("manual", "Print the manual page, for man");
+  command->footer("Example: foveola manual > foveola.1 && man -l foveola.1");
+  command->callback(
+      [&app, text] { fmt::print("{}", manual_page(describe(app), build_info().version, text)); });
+}
+
+/// shell: one of those that the command line accepts.
+std::string completion_for(const std::string& shell, const CommandDescription& program) {
+  if (shell == "bash") {
+    return bash_completion(program);
+  }
+  return shell == "zsh" ? zsh_completion(program) : fish_completion(program);
+}
+
+void add_completion(CLI::App& app) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "completion", "Print a script by which a shell completes commands, options and values");
+  command->add_option("SHELL", *shell, "The shell that reads it")
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->required();
+  command->footer(
+      "Examples: source <(foveola completion bash)\n"
+      "          foveola completion fish > ~/.config/fish/completions/foveola.fish");
+  command->callback([&app, shell] { fmt::print("{}", completion_for(*shell, describe(app))); });
+}
+
+}  // namespace
+
+void add_command_line_commands(CLI::App& app, const ManualText& text) {
+  add_manual(app, text);
+  add_completion(app);
+}
+
+}  // namespace foveola

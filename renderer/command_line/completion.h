@@ -1,0 +1,26 @@
+// Scripts by which shells complete a program's command line.
+#pragma once
+
+#include <string>
+
+#include "renderer/command_line/command_description.h"
+
+namespace foveola {
+
+// Each script completes the names of commands, the options of the command that was typed, and
+// values: the choices where the option or positional lists them, nothing where it takes a number,
+// otherwise names of files. Names and choices must be without blanks, quotes and what shells
+// expand.
+
+/// For bash from 4.0 on, without the package bash-completion. Defines the functions _NAME,
+/// _NAME_command and _NAME_value of the program NAME.
+std::string bash_completion(const CommandDescription& program);
+
+/// For zsh: to be read by `source`, or a file _NAME in a folder of $fpath. Defines a function
+/// _NAME_COMMAND for each command.
+std::string zsh_completion(const CommandDescription& program);
+
+/// For fish from 3.0 on.
+std::string fish_completion(const CommandDescription& program);
+
+}  // namespace foveola

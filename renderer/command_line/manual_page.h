@@ -1,0 +1,38 @@
+// A program's manual page, for section 1.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/command_line/command_description.h"
+
+namespace foveola {
+
+/// A paragraph, below a term that it explains if there is one.
+struct ManualEntry {
+  std::string term;  ///< a variable, a file, an exit status; empty: none
+  std::string text;
+};
+
+struct ManualSection {
+  std::string title;  ///< in capitals
+  std::vector<ManualEntry> entries;
+};
+
+/// What a manual says beside what the command line says of itself.
+struct ManualText {
+  std::vector<std::string> description;  ///< paragraphs
+  std::vector<ManualSection> sections;   ///< those behind the commands, in their order
+};
+
+/// `text` so that roff prints it as it stands, wherever in a line: "\-\-tone" for "--tone". Every
+/// hyphen is one that can be copied into a shell, since descriptions name options and values.
+std::string roff_text(std::string_view text);
+
+/// The page in roff, for the macros `man` of groff and mandoc. Options of a command that the
+/// program itself has too, such as --help, stand once, before the commands. version: "0.1.0".
+std::string manual_page(const CommandDescription& program, const std::string& version,
+                        const ManualText& text);
+
+}  // namespace foveola
