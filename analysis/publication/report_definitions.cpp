@@ -99,7 +99,9 @@ std::string definitions_section(const StudyTables& tables) {
          "before the session’s end; attempts that this ended are lost, and are timed again. Trials "
          "timed again for another reason (asked for, or after a pause in mid-trial) are named "
          "apart. Notes are the program’s and the experimenter’s, but for those of devices, clock, "
-         "amended protocol and the window’s size.");
+         "amended protocol, another program and the window’s size. A program is named by its "
+         "version, compiler, kind of build and ray tracer: where several ran the sessions, their "
+         "times are to be compared with care.");
   define("Gaze on the object",
          fmt::format(
              "The gaze that a frame used lies within the chosen object’s angular radius and {:g}° "

@@ -46,7 +46,9 @@ std::string gaps(const study::Verification& record) {
 std::string warnings_of(const study::Verification& record) {
   return record.warnings.empty()
              ? ""
-             : "<p>What makes its dates doubtful, but no time:</p>\n" + fault_list(record.warnings);
+             : "<p>What is no damage, and is to be known before its dates or times are "
+               "compared:</p>\n" +
+                   fault_list(record.warnings);
 }
 
 }  // namespace

@@ -103,12 +103,43 @@ DataQualityCheck check_timed_again(const Dataset& set, const study::StudyRecords
           "none but after an interruption, ours", within(again.empty())};
 }
 
+/// Times depend on the renderer.
+DataQualityCheck check_programs(const Dataset& set,
+                                const std::vector<study::SessionPrograms>& sessions) {
+  DataQualityCheck check{"Programs that ran the sessions", "no programs recorded",
+                         "one, of one version and built with the same tools, ours"};
+  std::vector<study::SessionPrograms> analysed;
+  std::ranges::copy_if(
+      sessions, std::back_inserter(analysed), [&](const study::SessionPrograms& session) {
+        return std::ranges::find(set.participants, session.participant) != set.participants.end();
+      });
+  const std::vector<study::ProgramUse> uses = study::program_uses(analysed);
+  if (uses.empty()) {
+    return check;
+  }
+  std::vector<std::string> words;
+  for (const study::ProgramUse& use : uses) {
+    words.push_back(
+        fmt::format("{} in {}", use.program, counted(use.participants.size(), "session")));
+  }
+  for (const study::SessionPrograms& session : analysed) {
+    if (session.programs.size() > 1) {
+      words.push_back(
+          fmt::format("{} by {}", session.participant, study::programs_in_words(session.programs)));
+    }
+  }
+  check.found = fmt::format("{}", fmt::join(words, "; "));
+  check.verdict = within(uses.size() == 1);
+  return check;
+}
+
 }  // namespace
 
 std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::StudyRecords& records,
                                              const std::vector<study::SessionCourse>& courses) {
   const std::vector<study::SessionCourse> analysed = analysed_courses(set, courses);
-  return {check_cut_off(analysed), check_timed_again(set, records), check_notes(analysed)};
+  return {check_cut_off(analysed), check_timed_again(set, records), check_notes(analysed),
+          check_programs(set, records.programs)};
 }
 
 }  // namespace foveola::analysis

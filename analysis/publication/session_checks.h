@@ -11,7 +11,8 @@
 namespace foveola::analysis {
 
 /// Of the analysed participants: sessions that were cut off and went on, trials that were timed
-/// again for another reason, and notes that somebody should read.
+/// again for another reason, notes that somebody should read, and the programs that ran the
+/// sessions.
 std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::StudyRecords& records,
                                              const std::vector<study::SessionCourse>& courses);
 

@@ -40,7 +40,18 @@ BuildInfo build_info() {
   return {.version = FOVEOLA_VERSION,
           .compiler = FOVEOLA_COMPILER,
           .build_type = FOVEOLA_BUILD_TYPE,
+          .ray_tracer = FOVEOLA_RAY_TRACER,
           .instruction_set = instruction_set()};
+}
+
+std::string program_name(const BuildInfo& build) {
+  std::string parts;
+  for (const std::string& part : {build.compiler, build.build_type, build.ray_tracer}) {
+    if (!part.empty()) {
+      parts += (parts.empty() ? "" : ", ") + part;
+    }
+  }
+  return "Foveola " + build.version + (parts.empty() ? "" : " (" + parts + ")");
 }
 
 MachineInfo machine_info() {

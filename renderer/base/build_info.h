@@ -10,9 +10,14 @@ struct BuildInfo {
   std::string version;   ///< "0.1.0"
   std::string compiler;  ///< "GNU 12.2.0"
   std::string build_type;
+  std::string ray_tracer;       ///< what traces the rays: "Embree 3.13.5"
   std::string instruction_set;  ///< what the loaded numeric libraries use: "x86-64-v3"
 };
 BuildInfo build_info();
+
+/// What pictures and times depend on, whatever machine the program runs on: "Foveola 0.1.0 (GNU
+/// 12.2.0, Release, Embree 3.13.5)". What is not known, and so empty, is left out.
+std::string program_name(const BuildInfo& build);
 
 struct MachineInfo {
   std::string processor;  ///< as the kernel names it

@@ -262,7 +262,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
   const nlohmann::ordered_json json = {{"version", build_info().version},
                                        {"compiler", build_info().compiler},
                                        {"instruction_set", build_info().instruction_set},
-                                       {"embree_version", embree_version()},
+                                       {"ray_tracer", build_info().ray_tracer},
                                        {"processor", machine_info().processor},
                                        {"scene", arguments.scene},
                                        {"method", settings.method},
@@ -307,7 +307,7 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
     print_json(runs, arguments, settings);
     return;
   }
-  fmt::print("Embree {}\n", embree_version());
+  fmt::print("{}\n", build_info().ray_tracer);
   print_table(runs, settings.budget.samples);
 }
 

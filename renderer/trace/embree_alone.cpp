@@ -171,8 +171,6 @@ std::vector<EmbreeTime> time_all(const Replay<Query>& replay) {
 
 }  // namespace
 
-std::string embree_version() { return RTC_VERSION_STRING; }
-
 std::vector<EmbreeTime> time_embree(const RayScene& scene, std::span<const Ray> rays,
                                     RayQuery query, const Workers& workers) {
   return query == RayQuery::closest_hit ? time_all(Replay<ClosestHit>(scene, rays, workers))

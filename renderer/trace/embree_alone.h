@@ -11,9 +11,6 @@
 
 namespace foveola {
 
-/// The version that this program is compiled for: "4.3.3".
-std::string embree_version();
-
 enum class RayQuery { closest_hit, is_blocked };
 
 struct EmbreeTime {

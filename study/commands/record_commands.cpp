@@ -49,6 +49,14 @@ nlohmann::json json_amended(const std::vector<AmendedSession>& amended) {
   return list;
 }
 
+nlohmann::json json_programs(const std::vector<SessionPrograms>& sessions) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const ProgramUse& use : program_uses(sessions)) {
+    list.push_back({{"program", use.program}, {"participants", use.participants}});
+  }
+  return list;
+}
+
 nlohmann::json json_status(const StudyRecords& records, const StudyStatus& status) {
   nlohmann::json sessions = nlohmann::json::array();
   for (const SessionRow& session : records.sessions) {
@@ -69,6 +77,7 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
           {"scenes", records.scenes},
           {"methods", records.methods},
           {"sessions", sessions},
+          {"programs", json_programs(records.programs)},
           {"amended", json_amended(records.amended)},
           {"kinds", kinds},
           {"trials_planned", records.trials.size()},

@@ -167,7 +167,8 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                                           "Go on with this participant's unfinished session");
   command
       ->add_flag("--despite-changes", arguments->despite_changes,
-                 "Go on even if the program or the scenes have changed since")
+                 "Go on even if the program or the scenes have changed since; the "
+                 "session's record will name both programs")
       ->needs(resume);
   command->add_flag("--amended-protocol", arguments->takes_amendment,
                     "Accept a protocol whose words or time-outs have changed since the study "

@@ -7,6 +7,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
+#include "study/record/session_programs.h"
 
 namespace foveola::study {
 namespace {
@@ -34,12 +35,14 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
     throw Error(where, fmt::format("has an unfinished session ({})", name_of(session.phase)),
                 "go on with it by --resume");
   }
-  const std::string version = build_info().version;
-  if (session.program_version != version && !resumption.despite_changes) {
-    throw Error(where,
-                fmt::format("began with version {} of the program; this is {}",
-                            session.program_version, version),
-                "go on with that version, or by --despite-changes");
+}
+
+void require_same_program(const SessionSoFar& so_far) {
+  if (const std::string now = program_name(build_info()); so_far.program != now) {
+    throw Error("participant " + so_far.session.participant,
+                fmt::format("has a session by {}, and this is {}", so_far.program, now),
+                "go on with that program, or with this one by --despite-changes: the record will "
+                "name both");
   }
 }
 
@@ -57,13 +60,21 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
     return std::nullopt;
   }
   require_persons_session(*session, resumption);
-  return so_far_of(store, protocol, *session);
+  SessionSoFar so_far = so_far_of(store, protocol, *session);
+  if (!resumption.despite_changes) {
+    require_same_program(so_far);
+  }
+  return so_far;
 }
 
 SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
                        const KnownSession& session) {
-  SessionSoFar so_far{.session = session, .plan = store.plan_of(session.id), .position = {}};
-  so_far.position = position_after(procedure_of(protocol, so_far.plan), store.events_of(session.id),
+  const std::vector<LoggedEvent> events = store.events_of(session.id);
+  SessionSoFar so_far{.session = session,
+                      .program = programs_of(session, events).back(),
+                      .plan = store.plan_of(session.id),
+                      .position = {}};
+  so_far.position = position_after(procedure_of(protocol, so_far.plan), events,
                                    "participant " + session.participant);
   return so_far;
 }

@@ -32,6 +32,7 @@
 #include "study/record/maintenance.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_devices.h"
+#include "study/record/session_programs.h"
 #include "study/record/threaded_recorder.h"
 #include "study/stage/protocol_notes.h"
 #include "study/stage/stage_reload.h"
@@ -255,6 +256,9 @@ class PersonRun {
     row_ = known.id;
     std::vector<std::string> notes = notes_of_eye();
     notes.push_back(note_of_devices(devices));
+    if (const std::string program = program_name(build_info()); program != so_far_->program) {
+      notes.push_back(note_of_program(program, so_far_->program));
+    }
     if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
       notes.push_back(std::move(*note));
     }

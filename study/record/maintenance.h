@@ -22,13 +22,14 @@ struct Verification {
   /// Sessions that are not over, trials without a mark or rating, attempts without frames: no
   /// damage, but not complete either.
   std::vector<RecordFault> gaps;
-  /// What makes dates doubtful and times not: a wall clock that was set back within a session.
+  /// What is no damage, and is to be known before dates or times are compared: a wall clock that
+  /// was set back within a session, and several programs that recorded one session, or the file.
   std::vector<RecordFault> warnings;
 };
 
 /// The file's size, integrity, foreign keys, nothing beside the schema, each session's hash chain,
-/// each chunk's checksum, whether the tables follow from the log, completeness, and the wall clock.
-/// Changes nothing. Throws Error for what is no study.
+/// each chunk's checksum, whether the tables follow from the log, completeness, the wall clock and
+/// the programs. Changes nothing. Throws Error for what is no study.
 Verification verify_study(const std::filesystem::path& path);
 
 struct Merge {

@@ -11,6 +11,7 @@
 #include "study/record/event_log.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
+#include "study/record/session_programs.h"
 #include "study/record/session_rows.h"
 
 namespace fs = std::filesystem;
@@ -46,17 +47,12 @@ std::optional<RecordedDisplay> display_from(const std::string& devices) {
 }
 
 void read_facts(SQLite::Database& database, RecordedSession& session) {
-  SQLite::Statement facts(database,
-                          "SELECT program_version, compiler, build_type, processor, devices"
-                          " FROM session WHERE id = ?");
+  SQLite::Statement facts(database, "SELECT processor, devices FROM session WHERE id = ?");
   facts.bind(1, session.known.id);
   facts.executeStep();
-  session.build = {.version = facts.getColumn(0).getString(),
-                   .compiler = facts.getColumn(1).getString(),
-                   .build_type = facts.getColumn(2).getString()};
-  session.processor = facts.getColumn(3).getString();
-  session.display = display_from(facts.getColumn(4).getString());
-  session.simulation = simulation_kind_in(facts.getColumn(4).getString());
+  session.processor = facts.getColumn(0).getString();
+  session.display = display_from(facts.getColumn(1).getString());
+  session.simulation = simulation_kind_in(facts.getColumn(1).getString());
 }
 
 std::vector<RecordedAttempt> attempts_in(const std::string& whose, const Procedure& procedure,
@@ -85,6 +81,7 @@ RecordedSession read_session(const fs::path& path, const std::string& participan
     session.plan = plan_of(database, session.known.id);
     session.procedure = recorded_procedure_of(database, session.known.id);
     session.events = events_of(database, session.known.id);
+    session.programs = programs_of(session.known, session.events);
     session.attempts = attempts_in(path.string(), session.procedure, session.events);
   });
   return session;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/build_info.h"
 #include "study/protocol/protocol.h"
 #include "study/record/simulation_kind.h"
 #include "study/record/study_store.h"
@@ -32,7 +31,7 @@ struct RecordedAttempt {
 
 struct RecordedSession {
   KnownSession known;
-  BuildInfo build;                           ///< the program that showed it
+  std::vector<std::string> programs;         ///< that showed it, by programs_of()
   std::string processor;                     ///< the processor it ran on
   std::optional<RecordedDisplay> display;    ///< only of a person's session
   std::optional<SimulationKind> simulation;  ///< only of a simulated session

@@ -7,6 +7,7 @@
 #include "study/record/amendment_note.h"
 #include "study/record/clock_steps.h"
 #include "study/record/session_devices.h"
+#include "study/record/session_programs.h"
 
 namespace foveola::study {
 namespace {
@@ -21,7 +22,8 @@ std::string note_of_window_size(const IVec2& pixels) {
 }
 
 bool is_routine_note(const std::string& note) {
-  return devices_in_note(note) || amendment_in(note) || is_note_of_clock(note) ||
+  return devices_in_note(note) || program_in_note(note) || amendment_in(note) ||
+         is_note_of_clock(note) ||
          (note.starts_with(before_window_size) && note.ends_with(after_window_size));
 }
 

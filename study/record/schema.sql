@@ -75,10 +75,12 @@ CREATE TABLE study_rating (
 
 -- One participant's visit, with all that is needed to repeat it. participant is a code, never a
 -- name. seed is an unsigned 64-bit number, more than SQLite's integers hold. design_row is that of
--- the protocol's design which the plan was made of. devices is what the display and the eye tracker
--- turned out to be; of a simulated session how it was simulated. migrated_from is the schema that the session was
--- recorded in, if it was another; such a session has no design_row. state is the phase that the
--- session is in, or ended in.
+-- the protocol's design which the plan was made of. program_version, compiler and build_type are of
+-- the program that began the session: another that goes on with it says so in a note. devices is
+-- what the display and the eye tracker turned out to be, of a simulated session how it was
+-- simulated, and what traced the rays. migrated_from is the schema that the session was recorded in,
+-- if it was another; such a session has no design_row. state is the phase that the session is in, or
+-- ended in.
 CREATE TABLE session (
   id INTEGER PRIMARY KEY,
   uuid TEXT NOT NULL UNIQUE CHECK (length(uuid) = 36),

@@ -45,6 +45,20 @@ std::string tracker_in(const std::string& devices) {
   return profile.is_string() ? profile.get<std::string>() : "";
 }
 
+std::string ray_tracer_in(const std::string& devices) {
+  const nlohmann::ordered_json name = member(member(json_in(devices), "renderer"), "ray_tracer");
+  return name.is_string() ? name.get<std::string>() : "";
+}
+
+std::string with_ray_tracer(const std::string& devices, const std::string& ray_tracer) {
+  if (ray_tracer.empty()) {
+    return devices;
+  }
+  nlohmann::ordered_json json = json_in(devices);
+  json["renderer"] = {{"ray_tracer", ray_tracer}};
+  return json.dump();
+}
+
 std::string note_of_devices(const std::string& devices) { return std::string(going_on) + devices; }
 
 std::optional<std::string> devices_in_note(const std::string& note) {

@@ -1,4 +1,5 @@
-// What a session's record says of its devices: the view that its display showed, and its tracker.
+// What a session's record says of its devices: the view that its display showed, its tracker, and
+// what traced its rays.
 #pragma once
 
 #include <optional>
@@ -14,6 +15,12 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices);
 
 /// The name of the eye tracker's profile in it; empty if it says none.
 std::string tracker_in(const std::string& devices);
+
+/// What traced the rays, as BuildInfo has it; empty if it says nothing.
+std::string ray_tracer_in(const std::string& devices);
+
+/// `devices`, a JSON object, with what traces the rays; as it is if that is not known.
+std::string with_ray_tracer(const std::string& devices, const std::string& ray_tracer);
 
 /// The note of a session that goes on with these devices.
 std::string note_of_devices(const std::string& devices);

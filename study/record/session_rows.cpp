@@ -13,6 +13,7 @@
 
 #include "renderer/base/error.h"
 #include "study/record/question_json.h"
+#include "study/record/session_devices.h"
 
 namespace foveola::study {
 namespace {
@@ -70,7 +71,8 @@ std::int64_t insert_facts(SQLite::Database& database, const SessionFacts& facts,
   SQLite::bind(session, origin.uuid, facts.participant, name_of(facts.kind),
                std::to_string(facts.seed), origin.started_utc, facts.build.version,
                facts.build.compiler, facts.build.build_type, facts.machine.processor,
-               facts.machine.cores, facts.machine.system, facts.devices, facts.design_row);
+               facts.machine.cores, facts.machine.system,
+               with_ray_tracer(facts.devices, facts.build.ray_tracer), facts.design_row);
   session.exec();
   return database.getLastInsertRowid();
 }
@@ -192,7 +194,7 @@ KnownSession session_from(SQLite::Database& database, SQLite::Statement& row) {
           .seed = seed_from(id, row.getColumn("seed").getString()),
           .design_row = row.getColumn("design_row").getInt(),
           .phase = phase_named(id, row.getColumn("state").getString()),
-          .program_version = row.getColumn("program_version").getString(),
+          .build = build_of(row),
           .devices = row.getColumn("devices").getString(),
           .scenes = scenes_from_record(database, id)};
 }
@@ -212,6 +214,14 @@ std::string random_uuid() {
   return fmt::format("{:08x}-{:04x}-{:04x}-{:04x}-{:04x}{:08x}", words[0], words[1] >> 16U,
                      version_4 | (words[1] & 0x0FFFU), variant_1 | ((words[2] >> 16U) & 0x3FFFU),
                      words[2] & 0xFFFFU, words[3]);
+}
+
+BuildInfo build_of(SQLite::Statement& session) {
+  return {.version = session.getColumn("program_version").getString(),
+          .compiler = session.getColumn("compiler").getString(),
+          .build_type = session.getColumn("build_type").getString(),
+          .ray_tracer = ray_tracer_in(session.getColumn("devices").getString()),
+          .instruction_set = {}};
 }
 
 std::int64_t insert_session(SQLite::Database& database, const SessionFacts& facts,

@@ -10,7 +10,8 @@
 
 namespace SQLite {
 class Database;
-}
+class Statement;
+}  // namespace SQLite
 
 namespace foveola::study {
 
@@ -30,6 +31,10 @@ std::string random_uuid();
 /// transaction. Throws what SQLite throws.
 std::int64_t insert_session(SQLite::Database& database, const SessionFacts& facts,
                             const SessionOrigin& origin, const Plan& plan, const Agenda& agenda);
+
+/// The program that began the session at which `session`, a row of its table with all columns,
+/// stands; without instruction_set, which the record does not keep.
+BuildInfo build_of(SQLite::Statement& session);
 
 bool has_session_of(SQLite::Database& database, const std::string& participant);
 

@@ -160,6 +160,7 @@ StudyRecords read_records(SQLite::Database& database, const fs::path& path,
   const SessionIndices sessions = read_sessions(database, withdrawn, records);
   records.simulation = read_simulation(database);
   records.amended = read_amended(database);
+  records.programs = session_programs(database);
   WordIndices words(records.words);
   read_trial_rows(database, sessions, words, records);
   read_answers(database, sessions, words, records);

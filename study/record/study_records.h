@@ -10,6 +10,7 @@
 #include "study/design/plan.h"
 #include "study/protocol/measure.h"
 #include "study/record/amendment_note.h"
+#include "study/record/session_programs.h"
 
 namespace foveola::study {
 
@@ -92,7 +93,8 @@ struct StudyRecords {
   std::vector<SessionRow> sessions;  ///< in the order in which they were begun
   /// How sessions were simulated; empty if none was, or if they are older than these facts.
   std::optional<SimulationFacts> simulation;
-  std::vector<AmendedSession> amended;  ///< none twice: reports must say which
+  std::vector<AmendedSession> amended;    ///< none twice: reports must say which
+  std::vector<SessionPrograms> programs;  ///< of all sessions, in their order
 
   // Of withdrawn sessions only what WithdrawnSessions says.
   std::vector<TrialRow> trials;    ///< by session, trial and attempt

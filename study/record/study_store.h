@@ -38,7 +38,7 @@ struct SessionFacts {
   MachineInfo machine;
   /// A JSON object: of a person's session what the display turned out to be (its size, refresh
   /// rate, whether that was measured, graphics card) and the eye tracker; of a simulated one how it
-  /// was simulated.
+  /// was simulated. The record adds what traces the rays, by `build`.
   std::string devices = "{}";
   std::vector<ShownScene> scenes;
 };
@@ -51,8 +51,8 @@ struct KnownSession {
   std::uint64_t seed = 0;
   int design_row = 0;
   Phase phase = Phase::created;
-  std::string program_version;
-  std::string devices;  ///< as SessionFacts'
+  BuildInfo build;      ///< the program that began it; without instruction_set
+  std::string devices;  ///< as SessionFacts', with what traced the rays
   std::vector<ShownScene> scenes;
 };
 

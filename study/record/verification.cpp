@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
@@ -12,6 +13,7 @@
 #include "study/record/database_checks.h"
 #include "study/record/maintenance.h"
 #include "study/record/session_check.h"
+#include "study/record/session_programs.h"
 
 namespace fs = std::filesystem;
 
@@ -64,6 +66,28 @@ void check_texts(SQLite::Database& study, Verification& found) {
       found.faults.push_back(
           {"", texts.getColumn(0).getString() + " is not the one that its SHA-256 names"});
     }
+  }
+}
+
+/// Times depend on the renderer.
+void check_programs(SQLite::Database& study, Verification& found) {
+  const std::vector<SessionPrograms> sessions = session_programs(study);
+  for (const SessionPrograms& session : sessions) {
+    if (session.programs.size() > 1) {
+      found.warnings.push_back(
+          {session.participant,
+           fmt::format("the session is by {}", programs_in_words(session.programs))});
+    }
+  }
+  if (const std::vector<ProgramUse> uses = program_uses(sessions); uses.size() > 1) {
+    std::vector<std::string> words;
+    for (const ProgramUse& use : uses) {
+      words.push_back(fmt::format("{} in {} session{}", use.program, use.participants.size(),
+                                  use.participants.size() == 1 ? "" : "s"));
+    }
+    found.warnings.push_back(
+        {"", fmt::format("was recorded by several programs, between which times may differ: {}",
+                         fmt::join(words, "; "))});
   }
 }
 
@@ -138,6 +162,7 @@ Verification verify(const fs::path& path) {
     }
     check_schema(study, path, found);
     check_texts(study, found);
+    check_programs(study, found);
     sessions = session_keys(study);
   }
   check_file_and_sessions(path, sessions, found);

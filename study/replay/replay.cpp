@@ -9,6 +9,7 @@
 #include "renderer/base/progress.h"
 #include "study/record/recorded_session.h"
 #include "study/record/same_scenes.h"
+#include "study/record/session_programs.h"
 #include "study/replay/attempt_replay.h"
 #include "study/replay/driven_replay.h"
 #include "study/stage/scene_stage.h"
@@ -49,12 +50,10 @@ Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& s
 }
 
 std::string why_approximate(const RecordedSession& session, const Protocol& protocol) {
-  const BuildInfo now = build_info();
-  const BuildInfo& then = session.build;
-  if (then.version != now.version || then.compiler != now.compiler ||
-      then.build_type != now.build_type) {
-    return fmt::format("it was shown by Foveola {} ({}, {}), and this is {} ({}, {})", then.version,
-                       then.compiler, then.build_type, now.version, now.compiler, now.build_type);
+  const std::string now = program_name(build_info());
+  if (session.programs != std::vector{now}) {
+    return fmt::format("it was shown by {}, and this is {}", programs_in_words(session.programs),
+                       now);
   }
   if (const std::string processor = machine_info().processor; session.processor != processor) {
     return fmt::format("it was shown on {}, and this is {}", session.processor, processor);

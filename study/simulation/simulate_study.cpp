@@ -50,10 +50,13 @@ void require_resumable(const SimulateSettings& settings, const KnownSession& ses
     throw refused(fmt::format("seed {}, not {}", session.seed, settings.seed),
                   fmt::format("finish it with --seed {}", session.seed));
   }
-  const std::string version = build_info().version;
-  if (session.program_version != version) {
-    throw refused(fmt::format("Foveola {}, which is now {}", session.program_version, version),
-                  "finish it with the program it was begun with");
+  const std::string then = program_name(session.build);
+  const std::string now = program_name(build_info());
+  if (then != now) {
+    throw refused(fmt::format("{}, and this is {}", then, now),
+                  fmt::format("finish it with that program, or take it out (foveola study forget) "
+                              "and simulate {} again",
+                              session.participant));
   }
 }
 

@@ -65,6 +65,20 @@ void add_kind_rows(const StudyRecords& records, const std::string& name, const K
   }
 }
 
+void add_program_rows(const std::vector<SessionPrograms>& sessions, std::vector<TextRow>& rows) {
+  for (const ProgramUse& use : program_uses(sessions)) {
+    rows.push_back(
+        {"program", fmt::format("{} in {} session{}", use.program, use.participants.size(),
+                                use.participants.size() == 1 ? "" : "s")});
+  }
+  for (const SessionPrograms& session : sessions) {
+    if (session.programs.size() > 1) {
+      rows.push_back({"programs", fmt::format("{} by {}", session.participant,
+                                              programs_in_words(session.programs))});
+    }
+  }
+}
+
 std::string words_for_changes(const Amendment& amendment) {
   return amendment.changed.empty() ? "only comments changed"
                                    : fmt::format("{} changed", fmt::join(amendment.changed, ", "));
@@ -98,6 +112,7 @@ std::string status_table(const StudyRecords& records, const StudyStatus& status)
   for (const SessionRow& session : status.excluded) {
     rows.push_back({"excluded", fmt::format("{}: {}", session.participant, session.reason)});
   }
+  add_program_rows(records.programs, rows);
   for (const AmendedSession& session : records.amended) {
     rows.push_back(
         {"amended", fmt::format("{} went by a protocol of SHA-256 {}: {}", session.participant,
@@ -112,17 +127,16 @@ std::string verification_table(const Verification& found) {
                                {"events", std::to_string(found.events)},
                                {"chunks", std::to_string(found.chunks)},
                                {"faults", std::to_string(found.faults.size())}};
-  for (const RecordFault& fault : found.faults) {
-    rows.push_back({"fault", fault.participant.empty()
-                                 ? fault.what
-                                 : fmt::format("{}: {}", fault.participant, fault.what)});
-  }
-  for (const RecordFault& gap : found.gaps) {
-    rows.push_back({"gap", fmt::format("{}: {}", gap.participant, gap.what)});
-  }
-  for (const RecordFault& warning : found.warnings) {
-    rows.push_back({"warning", fmt::format("{}: {}", warning.participant, warning.what)});
-  }
+  const auto add = [&](const char* heading, const std::vector<RecordFault>& findings) {
+    for (const RecordFault& one : findings) {
+      rows.push_back({heading, one.participant.empty()
+                                   ? one.what
+                                   : fmt::format("{}: {}", one.participant, one.what)});
+    }
+  };
+  add("fault", found.faults);
+  add("gap", found.gaps);
+  add("warning", found.warnings);
   return aligned(rows);
 }
 

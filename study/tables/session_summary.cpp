@@ -11,6 +11,7 @@
 #include "renderer/base/utf8.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/recorded_session.h"
+#include "study/record/session_programs.h"
 #include "study/record/session_rows.h"
 #include "study/record/study_records.h"
 
@@ -169,13 +170,13 @@ std::string session_summary(const std::filesystem::path& path, const std::string
   const std::string kind =
       session.known.kind == SessionKind::human ? "" : name_of(session.known.kind);
   const Nanoseconds lasted = session.events.empty() ? Nanoseconds(0) : session.events.back().time;
-  return fmt::format("Session of {}{}: {}, {:.1f} min, begun {}\n\n{}\n{}{}{}{}", participant,
-                     kind.empty() ? "" : fmt::format(" ({})", kind), name_of(session.known.phase),
-                     seconds(lasted) / 60.0,
+  return fmt::format("Session of {}{}: {}, {:.1f} min, begun {}\nProgram: {}\n\n{}\n{}{}{}{}",
+                     participant, kind.empty() ? "" : fmt::format(" ({})", kind),
+                     name_of(session.known.phase), seconds(lasted) / 60.0,
                      session.events.empty() ? "never" : session.events.front().utc,
-                     trials_of(records, quality, participant), frames_of(quality, participant),
-                     validations_of(quality, participant), reactions_of(quality, participant),
-                     notes_of(session.events));
+                     programs_in_words(session.programs), trials_of(records, quality, participant),
+                     frames_of(quality, participant), validations_of(quality, participant),
+                     reactions_of(quality, participant), notes_of(session.events));
 }
 
 }  // namespace foveola::study

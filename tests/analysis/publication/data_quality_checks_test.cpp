@@ -108,7 +108,7 @@ TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
 TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
   const DataQualityReport report = report_on(complete_study(2));
   for (const char* name : {"refresh", "valid gaze", "Latency", "Validation", "out of view",
-                           "gaze elsewhere", "cut off", "Notes"}) {
+                           "gaze elsewhere", "cut off", "Notes", "Programs"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::unknown) << name;
   }
   EXPECT_TRUE(report.reactions.empty());
@@ -367,6 +367,25 @@ TEST(DataQualityChecks, EverybodyWithNotesIsNamedWithTheFirst) {
   EXPECT_EQ(check.verdict, Verdict::flagged);
   EXPECT_EQ(check.found,
             "P1: the eye tracker sends no gaze (and 1 more); P2: " + std::string(80, 'x') + " …");
+}
+
+TEST(DataQualityChecks, OneProgramForAllSessionsPasses) {
+  study::StudyRecords records = complete_study(2);
+  records.programs = {{"P1", {"Foveola 1"}}, {"P2", {"Foveola 1"}}};
+  const DataQualityCheck check = check_of(report_on(records), "Programs");
+  EXPECT_EQ(check.verdict, Verdict::passed);
+  EXPECT_EQ(check.found, "Foveola 1 in 2 sessions");
+}
+
+TEST(DataQualityChecks, EveryProgramOfTheAnalysedSessionsIsNamed) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[2].state = "interrupted";
+  records.programs = {
+      {"P1", {"Foveola 1"}}, {"P2", {"Foveola 1", "Foveola 2"}}, {"P3", {"Foveola 3"}}};
+  const DataQualityCheck check = check_of(report_on(records), "Programs");
+  EXPECT_EQ(check.verdict, Verdict::flagged);
+  EXPECT_EQ(check.found,
+            "Foveola 1 in 2 sessions; Foveola 2 in 1 session; P2 by Foveola 1, then Foveola 2");
 }
 
 /// Puts a timing that ended so before that of the trial which counts.

@@ -6,6 +6,7 @@
 #include "study/record/amendment_note.h"
 #include "study/record/clock_steps.h"
 #include "study/record/session_devices.h"
+#include "study/record/session_programs.h"
 
 namespace foveola::study {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 TEST(RoutineNotes, AreThoseOfASessionThatGoesOn) {
   const std::string amended = "name = \"other words\"\n";
   EXPECT_TRUE(is_routine_note(note_of_devices(R"({"tracker":{"profile":"camera"}})")));
+  EXPECT_TRUE(is_routine_note(note_of_program("Foveola 0.2.0 (GNU)", "Foveola 0.1.0 (GNU)")));
   EXPECT_TRUE(is_routine_note(note_of(
       Amendment{.sha256 = sha256(std::string_view(amended)), .changed = {}, .text = amended})));
   EXPECT_TRUE(is_routine_note(*note_of_clock(

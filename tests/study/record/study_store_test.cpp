@@ -266,7 +266,7 @@ TEST_F(Store, GivesBackEverySessionWithItsPlanAndEvents) {
   EXPECT_EQ(sessions[0].phase, Phase::excluded);
   EXPECT_EQ(sessions[0].seed, 18'446'744'073'709'551'615U);
   EXPECT_EQ(sessions[0].design_row, 7);
-  EXPECT_EQ(sessions[0].program_version, "0.1.0");
+  EXPECT_EQ(program_name(sessions[0].build), "Foveola 0.1.0 (GNU 12.2.0, Release)");
   ASSERT_THAT(sessions[0].scenes, testing::SizeIs(2));
   EXPECT_EQ(sessions[0].scenes[1].shown_as, R"({"exposure_stops":1.5})");
   EXPECT_EQ(sessions[1].kind, SessionKind::pilot);

@@ -1,0 +1,106 @@
+// Whose session may be gone on with, and by which program.
+#include "study/driver/session_so_far.h"
+
+#include "renderer/base/build_info.h"
+#include "study/record/session_programs.h"
+#include "tests/study/record/study_file.h"
+
+namespace foveola::study {
+namespace {
+
+class SessionOfAPerson : public StudyFile {
+ protected:
+  /// P1's session by the program of `build`, which ended in it.
+  void begin_by(const BuildInfo& build) {
+    SessionFacts facts = facts_of("P1");
+    facts.kind = SessionKind::human;
+    facts.build = build;
+    PlayedSession session(store_, facts, small_plan());
+    session.begin();
+    session.happen(ms(20), Interrupted{});
+  }
+
+  static BuildInfo former_version() {
+    BuildInfo build = build_info();
+    build.version = "0.0.9";
+    return build;
+  }
+
+  /// The session's log says that it went on with this program.
+  void go_on_by(const std::string& now, const std::string& before) {
+    const KnownSession known = store_.sessions().front();
+    const SessionState state = so_far_of(store_, small_protocol(), known).position.state;
+    store_.record(known.id, EventEntry{.time = ms(30),
+                                       .event = NoteWritten{.text = note_of_program(now, before)},
+                                       .before = state,
+                                       .after = state});
+  }
+
+  std::optional<SessionSoFar> so_far(bool despite_changes = false) const {
+    return session_so_far(store_, small_protocol(), "P1",
+                          {.resumes = true, .despite_changes = despite_changes});
+  }
+
+  StudyStore store_{path_, small_protocol()};
+};
+
+TEST_F(SessionOfAPerson, GoesOnByTheProgramThatBeganIt) {
+  begin_by(build_info());
+  const std::optional<SessionSoFar> found = so_far();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->program, program_name(build_info()));
+  EXPECT_EQ(found->position.state.phase, Phase::interrupted);
+}
+
+TEST_F(SessionOfAPerson, ByAFormerVersionIsRefusedByBothNames) {
+  begin_by(former_version());
+  EXPECT_EQ(refusal([&] { so_far(); }),
+            "participant P1: has a session by " + program_name(former_version()) +
+                ", and this is " + program_name(build_info()) +
+                "; go on with that program, or with this one by --despite-changes: the record will "
+                "name both");
+}
+
+TEST_F(SessionOfAPerson, ByAFormerVersionGoesOnWhereThatIsSaid) {
+  begin_by(former_version());
+  const std::optional<SessionSoFar> found = so_far(true);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->program, program_name(former_version()));
+}
+
+TEST_F(SessionOfAPerson, ByTheSameVersionBuiltWithOtherToolsIsRefused) {
+  const std::vector<std::function<void(BuildInfo&)>> changes = {
+      [](BuildInfo& build) { build.compiler = "GNU 99.1.0"; },
+      [](BuildInfo& build) { build.build_type = "Another"; },
+      [](BuildInfo& build) { build.ray_tracer = "Embree 99.1.0"; }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    BuildInfo build = build_info();
+    changes[i](build);
+    const std::string participant = "P" + std::to_string(10 + i);
+    SessionFacts facts = facts_of(participant);
+    facts.kind = SessionKind::human;
+    facts.build = build;
+    PlayedSession(store_, facts, small_plan()).begin();
+    EXPECT_THAT(
+        refusal([&] { session_so_far(store_, small_protocol(), participant, {.resumes = true}); }),
+        HasSubstr("has a session by " + program_name(build)));
+  }
+}
+
+// Once it was said that another program may go on, that one is the session's.
+TEST_F(SessionOfAPerson, GoesOnByTheProgramThatRecordedItLast) {
+  const std::string now = program_name(build_info());
+  begin_by(former_version());
+  go_on_by(now, program_name(former_version()));
+  EXPECT_EQ(so_far()->program, now);
+}
+
+TEST_F(SessionOfAPerson, DoesNotGoBackToAFormerProgramUnsaid) {
+  begin_by(build_info());
+  go_on_by(program_name(former_version()), program_name(build_info()));
+  EXPECT_THAT(refusal([&] { so_far(); }),
+              HasSubstr("has a session by " + program_name(former_version())));
+}
+
+}  // namespace
+}  // namespace foveola::study
