@@ -154,7 +154,8 @@ void frames_shown(benchmark::State& state, const ViewImage& settings) {
     if (with_film) {
       feed.add();
     }
-    benchmark::DoNotOptimize(show());
+    auto image = show();
+    benchmark::DoNotOptimize(image);
   }
 }
 void black_frames_shown(benchmark::State& state) {
@@ -202,7 +203,8 @@ void window_shown(benchmark::State& state) {
     heading.azimuth_rad += turn_rad;
     half_width = half_width > 1.0 ? 0.3 : half_width * zoom;
     state.ResumeTiming();
-    benchmark::DoNotOptimize(show());
+    auto image = show();
+    benchmark::DoNotOptimize(image);
   }
 }
 BENCHMARK(window_shown)
@@ -230,7 +232,8 @@ void restart_shown(benchmark::State& state) {
     state.ResumeTiming();
     feed.film.clear();
     feed.add();
-    benchmark::DoNotOptimize(resampler.show(viewport, feed.workers));
+    auto image = resampler.show(viewport, feed.workers);
+    benchmark::DoNotOptimize(image);
   }
 }
 BENCHMARK(restart_shown)

@@ -128,12 +128,13 @@ class MockedTracker : public ::testing::Test {
     folder_.write("script", script());
   }
 
-  /// What the client prints in the mock's surroundings.
+  /// What the client prints in the mock's surroundings, errors included. At its end umockdev 0.19
+  /// complains of the devices that it takes away itself.
   std::string output_of_client(const std::string& arguments) const {
     const std::string folder = folder_.path().string();
     return output_of("umockdev-run -d " + folder + "/devices -i /dev/hidraw0=" + folder +
-                     "/ioctls -s /dev/hidraw0=" + folder + "/script -- " + HID_UMOCKDEV_CLIENT +
-                     " " + arguments + " 2>&1");
+                     "/ioctls -s /dev/hidraw0=" + folder + "/script -- sh -c '" +
+                     HID_UMOCKDEV_CLIENT + " " + arguments + " 2>&1'");
   }
 
  private:
