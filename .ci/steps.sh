@@ -15,11 +15,6 @@ where_data_are_read_and_kept=(base_test glb_test image_test scene_test scenes_te
   person_test session_test record_test replay_test study_tables_test stage_test driver_test
   simulation_test analysis_dataset_test fuzz_corpus_test)
 
-# Those that meet most of the packages in which Debian's releases differ: Embree, OpenImageIO, tinygltf,
-# Dear ImGui, hidapi and SQLiteCpp. All others have their turn in .ci/long new_machines.
-where_releases_differ=(base_test glb_test image_test scene_test trace_test progressive_test gaze_test
-  window_test renderer_commands_test record_test)
-
 # any_of NAME...: a regular expression.
 any_of() { (IFS='|' && echo "($*)"); }
 

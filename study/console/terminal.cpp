@@ -4,7 +4,9 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <cwchar>
 #include <optional>
+#include <string>
 
 #include <fcntl.h>
 #include <locale.h>
@@ -96,6 +98,22 @@ attr_t attributes_of(LineLook look) {
       break;
   }
   return A_NORMAL;
+}
+
+/// Of what is no UTF-8, a question mark for each byte. Only by wide characters ncurses 6.5 knows
+/// that this thread's locale is one of UTF-8.
+std::wstring wide(const std::string& text) {
+  std::wstring characters;
+  std::mbstate_t state{};
+  for (std::size_t at = 0; at < text.size();) {
+    wchar_t character = L'?';
+    const std::size_t length = std::mbrtowc(&character, &text[at], text.size() - at, &state);
+    const bool is_one = length >= 1 && length <= text.size() - at;
+    characters += is_one ? character : L'?';
+    at += is_one ? length : 1;
+    state = is_one ? state : std::mbstate_t{};
+  }
+  return characters;
 }
 
 }  // namespace
@@ -254,7 +272,7 @@ void Terminal::paint(const std::vector<ScreenLine>& lines) {
     if (lines[row].look == LineLook::title) {
       text.resize(std::max(text.size(), size_.columns), ' ');
     }
-    ::waddnstr(stdscr, text.c_str(), -1);
+    ::waddnwstr(stdscr, wide(text).c_str(), -1);
   }
   ::wrefresh(stdscr);
   collect_painted();
