@@ -1,5 +1,5 @@
 // That no command leaves memory behind. Part of a build with the address sanitizer only, whose leak
-// detector is switched on here alone: Clang 14's fails in some processes that end while one of
+// detector is switched on here alone: Clang 14's failed in some processes that end while one of
 // their threads does, and a command that it failed in is run again.
 #include <algorithm>
 #include <filesystem>
