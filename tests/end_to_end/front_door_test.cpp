@@ -31,10 +31,10 @@ class FrontDoor : public testing::Test {
     fs::permissions(path, fs::perms::owner_all);
   }
 
-  ProgramResult open(Environment environment = {}) {
+  ProgramResult open(Environment environment = {}, const std::string& command = "demo") {
     const char* path = std::getenv("PATH");
     environment.emplace_back("PATH", (folder_ / "bin").string() + ":" + path);
-    return run_program({(folder_ / "foveola").string(), "demo"}, environment);
+    return run_program({(folder_ / "foveola").string(), command}, environment);
   }
 
   /// How the compiler would be called; nothing is compiled.
@@ -82,6 +82,25 @@ TEST_F(FrontDoor, SaysPlainlyThatTheNetworkFailed) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.errors, HasSubstr("Could not resolve host"));
   EXPECT_THAT(result.errors, HasSubstr("http_proxy"));
+}
+
+// On a machine with ninja, but without make, CMake would configure for make without being told.
+TEST_F(FrontDoor, ADemoIsFollowedByTests) {
+  stand_in("dpkg-query", "for p; do echo \"ii  $p\"; done");
+  stand_in("ninja", "");
+  stand_in("cmake", R"([ "$1" != --build ] || exit 1
+cd build/release
+[ ! -f CMakeCache.txt ] || echo "in what was configured:" >>calls
+echo "$@" >>calls
+echo BUILD_TESTING:BOOL=OFF >CMakeCache.txt
+touch build.ninja)");
+  for (const char* const command : {"demo", "demo", "test"}) {
+    EXPECT_THAT(open({}, command).errors, HasSubstr("building failed"));
+  }
+  EXPECT_EQ(read_file(folder_ / "build" / "release" / "calls"),
+            "--preset release -G Ninja -DBUILD_TESTING=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF\n"
+            "in what was configured:\n"
+            "--preset release -DBUILD_TESTING=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF\n");
 }
 
 TEST_F(FrontDoor, ANewerCompilersWarningsDoNotStopAUsersBuild) {
