@@ -118,10 +118,7 @@ DataQualityCheck check_programs(const Dataset& set,
     return check;
   }
   std::vector<std::string> words;
-  for (const study::ProgramUse& use : uses) {
-    words.push_back(
-        fmt::format("{} in {}", use.program, counted(use.participants.size(), "session")));
-  }
+  std::ranges::transform(uses, std::back_inserter(words), study::use_in_words);
   for (const study::SessionPrograms& session : analysed) {
     if (session.programs.size() > 1) {
       words.push_back(

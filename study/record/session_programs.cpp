@@ -93,6 +93,11 @@ std::vector<ProgramUse> program_uses(const std::vector<SessionPrograms>& session
   return uses;
 }
 
+std::string use_in_words(const ProgramUse& use) {
+  const std::size_t sessions = use.participants.size();
+  return fmt::format("{} in {} session{}", use.program, sessions, sessions == 1 ? "" : "s");
+}
+
 std::string programs_in_words(const std::vector<std::string>& programs) {
   return fmt::format("{}", fmt::join(programs, ", then "));
 }

@@ -44,6 +44,9 @@ struct ProgramUse {
 /// Each program of the sessions once, in the order in which they were first used.
 std::vector<ProgramUse> program_uses(const std::vector<SessionPrograms>& sessions);
 
+/// "A in 2 sessions".
+std::string use_in_words(const ProgramUse& use);
+
 /// "A, then B, then A".
 std::string programs_in_words(const std::vector<std::string>& programs);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include <SQLiteCpp/Backup.h>
@@ -81,10 +82,7 @@ void check_programs(SQLite::Database& study, Verification& found) {
   }
   if (const std::vector<ProgramUse> uses = program_uses(sessions); uses.size() > 1) {
     std::vector<std::string> words;
-    for (const ProgramUse& use : uses) {
-      words.push_back(fmt::format("{} in {} session{}", use.program, use.participants.size(),
-                                  use.participants.size() == 1 ? "" : "s"));
-    }
+    std::ranges::transform(uses, std::back_inserter(words), use_in_words);
     found.warnings.push_back(
         {"", fmt::format("was recorded by several programs, between which times may differ: {}",
                          fmt::join(words, "; "))});

@@ -67,9 +67,7 @@ void add_kind_rows(const StudyRecords& records, const std::string& name, const K
 
 void add_program_rows(const std::vector<SessionPrograms>& sessions, std::vector<TextRow>& rows) {
   for (const ProgramUse& use : program_uses(sessions)) {
-    rows.push_back(
-        {"program", fmt::format("{} in {} session{}", use.program, use.participants.size(),
-                                use.participants.size() == 1 ? "" : "s")});
+    rows.push_back({"program", use_in_words(use)});
   }
   for (const SessionPrograms& session : sessions) {
     if (session.programs.size() > 1) {
