@@ -95,7 +95,8 @@ echo "$@" >>calls
 echo BUILD_TESTING:BOOL=OFF >CMakeCache.txt
 touch build.ninja)");
   for (const char* const command : {"demo", "demo", "test"}) {
-    EXPECT_THAT(open({}, command).errors, HasSubstr("building failed"));
+    EXPECT_THAT(open({{"FOVEOLA_WARNINGS_ARE_ERRORS", ""}}, command).errors,
+                HasSubstr("building failed"));
   }
   EXPECT_EQ(read_file(folder_ / "build" / "release" / "calls"),
             "--preset release -G Ninja -DBUILD_TESTING=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF\n"
