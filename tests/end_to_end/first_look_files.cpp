@@ -167,6 +167,12 @@ Triangles stool_in_millimetres() {
   return shape;
 }
 
+Triangles triangle() {
+  Triangles shape;
+  shape.add_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  return shape;
+}
+
 Triangles far_apart() {
   Triangles shape;
   shape.add_box({-501, 0, -1}, {-499, 2, 1});
@@ -199,31 +205,33 @@ std::string with_camera(const Triangles& shape) {
 }  // namespace
 
 std::vector<FirstLookFile> first_look_files() {
-  Triangles triangle;
-  triangle.add_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  const auto obj = [](const std::string& name, const Triangles& shape) {
-    return FirstLookFile{.name = name, .file_name = name + ".obj", .content = shape.obj()};
+  const auto obj = [](const std::string& name, const std::function<Triangles()>& shape) {
+    return FirstLookFile{
+        .name = name, .file_name = name + ".obj", .content = [shape] { return shape().obj(); }};
   };
-  std::vector<FirstLookFile> scenes = {
-      obj("helmet", helmet()),      obj("head", head()),
-      obj("room", room(true)),      obj("room-without-a-ceiling", room(false)),
-      obj("terrain", terrain()),    obj("table-top", table_top()),
-      obj("triangle", triangle),    obj("millimetres", stool_in_millimetres()),
-      obj("far-apart", far_apart())};
+  std::vector<FirstLookFile> scenes = {obj("helmet", helmet),
+                                       obj("head", head),
+                                       obj("room", [] { return room(true); }),
+                                       obj("room-without-a-ceiling", [] { return room(false); }),
+                                       obj("terrain", terrain),
+                                       obj("table-top", table_top),
+                                       obj("triangle", triangle),
+                                       obj("millimetres", stool_in_millimetres),
+                                       obj("far-apart", far_apart)};
   scenes[2].most_covered = 1.0;
   scenes[2].is_enclosed = true;
   scenes[3].most_covered = 1.0;
   scenes[8].least_covered = 0.0;  // one of two metres in a kilometre
   scenes.push_back({.name = "lights-without-a-camera",
                     .file_name = "lights.glb",
-                    .content = with_lights(table_top()),
+                    .content = [] { return with_lights(table_top()); },
                     .has_light = true});
-  scenes.push_back({.name = "a-camera-without-lights",
-                    .file_name = "camera.glb",
-                    .content = with_camera(table_top())});
+  scenes.push_back({.name = "a-camera-without-lights", .file_name = "camera.glb", .content = [] {
+                      return with_camera(table_top());
+                    }});
   scenes.push_back({.name = "empty",
                     .file_name = "empty.obj",
-                    .content = "# nothing\n",
+                    .content = [] { return std::string("# nothing\n"); },
                     .is_empty = true,
                     .least_covered = 0.0});
   return scenes;

@@ -1,6 +1,7 @@
 // Scene files as people have them, without a camera or without light, for tests of the first look.
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -9,8 +10,8 @@ namespace foveola::test {
 
 struct FirstLookFile {
   std::string name;
-  std::string file_name;  ///< its ending says the format
-  std::string content;
+  std::string file_name;                 ///< its ending says the format
+  std::function<std::string()> content;  ///< made when it is asked for: each case is a process
   bool has_light = false;
   bool is_empty = false;     ///< nothing to show
   bool is_enclosed = false;  ///< no light enters from around

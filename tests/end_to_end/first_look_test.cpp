@@ -30,7 +30,7 @@ class FirstLook : public testing::TestWithParam<FirstLookFile> {
 
  private:
   std::filesystem::path scene() const {
-    return folder_.write(GetParam().file_name, GetParam().content);
+    return folder_.write(GetParam().file_name, GetParam().content());
   }
 
   TemporaryFolder folder_;

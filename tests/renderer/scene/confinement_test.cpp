@@ -69,8 +69,6 @@ class WorkingFolder {
   fs::path before_;
 };
 
-const std::string red_png = png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0});
-const std::string blue_png = png(1, 1, 3, std::vector<std::uint8_t>{0, 0, 255});
 const std::string red_mtl = "newmtl m\nKd 1 0 0\n";
 
 std::string textured_obj(const std::string& library) {
@@ -89,7 +87,7 @@ class Confinement : public InTemporaryFolder {
       for (const char* const name : {"a.bin", "content", "data"}) {
         write(bait_folder / name, buffer);
       }
-      write(bait_folder / "a.png", red_png);
+      write(bait_folder / "a.png", one_pixel(255, 0, 0));
       write(bait_folder / "a.mtl", red_mtl);
     }
     fs::create_directory(scene());
@@ -150,7 +148,7 @@ TEST_F(Confinement, TheKernelSeesWhatIsOpened) {
 }
 
 TEST_F(Confinement, BuffersOfAGltfOpenNothingElsewhere) {
-  write(scene() / "a.png", blue_png);
+  write(scene() / "a.png", one_pixel(0, 0, 255));
   for (const std::string& way : ways_out("a.bin")) {
     expect_nothing_opened("scene.gltf", textured_triangle(way, "a.png").document.dump());
   }
@@ -179,7 +177,7 @@ TEST_F(Confinement, TexturesOfAnObjOpenNothingElsewhere) {
 /// A library that reads by itself looks in the working folder, by the name that it is given.
 TEST_F(Confinement, FilesOfTheSameNamesInTheWorkingFolderAreNotTaken) {
   write(scene() / "a.bin", textured_triangle("", "").buffer);
-  write(scene() / "a.png", blue_png);
+  write(scene() / "a.png", one_pixel(0, 0, 255));
   write(scene() / "a.mtl", "newmtl m\nmap_Kd a.png\n");
   expect_nothing_opened("scene.gltf", textured_triangle("a.bin", "a.png").document.dump());
   expect_nothing_opened("scene.obj", textured_obj("a.mtl"));
