@@ -15,6 +15,11 @@ where_data_are_read_and_kept=(base_test glb_test image_test scene_test scenes_te
   person_test session_test record_test replay_test study_tables_test stage_test driver_test
   simulation_test analysis_dataset_test fuzz_corpus_test)
 
+# Those that meet what differs from one Debian release to another: the libraries that read scenes and
+# pictures, trace rays, draw in windows and terminals, talk to devices and keep the record.
+where_releases_differ=(base_test glb_test image_test scene_test trace_test progressive_test gaze_test
+  window_test renderer_commands_test record_test console_test)
+
 # any_of NAME...: a regular expression.
 any_of() { (IFS='|' && echo "($*)"); }
 
@@ -24,4 +29,17 @@ step() {
   shift
   "$@"
   minutes+=("$(in_minutes $((SECONDS - began))) $name")
+}
+
+# at_once FIRST SECOND: runs two commands, neither of which keeps two cores busy by itself, and shows
+# what FIRST says when it has ended.
+at_once() {
+  local said first passed=yes
+  said=$(mktemp)
+  "$1" >"$said" 2>&1 &
+  first=$!
+  "$2"
+  wait "$first" || passed=no
+  cat "$said"
+  [ "$passed" = yes ]
 }

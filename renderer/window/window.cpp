@@ -45,6 +45,10 @@ GLFWmonitor* monitor_of(int number) {
 /// GLFW itself, for as long as there is a window.
 struct Window::Library {
   Library() {
+#if GLFW_VERSION_MAJOR > 3 || GLFW_VERSION_MINOR >= 4
+    // By Xwayland on desktops of Wayland, as GLFW 3.3 does: keys have their times from X.
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() != GLFW_TRUE) {
       throw Error("window", "there is no display to open one on: " + glfw_fault(),
                   "set DISPLAY, or run under xvfb-run");
