@@ -42,6 +42,26 @@ class Locked {
   std::filesystem::path path_;
 };
 
+/// A folder that everybody may list and nobody write into, as long as this lives.
+class ReadOnly {
+ public:
+  explicit ReadOnly(std::filesystem::path path) : path_(std::move(path)) {
+    using std::filesystem::perms;
+    constexpr perms look = perms::owner_read | perms::group_read | perms::others_read;
+    constexpr perms enter = perms::owner_exec | perms::group_exec | perms::others_exec;
+    std::filesystem::permissions(path_, look | enter);
+  }
+  ~ReadOnly() {
+    std::error_code ignored;
+    std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
+  }
+  ReadOnly(const ReadOnly&) = delete;
+  ReadOnly& operator=(const ReadOnly&) = delete;
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// What a new temporary folder is not: open to others.
 inline void open_to_all(const std::filesystem::path& folder) {
   std::filesystem::permissions(folder, std::filesystem::perms::all);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/publication/dateless_pdf.h"
 #include "analysis/publication/gnuplot.h"
 
 namespace foveola::analysis {
@@ -46,17 +47,6 @@ std::string pdf_terminal(int width, int height) {
       width / units_per_inch, height / units_per_inch);
 }
 
-/// Blanks out when the PDF was made, so that the same study gives the same bytes; nothing moves,
-/// since a PDF's table of contents counts bytes.
-std::string without_date(std::string pdf) {
-  const std::size_t begin = pdf.find("/CreationDate");
-  const std::size_t end = begin == std::string::npos ? begin : pdf.find(')', begin);
-  if (end != std::string::npos) {
-    pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
-  }
-  return pdf;
-}
-
 /// `drawn` is an SVG, a PNG and a PDF, one after the other: most of what gnuplot takes is its
 /// start, so that it starts once for all three. In an SVG's texts, "<" is escaped.
 Figure split(const std::string& name, const std::string& script, const std::string& drawn) {
@@ -65,7 +55,7 @@ Figure split(const std::string& name, const std::string& script, const std::stri
   constexpr std::string_view png_end = "IEND\xae\x42\x60\x82";  // The last chunk and its checksum.
   const std::size_t png = drawn.find(png_begin, drawn.find(svg_end));
   const std::size_t pdf = drawn.find(png_end, png) + png_end.size();
-  return {name, drawn.substr(0, png), drawn.substr(png, pdf - png), without_date(drawn.substr(pdf)),
+  return {name, drawn.substr(0, png), drawn.substr(png, pdf - png), dateless_pdf(drawn.substr(pdf)),
           script};
 }
 

@@ -197,6 +197,7 @@ TEST_F(BadInputFile, AFolderThatNothingMayBeWrittenInto) {
   test::open_to_all(path_);
   fs::create_directory(results_);
   write_file(results_ / "report.html", "of yesterday");
+  const test::ReadOnly read_only(results_);
   // The source tree may lie where nobody can look.
   const fs::path resources = folder_ / "resources";
   fs::create_directories(resources / "protocols");

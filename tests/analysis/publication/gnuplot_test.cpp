@@ -20,7 +20,7 @@ TEST(Gnuplot, PrintsWhatTheScriptDraws) {
 }
 
 TEST(Gnuplot, AnErrorInTheScriptIsAnError) {
-  EXPECT_THAT([] { (void)run_gnuplot("set terminal nonsense\n"); },
+  EXPECT_THAT([] { (void)run_gnuplot("plot [0:1] nonsense(x)\n"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("gnuplot"), HasSubstr("nonsense"))));
 }
 

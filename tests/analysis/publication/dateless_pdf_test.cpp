@@ -1,0 +1,44 @@
+#include "analysis/publication/dateless_pdf.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/publication/gnuplot.h"
+#include "renderer/base/error.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+
+std::string pdf_of(const std::string& date) {
+  const std::string catalog = "1 0 obj\n<</Type/Catalog/Pages 2 0 R>>\nendobj\n";
+  const std::string pages = "2 0 obj\n<</Type/Pages/Kids[]/Count 0>>\nendobj\n";
+  const std::string information =
+      "3 0 obj\n<</Producer(somebody)/CreationDate(D:" + date + ")>>\nendobj\n";
+  return "%PDF-1.4\n" + catalog + pages + information +
+         "trailer\n<</Size 4/Root 1 0 R/Info 3 0 R/ID[<" + date + "><" + date + ">]>>\n%%EOF\n";
+}
+
+TEST(DatelessPdf, IsTheSameWheneverItWasMade) {
+  const std::string pdf = dateless_pdf(pdf_of("20261127120000"));
+  EXPECT_EQ(pdf, dateless_pdf(pdf_of("20261127120001")));
+  EXPECT_THAT(pdf, AllOf(HasSubstr("somebody"), Not(HasSubstr("CreationDate"))));
+}
+
+TEST(DatelessPdf, StaysAPdf) {
+  const std::string drawn = run_gnuplot("set terminal pdfcairo\nplot [0:1] x\n");
+  const std::string pdf = dateless_pdf(drawn);
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_EQ(pdf, dateless_pdf(pdf));
+}
+
+TEST(DatelessPdf, OfWhatIsNoPdfIsAnError) {
+  EXPECT_THAT([] { (void)dateless_pdf("no PDF"); }, ThrowsMessage<Error>(HasSubstr("gave no PDF")));
+}
+
+}  // namespace
+}  // namespace foveola::analysis
