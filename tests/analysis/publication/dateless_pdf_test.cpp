@@ -16,11 +16,12 @@ using testing::ThrowsMessage;
 
 std::string pdf_of(const std::string& date) {
   const std::string catalog = "1 0 obj\n<</Type/Catalog/Pages 2 0 R>>\nendobj\n";
-  const std::string pages = "2 0 obj\n<</Type/Pages/Kids[]/Count 0>>\nendobj\n";
+  const std::string pages = "2 0 obj\n<</Type/Pages/Kids[4 0 R]/Count 1>>\nendobj\n";
   const std::string information =
       "3 0 obj\n<</Producer(somebody)/CreationDate(D:" + date + ")>>\nendobj\n";
-  return "%PDF-1.4\n" + catalog + pages + information +
-         "trailer\n<</Size 4/Root 1 0 R/Info 3 0 R/ID[<" + date + "><" + date + ">]>>\n%%EOF\n";
+  const std::string page = "4 0 obj\n<</Type/Page/Parent 2 0 R/MediaBox[0 0 9 9]>>\nendobj\n";
+  return "%PDF-1.4\n" + catalog + pages + information + page +
+         "trailer\n<</Size 5/Root 1 0 R/Info 3 0 R/ID[<" + date + "><" + date + ">]>>\n%%EOF\n";
 }
 
 TEST(DatelessPdf, IsTheSameWheneverItWasMade) {
