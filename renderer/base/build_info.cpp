@@ -1,6 +1,8 @@
 #include "renderer/base/build_info.h"
 
 #include <fstream>
+#include <map>
+#include <string>
 #include <thread>
 
 #include <sys/resource.h>
@@ -9,14 +11,28 @@
 namespace foveola {
 namespace {
 
-std::string processor_name() {
+/// What the kernel says of the first processor.
+std::map<std::string, std::string> first_processor() {
   std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);) {
-    if (line.starts_with("model name")) {
-      return line.substr(line.find(':') + 2);
+  std::map<std::string, std::string> fields;
+  for (std::string line; std::getline(cpuinfo, line) && !line.empty();) {
+    const std::size_t colon = line.find(':');
+    if (colon != std::string::npos && colon + 2 < line.size()) {
+      fields[line.substr(0, line.find_first_of("\t:"))] = line.substr(colon + 2);
     }
   }
-  return "unknown processor";
+  return fields;
+}
+
+/// In a virtual machine, the name alone may be that of many processors, which do not compute alike.
+std::string processor_name() {
+  std::map<std::string, std::string> fields = first_processor();
+  std::string name =
+      fields.contains("model name") ? fields["model name"] : std::string("unknown processor");
+  if (fields.contains("cpu family") && fields.contains("model")) {
+    name += " (family " + fields["cpu family"] + ", model " + fields["model"] + ")";
+  }
+  return name;
 }
 
 /// The highest level of the x86-64 psABI (1.0, 3.1.1) that this source is compiled for.

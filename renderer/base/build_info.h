@@ -20,7 +20,7 @@ BuildInfo build_info();
 std::string program_name(const BuildInfo& build);
 
 struct MachineInfo {
-  std::string processor;  ///< as the kernel names it
+  std::string processor;  ///< as the kernel names it: "AMD EPYC (family 23, model 1)"
   int cores = 0;
   std::string system;  ///< kernel name and release
 };
