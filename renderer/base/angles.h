@@ -39,6 +39,23 @@ inline AzimuthElevation azimuth_elevation(const Vec3& direction) {
           .elevation_rad = std::atan2(static_cast<double>(direction.y), horizontal)};
 }
 
+/// The orientation of a head that looks along `heading` with the horizon level, or tilted to the
+/// right by roll_rad: it maps the head's axes (+X right, +Y up, -Z forward) to the world.
+inline Quat head_orientation(const AzimuthElevation& heading, double roll_rad = 0.0) {
+  // Positive azimuth turns from -Z towards +X, which about +Y is a negative rotation.
+  const Quat turn = glm::angleAxis(static_cast<float>(-heading.azimuth_rad), Vec3(0, 1, 0));
+  const Quat nod = glm::angleAxis(static_cast<float>(heading.elevation_rad), Vec3(1, 0, 0));
+  const Quat tilt = glm::angleAxis(static_cast<float>(roll_rad), Vec3(0, 0, -1));
+  return turn * nod * tilt;
+}
+
+/// How far `head` is tilted to the right from where the horizon is level, in [-pi, pi].
+inline double roll_of(const Quat& head) {
+  const Quat level = head_orientation(azimuth_elevation(head * Vec3(0.0F, 0.0F, -1.0F)));
+  const Quat tilt = glm::conjugate(level) * head;
+  return wrapped_angle(2.0 * std::atan2(-static_cast<double>(tilt.z), tilt.w));
+}
+
 /// The true angle between two directions in radians, in [0, pi]; accurate at both ends, where the
 /// arc cosine of a dot product is not (Kahan, "How futile are mindless assessments of roundoff in
 /// floating-point computation?", section 12).

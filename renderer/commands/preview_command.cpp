@@ -18,12 +18,11 @@
 #include "renderer/commands/live_preview_json.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_arguments.h"
+#include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/preview_surroundings.h"
 #include "renderer/commands/warnings.h"
-#include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
-#include "renderer/gaze/recorded_head.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/scene_reload.h"
@@ -35,13 +34,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-WindowEyeTracker open_gaze_source(const PreviewRequest& request, const DisplayProfile& display,
+WindowEyeTracker open_gaze_source(const PreviewRequest& request, LiveDisplay& display,
                                   const Clock& clock) {
   if (!request.replayed_gaze.empty()) {
     return {.tracker = std::make_unique<RecordedEyeTracker>(request.replayed_gaze, clock.now(),
                                                             Nanoseconds(0))};
   }
-  return open_window_eye_tracker(request.tracker, screen_of(display), clock);
+  return open_eye_tracker_of(display, request.tracker, clock);
 }
 
 /// Prints on standard error: standard output holds the report alone, for JSON's readers.
@@ -91,16 +90,16 @@ SceneChange change_of(ReloadedScene reloaded) {
 struct ShownIn {
   Window& window;
   WindowEvents& events;
-  const DisplayProfile& display;
+  LiveDisplay& display;
   const Clock& clock;
 };
 
 /// Loads the scene and shows it, in a thread of its own beside the window's.
 LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewRequest& request,
                              const SceneFinder& find_scene, const ShownIn& shown_in,
-                             const IVec2& framebuffer, const std::stop_token& stop) {
+                             const std::stop_token& stop) {
   const Clock& clock = shown_in.clock;
-  Presenter presenter(shown_in.window, clock);
+  const IVec2& framebuffer = shown_in.display.picture_px();
   const Workers workers(arguments.threads);
   const PictureChoices picture = window_picture(request, framebuffer);
   SceneChoices choices = request.scene;
@@ -127,24 +126,18 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   const double exposure_stops = exposure_stops_of(request, loaded, picture, workers);
   WindowEyeTracker gaze = open_gaze_source(request, shown_in.display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
-  SteeredHeadTracker steered_head(loaded.camera.heading);
-  std::optional<ScriptedHeadTracker> replayed;
-  if (!request.replayed_head.empty()) {
-    replayed.emplace(replayed_head(request.replayed_head, clock.now()));
-  }
-  HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
+  PreviewHead head(request.replayed_head, shown_in.display, loaded.camera.heading, clock);
   WidenedEyeTracker widened_eye(eye);
-  const bool knows_view = gaze.pointer != nullptr;
+  const bool knows_view = gaze.pointer != nullptr || shown_in.display.headset() != nullptr;
   Preview preview(loaded.tracer,
                   {.render = loaded.rendered_with(request.render),
                    .exposure_stops = exposure_stops,
                    .gaze_filter = request.gaze_filter},
-                  knows_view ? static_cast<EyeTracker&>(eye) : widened_eye, head, workers);
-  Steering steering(steered_head, gaze.pointer);
-  FreeCamera camera = replayed ? FreeCamera(surroundings_of(loaded), *replayed)
-                               : FreeCamera(surroundings_of(loaded), steered_head);
+                  knows_view ? static_cast<EyeTracker&>(eye) : widened_eye, head.shown(), workers);
+  Steering steering(head.steered(), gaze.pointer);
+  FreeCamera camera = head.camera_in(surroundings_of(loaded));
   LivePreviewSettings live{
-      .display = shown_in.display,
+      .display = shown_in.display.profile(),
       .tracker = request.tracker,
       .choices = request.choices,
       .seed = request.render.trace.seed,
@@ -173,7 +166,7 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
                            .widened_eye = knows_view ? nullptr : &widened_eye,
                            .window = &shown_in.window,
                            .events = &shown_in.events,
-                           .presenter = &presenter,
+                           .presenter = &shown_in.display.presenter(),
                            .workers = &workers,
                            .clock = &clock});
   shown.own(std::move(first));
@@ -244,6 +237,7 @@ void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scen
   const PreviewRequest request = preview_request(arguments, find_scene);
   keep_freed_memory();
   print_method_notes(arguments.method);
+  silence_xr_loader();
   const SteadyClock clock;
   WindowEvents events;
   Window window(
@@ -253,10 +247,13 @@ void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scen
       events, clock);
   DisplayProfile display = request.display;
   display.refresh_rate_hz = said_refresh_rate_hz(window, arguments.monitor, display);
-  const ShownIn shown_in{.window = window, .events = events, .display = display, .clock = clock};
   LivePreviewReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {
-    report = show_scene(arguments, request, find_scene, shown_in, framebuffer, stop);
+    LiveDisplay shown_on(window, events, display, framebuffer, clock);
+    display = shown_on.profile();
+    report =
+        show_scene(arguments, request, find_scene,
+                   {.window = window, .events = events, .display = shown_on, .clock = clock}, stop);
   });
   if (report.last_picture) {
     write_display_picture(arguments.screenshot, *report.last_picture);

@@ -33,6 +33,8 @@ const char* name_of(TrackerSource source) {
       return "hid";
     case TrackerSource::open_gaze:
       return "open-gaze";
+    case TrackerSource::openxr:
+      return "openxr";
     case TrackerSource::pointer:
       return "pointer";
     case TrackerSource::recorded:

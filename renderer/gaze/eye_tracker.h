@@ -16,10 +16,11 @@ namespace foveola {
 enum class GazeMark : std::uint8_t { none, fixation, saccade, blink };
 
 struct GazeSample {
-  Nanoseconds time{0};                ///< when the eye was there
+  Nanoseconds time{0};                ///< when the eye was there; see is_time_known
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, in the head's axes (-Z forward)
   bool valid = false;
   GazeMark mark = GazeMark::none;  ///< no tracker knows it: see GazeMarker
+  bool is_time_known = true;       ///< else `time` is when the tracker was asked
 };
 
 class EyeTracker {

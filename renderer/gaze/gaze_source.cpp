@@ -45,6 +45,10 @@ std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, cons
       return open_hid(profile, screen, clock);
     case TrackerSource::open_gaze:
       return open_open_gaze(profile, screen);
+    case TrackerSource::openxr:
+      throw Error("tracker '" + profile.name + "'",
+                  "it is a part of the headset that OpenXR shows in",
+                  "use it with --headset, or choose another tracker");
     case TrackerSource::pointer:
       throw Error("tracker '" + profile.name + "'", "there is no window to point in",
                   "use it where there is one, or choose another tracker");

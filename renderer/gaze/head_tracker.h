@@ -11,13 +11,27 @@ namespace foveola {
 
 struct HeadPose {
   Nanoseconds time{0};
-  AzimuthElevation heading;  ///< world; the horizon stays level
+  AzimuthElevation heading;  ///< world
+  double roll_rad = 0.0;     ///< to the right, from where the horizon is level; in [-pi, pi)
+
+  /// World from head.
+  Quat orientation() const { return head_orientation(heading, roll_rad); }
 };
+
+/// The pose of a head with that orientation (world from head), whose roll is rounded to 1/65536 of
+/// a turn (0.0055 degrees), as the record keeps it: so a replay sees the very same view.
+HeadPose head_pose(Nanoseconds time, const Quat& orientation);
 
 class HeadTracker {
  public:
   virtual ~HeadTracker() = default;
   virtual HeadPose pose(Nanoseconds now) = 0;
+  /// The pose at `then`, when the eye tracker saw the eye that is followed at `now`. That of `now`
+  /// where no past is known.
+  virtual HeadPose pose_at_gaze(Nanoseconds /*then*/, Nanoseconds now) { return pose(now); }
+  /// Whoever looks straight ahead looks along `heading` from now on, with the horizon level, where
+  /// that is for a tracker to choose.
+  virtual void face(const AzimuthElevation& /*heading*/) {}
 };
 
 /// Passes through given poses in time, turning at constant speed between them (the short way

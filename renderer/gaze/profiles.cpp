@@ -142,10 +142,15 @@ TimingPatch read_timing_patch(TomlReader table) {
 
 DisplayProfile display_from(TomlReader table) {
   constexpr std::array words{Word<DisplayKind>{"headset", DisplayKind::headset},
-                             Word<DisplayKind>{"monitor", DisplayKind::monitor}};
+                             Word<DisplayKind>{"monitor", DisplayKind::monitor},
+                             Word<DisplayKind>{"openxr", DisplayKind::openxr}};
   DisplayProfile display;
   display.title = table.require_text("title");
   display.kind = require_word(table, "kind", words);
+  if (display.kind == DisplayKind::openxr) {
+    table.reject_unknown_keys();
+    return display;
+  }
   display.width_px = require_whole_number(table, "width_px", 16, 65536);
   display.height_px = require_whole_number(table, "height_px", 16, 65536);
   display.refresh_rate_hz = require_number(table, "refresh_rate_hz", 1.0, 1000.0);
@@ -188,6 +193,7 @@ void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
 TrackerProfile tracker_from(TomlReader table) {
   constexpr std::array words{Word<TrackerSource>{"hid", TrackerSource::hid},
                              Word<TrackerSource>{"open-gaze", TrackerSource::open_gaze},
+                             Word<TrackerSource>{"openxr", TrackerSource::openxr},
                              Word<TrackerSource>{"pointer", TrackerSource::pointer},
                              Word<TrackerSource>{"recorded", TrackerSource::recorded},
                              Word<TrackerSource>{"simulated", TrackerSource::simulated}};
@@ -282,7 +288,7 @@ Screen screen_of(const DisplayProfile& display) {
                 .height_m = display.height_m,
                 .horizontal_fov_deg = display.horizontal_fov_deg,
                 .vertical_fov_deg = display.vertical_fov_deg};
-  if (display.kind == DisplayKind::headset) {
+  if (display.kind != DisplayKind::monitor) {
     screen.width_m = 2.0 * headset_distance_m * std::tan(radians(0.5 * display.horizontal_fov_deg));
     screen.height_m = 2.0 * headset_distance_m * std::tan(radians(0.5 * display.vertical_fov_deg));
   }

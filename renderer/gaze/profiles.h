@@ -43,8 +43,9 @@ struct TimingPatch {
 };
 
 enum class DisplayKind {
-  headset,  ///< two views side by side, each through a lens
-  monitor   ///< one flat view
+  headset,  ///< two views side by side in a window, each through a lens
+  monitor,  ///< one flat view
+  openxr    ///< a headset by OpenXR, whose runtime tells all else of it
 };
 
 struct DisplayProfile {
@@ -60,14 +61,15 @@ struct DisplayProfile {
   double width_m = 0.0;  ///< a monitor's width; 0 for a headset, as the next two are
   double height_m = 0.0;
   double viewing_distance_m = 0.0;
-  std::optional<RadialLens> lens;  ///< the left eye's, of a headset whose lenses are known
+  /// The left eye's, of a headset whose lenses are known; by OpenXR, what holds both eyes' views.
+  std::optional<RadialLens> lens;
   std::optional<MeasuredDisplay> measured;
   std::optional<TimingPatch> timing_patch;
   KnownDuration scan_out;  ///< time from a frame's presentation until all of it is lit
   std::string toml;        ///< the file's content, for the record
 };
 
-enum class TrackerSource { hid, open_gaze, pointer, recorded, simulated };
+enum class TrackerSource { hid, open_gaze, openxr, pointer, recorded, simulated };
 
 struct TrackerProfile {
   std::string name;  ///< the file's, without .toml

@@ -62,29 +62,33 @@ void Preview::trace(std::uint64_t samples, FrameReport& report) {
 }
 
 FrameReport Preview::begin_frame(Nanoseconds now) {
-  const AzimuthElevation heading = head_->pose(now).heading;
+  const HeadPose head = head_->pose(now);
   poll_gaze(now);
   const GazeSample used = last_valid_gaze_.value_or(GazeSample{.time = now});
-  const Vec3 gaze = held_gaze_.value_or(glm::normalize(head_orientation(heading) * used.direction));
-  FrameReport report = begin_frame(now, heading, gaze);
+  const HeadPose head_then = newest_gaze_is_valid_ ? head_->pose_at_gaze(used.time, now) : head;
+  const Vec3 gaze = held_gaze_.value_or(glm::normalize(head_then.orientation() * used.direction));
+  FrameReport report = begin_frame(head, gaze);
   report.gaze_valid = newest_gaze_is_valid_;
   report.gaze_held = held_gaze_.has_value();
   report.gaze_age = now - used.time;
   return report;
 }
 
-FrameReport Preview::begin_frame(Nanoseconds now, const AzimuthElevation& head, const Vec3& gaze) {
+FrameReport Preview::begin_frame(const HeadPose& head, const Vec3& gaze) {
   assert(sampler_ != nullptr);
-  viewport_ = Viewport(head, settings_.field_of_view);
+  viewport_ = viewport_of(head.orientation(), settings_.field_of_view);
   last_gaze_ = gaze;
   render_.look_at(gaze);
   sampler_->aim({.viewport = viewport_, .gaze = gaze, .pointer = pointer_});
-  return {.frame = next_frame_++, .time = now, .head = head, .gaze = gaze};
+  return {.frame = next_frame_++,
+          .time = head.time,
+          .head = head.heading,
+          .head_roll_rad = head.roll_rad,
+          .gaze = gaze};
 }
 
 void Preview::set_view(const FieldOfView& view) {
-  viewport_ = Viewport(viewport_.head(), radians(view.horizontal_deg), radians(view.vertical_deg),
-                       view.lens);
+  viewport_ = viewport_of(viewport_.head(), view);
   settings_.field_of_view = view;
 }
 

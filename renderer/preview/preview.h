@@ -37,6 +37,7 @@ struct FrameReport {
   std::uint64_t frame = 0;       ///< counted from the last restart
   Nanoseconds time{0};           ///< when head and gaze were polled
   AzimuthElevation head;         ///< world
+  double head_roll_rad = 0.0;    ///< as HeadPose has it
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< world, the one that was used
   /// Whether the newest sample that the filter let through was valid. If not, the last valid one
   /// holds in the head's axes, or straight ahead if there was none yet.
@@ -76,9 +77,9 @@ class Preview {
 
   /// Begins a frame that is rendered in pieces: polls, and traces nothing yet.
   FrameReport begin_frame(Nanoseconds now);
-  /// Begins a frame without polling: head and gaze (unit length, world) are known, as in a
-  /// recording.
-  FrameReport begin_frame(Nanoseconds now, const AzimuthElevation& head, const Vec3& gaze);
+  /// Begins a frame at the time of `head`, without polling: head and gaze (unit length, world) are
+  /// known, as in a recording.
+  FrameReport begin_frame(const HeadPose& head, const Vec3& gaze);
   /// Traces so many samples more in the frame of `report`.
   void trace(std::uint64_t samples, FrameReport& report);
 

@@ -65,13 +65,6 @@ double fov_across_deg(double ratio, double fov_deg) {
   return degrees(2.0 * std::atan(ratio * std::tan(0.5 * radians(fov_deg))));
 }
 
-Quat head_orientation(const AzimuthElevation& heading) {
-  // Positive azimuth turns from -Z towards +X, which about +Y is a negative rotation.
-  const Quat turn = glm::angleAxis(static_cast<float>(-heading.azimuth_rad), Vec3(0, 1, 0));
-  const Quat nod = glm::angleAxis(static_cast<float>(heading.elevation_rad), Vec3(1, 0, 0));
-  return turn * nod;
-}
-
 Vec3 gaze_in_head(const AzimuthElevation& heading, const Vec3& gaze) {
   return glm::normalize(glm::conjugate(head_orientation(heading)) * gaze);
 }

@@ -9,10 +9,6 @@
 
 namespace foveola {
 
-/// The orientation that looks along `heading` with the horizon level: it maps the head's axes
-/// (+X right, +Y up, -Z forward) to the world.
-Quat head_orientation(const AzimuthElevation& heading);
-
 /// A gaze (unit length, world) in the axes of a head that looks along `heading`; unit length.
 Vec3 gaze_in_head(const AzimuthElevation& heading, const Vec3& gaze);
 
@@ -35,7 +31,8 @@ class Viewport {
   /// the display would fold back on itself.
   Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad,
            const RadialLens& lens = {});
-  /// The view of a head that looks along `heading`. Throws Error as the other constructor does.
+  /// The view of a head that looks along `heading`, with the horizon level. Throws Error as the
+  /// other constructor does.
   Viewport(const AzimuthElevation& heading, const FieldOfView& field_of_view)
       : Viewport(head_orientation(heading), radians(field_of_view.horizontal_deg),
                  radians(field_of_view.vertical_deg), field_of_view.lens) {}
@@ -70,5 +67,11 @@ class Viewport {
   Vec3 up_;
   Vec3 forward_;
 };
+
+/// The view of a head with that orientation. Throws Error as Viewport does.
+inline Viewport viewport_of(const Quat& head, const FieldOfView& field_of_view) {
+  return {head, radians(field_of_view.horizontal_deg), radians(field_of_view.vertical_deg),
+          field_of_view.lens};
+}
 
 }  // namespace foveola

@@ -16,11 +16,6 @@
 
 namespace foveola {
 
-enum class FilmDrawer {
-  graphics_card,  ///< keeps a copy of the film's pyramid as a texture and resamples that
-  processor       ///< resamples the film itself; OpenGL gets finished pictures
-};
-
 /// The processor where OpenGL itself is computed by it, which Mesa's software drivers say in their
 /// names ("llvmpipe", "softpipe", "SWR"): their shaders take ten times as long as our resampling,
 /// which does again only what changed.

@@ -84,10 +84,11 @@ std::string words_of(const std::optional<Sighted>& seen) {
 }  // namespace
 
 FreeCamera::FreeCamera(CameraSurroundings surroundings, HeadTracker& shown,
-                       SteeredHeadTracker* steered)
+                       SteeredHeadTracker* steered, std::string turned_by)
     : surroundings_(std::move(surroundings)),
       head_(&shown),
       steered_head_(steered),
+      turned_by_(std::move(turned_by)),
       position_(surroundings_.start.position),
       first_speed_m_per_s_(walking_speed(width_around(surroundings_))),
       speed_m_per_s_(first_speed_m_per_s_) {}
@@ -210,7 +211,7 @@ bool FreeCamera::steer(Nanoseconds /*time*/, const GamepadMoved& gamepad) {
 
 bool FreeCamera::can_turn() {
   if (steered_head_ == nullptr) {
-    note_ = "a recording turns the head: keys and mouse only move the camera";
+    note_ = turned_by_ + " turns the head: keys and mouse only move the camera";
   }
   return steered_head_ != nullptr;
 }
@@ -256,7 +257,7 @@ void FreeCamera::bring(Nanoseconds now, const Vec3& from, const Vec3& to) {
   if (steered_head_ == nullptr) {
     return;
   }
-  const Quat head = head_orientation(head_->pose(now).heading);
+  const Quat head = head_->pose(now).orientation();
   const AzimuthElevation seen = azimuth_elevation(head * from);
   const AzimuthElevation wanted = azimuth_elevation(head * to);
   steered_head_->turn(now, {.right_rad = wrapped_angle(seen.azimuth_rad - wanted.azimuth_rad),
@@ -281,7 +282,7 @@ void FreeCamera::walk_until(Nanoseconds now) {
   const Nanoseconds took = std::max(Nanoseconds(0), now - since_);
   since_ = std::max(since_, now);
   if (!held_.empty()) {
-    const Quat head = head_orientation(head_->pose(now).heading);
+    const Quat head = head_->pose(now).orientation();
     position_ += static_cast<float>(seconds(took)) * velocity(head);
   }
 }

@@ -39,11 +39,11 @@ class FreeCamera {
  public:
   /// head: the one that is shown; keys and mouse turn it. Must outlive it.
   FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head)
-      : FreeCamera(std::move(surroundings), head, &head) {}
-  /// head: the one that is shown, of a recording: nothing turns it, and who tries is told so. Must
-  /// outlive it.
-  FreeCamera(CameraSurroundings surroundings, ScriptedHeadTracker& head)
-      : FreeCamera(std::move(surroundings), head, nullptr) {}
+      : FreeCamera(std::move(surroundings), head, &head, {}) {}
+  /// head: the one that is shown. Only turned_by, "a recording" for instance, turns it, and who
+  /// tries otherwise is told so. Must outlive it.
+  FreeCamera(CameraSurroundings surroundings, HeadTracker& head, std::string turned_by)
+      : FreeCamera(std::move(surroundings), head, nullptr, std::move(turned_by)) {}
 
   /// Goes on in other surroundings, at the same place in the file's world.
   void move_into(CameraSurroundings surroundings);
@@ -79,7 +79,8 @@ class FreeCamera {
   std::string take_note() { return std::exchange(note_, {}); }
 
  private:
-  FreeCamera(CameraSurroundings surroundings, HeadTracker& shown, SteeredHeadTracker* steered);
+  FreeCamera(CameraSurroundings surroundings, HeadTracker& shown, SteeredHeadTracker* steered,
+             std::string turned_by);
 
   bool steer(Nanoseconds time, const KeyMoved& key);
   bool steer(Nanoseconds time, const CharacterTyped& typed) const;
@@ -100,6 +101,7 @@ class FreeCamera {
   CameraSurroundings surroundings_;
   HeadTracker* head_;                 ///< the one that is shown
   SteeredHeadTracker* steered_head_;  ///< the same if it can be turned; else null
+  std::string turned_by_;             ///< what turns it then
   Vec3 position_;
   double first_speed_m_per_s_;
   double speed_m_per_s_;

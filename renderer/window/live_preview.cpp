@@ -31,7 +31,7 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
       choices_(settings.choices),
       view_(settings.display, settings.larger_fov_deg, settings.framebuffer),
       start_(parts.clock->now()),
-      drawing_(parts.preview->film(), usual_drawer(parts.presenter->graphics()), *parts.workers) {
+      drawing_(parts.preview->film(), parts.presenter->film_drawer(), *parts.workers) {
   show_in({.framebuffer = settings.framebuffer, .window = settings.framebuffer});
   restart();
 }
@@ -46,7 +46,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
                   RefreshEstimator(settings_.display.refresh_rate_hz), wait_and_answer,
                   {.resample = [this](const Preview& preview) { draw(preview); },
                    .present = [this] { return wait_until_shown(); }},
-                  frame_budget_for(usual_drawer(parts_.presenter->graphics())));
+                  frame_budget_for(parts_.presenter->film_drawer()));
   while (!is_done_ && !stop.stop_requested()) {
     live.give_way(settings_.is_loading && settings_.is_loading());
     keep(live.next());
@@ -130,9 +130,9 @@ void LivePreview::answer(const WindowEvent& event) {
   } else if (const auto* wheel = std::get_if<WheelTurned>(&event.what)) {
     zoom(wheel->away);
   } else if (const auto* size = std::get_if<WindowResized>(&event.what)) {
-    show_in(*size);
+    follow_size(*size);
   } else if (const auto* hidden = std::get_if<WindowHidden>(&event.what)) {
-    area_.is_hidden = hidden->is_hidden;
+    area_.is_hidden = hidden->is_hidden && !is_in_headset();
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
     tell("lost the monitor " + lost->name, MessageStay::long_enough);
     report_.lost_monitors.push_back(lost->name);
@@ -140,6 +140,21 @@ void LivePreview::answer(const WindowEvent& event) {
     tell("found the monitor " + found->name, MessageStay::long_enough);
   } else if (std::holds_alternative<CloseWanted>(event.what)) {
     is_done_ = true;
+  } else if (const auto* headset = std::get_if<HeadsetChanged>(&event.what)) {
+    answer(headset->change);
+  }
+}
+
+void LivePreview::answer(HeadsetChange change) {
+  is_done_ = is_done_ || change == HeadsetChange::exit_wanted;
+  report_.headset_changes.push_back(change);
+  tell(words_for(change), MessageStay::long_enough);
+}
+
+/// What a headset shows does not depend on the window that shows it too.
+void LivePreview::follow_size(const WindowResized& size) {
+  if (!is_in_headset()) {
+    show_in(size);
   }
 }
 
@@ -262,6 +277,7 @@ void LivePreview::draw(const Preview& preview) {
   // What is seen for a moment only has few samples: dots would say little.
   look.fill_unsampled = look.fill_unsampled || parts_.camera->is_moving();
   ShownFrame frame = head_frame(area_, view_.geometry(), preview.viewport().head(), look);
+  frame.late_turn_rad = parts_.presenter->late_turn_rad();
   if (area_.is_seen()) {
     drawing_.bring_up_to_date(frame);
     frame.overlays = check_.goes_on() ? check_.overlays(preview.viewport().head())

@@ -80,13 +80,14 @@ struct LivePreviewReport {
   std::string graphics;              ///< the graphics card and its driver
   double refresh_rate_hz = 0.0;      ///< the display's: measured, or else its profile's
   bool is_refresh_measured = false;
-  int threads = 0;                          ///< threads that traced
-  std::optional<Nanoseconds> first_shown;   ///< the first picture, after the scene was loaded
-  std::vector<GazeCheck> gaze_checks;       ///< in the order they were made
-  std::vector<std::string> lost_monitors;   ///< names, in the order they were lost
-  std::vector<ShownChange> changes;         ///< of the scene, in their order
-  std::optional<SlowDrawing> slow_drawing;  ///< when it was first found too slow; else none
-  std::optional<RgbImage> last_picture;     ///< sRGB in [0, 1]
+  int threads = 0;                             ///< threads that traced
+  std::optional<Nanoseconds> first_shown;      ///< the first picture, after the scene was loaded
+  std::vector<GazeCheck> gaze_checks;          ///< in the order they were made
+  std::vector<std::string> lost_monitors;      ///< names, in the order they were lost
+  std::vector<ShownChange> changes;            ///< of the scene, in their order
+  std::vector<HeadsetChange> headset_changes;  ///< in their order
+  std::optional<SlowDrawing> slow_drawing;     ///< when it was first found too slow; else none
+  std::optional<RgbImage> last_picture;        ///< sRGB in [0, 1]
   /// The last view as options that show it again: --camera, --head, and a monitor's --fov.
   std::string last_view;
   static constexpr std::size_t most_frames = 1 << 16;
@@ -122,6 +123,9 @@ class LivePreview {
   void answer_events();
   void answer(const WindowEvent& event);
   void answer(const KeyMoved& key);
+  void answer(HeadsetChange change);
+  void follow_size(const WindowResized& size);
+  bool is_in_headset() const { return settings_.display.kind == DisplayKind::openxr; }
   void act(PreviewAction action);
   void restart();
   void move_camera();

@@ -1,13 +1,10 @@
-// The thread that draws: it takes frames one by one, and shows each at the display's next refresh.
+// What a display is given to draw, frame by frame, and the displays' interface.
 #pragma once
 
-#include <condition_variable>
-#include <exception>
 #include <future>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <string>
 #include <vector>
 
 #include "renderer/base/clock.h"
@@ -15,7 +12,6 @@
 #include "renderer/window/text_overlay.h"
 #include "renderer/window/view_overlays.h"
 #include "renderer/window/view_renderer.h"
-#include "renderer/window/window.h"
 
 namespace foveola {
 
@@ -26,6 +22,7 @@ struct ShownFrame {
   const PyramidAtlas* atlas = nullptr;
   FilmUpdate update;             ///< since the frame before
   std::vector<ShownView> views;  ///< one, or one for each eye
+  double late_turn_rad = 0.0;    ///< the presenter's
   /// What each view shows of a film that the processor resampled, of as many pixels as its part
   /// has; empty if the graphics card resamples it.
   std::vector<const ByteImage*> pictures;
@@ -45,47 +42,31 @@ struct ShownFrame {
 /// Asks for the frame's picture; it is there once the frame is drawn, or throws if it never is.
 std::future<RgbImage> picture_of(ShownFrame& frame);
 
+/// Who resamples the film for a frame.
+enum class FilmDrawer {
+  graphics_card,  ///< keeps a copy of the film's pyramid as a texture and resamples that
+  processor       ///< resamples the film itself; OpenGL gets finished pictures
+};
+
+/// A display that takes frames one by one, and draws them in a thread of its own.
 class Presenter {
  public:
-  /// Takes the window's context. All must outlive it. Throws Error if the graphics card cannot do
-  /// it.
-  Presenter(Window& window, const Clock& clock);
-  ~Presenter();
-  Presenter(const Presenter&) = delete;
-  Presenter& operator=(const Presenter&) = delete;
+  virtual ~Presenter() = default;
 
   /// Waits until the frame is drawn, and no longer needs what it refers to; it is shown at the
   /// next refresh, after the one before. Rethrows what went wrong in the drawing thread.
-  void draw(ShownFrame frame);
+  virtual void draw(ShownFrame frame) = 0;
 
   /// Waits until the frame that was drawn last is shown, and says when that was: its buffers were
-  /// swapped. Rethrows as draw.
-  Nanoseconds wait_until_shown();
+  /// swapped, or it was handed to a headset. Rethrows as draw.
+  virtual Nanoseconds wait_until_shown() = 0;
 
   /// The graphics card and its driver, in their own words.
-  const std::string& graphics() const { return graphics_; }
-
- private:
-  struct Card;
-
-  void run(const std::stop_token& stop);
-  void serve(const std::stop_token& stop, Card& card);
-  void fail(std::exception_ptr fault);
-  /// Waits for `flag`, or for what goes wrong instead and rethrows it.
-  void wait_for(const bool& flag, std::unique_lock<std::mutex>& lock);
-
-  Window* window_;
-  const Clock* clock_;
-  std::string graphics_;
-  std::mutex mutex_;
-  std::condition_variable_any changed_;
-  // Guarded by the mutex:
-  bool is_ready_ = false;            ///< ready for a frame: the one before was shown
-  bool is_drawn_ = false;            ///< the frame that was handed over last
-  std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
-  Nanoseconds shown_{0};             ///< when the last one was
-  std::exception_ptr fault_;
-  std::jthread thread_;  ///< last: it ends before the rest does
+  virtual const std::string& graphics() const = 0;
+  virtual FilmDrawer film_drawer() const = 0;
+  /// How far the head may turn until a frame is seen that shows it as it is turned then; 0 where it
+  /// is shown as it was when the frame began.
+  virtual double late_turn_rad() const { return 0.0; }
 };
 
 }  // namespace foveola

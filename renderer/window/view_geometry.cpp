@@ -24,11 +24,25 @@ ViewGeometry view_for_each_eye(const DisplayProfile& display, const IVec2& frame
       .parts = {{.origin = IVec2(0), .size = half}, {.origin = IVec2(half.x, 0), .size = half}}};
 }
 
+ViewGeometry view_of_head(const DisplayProfile& display, const IVec2& framebuffer) {
+  return {.horizontal_fov_deg = display.horizontal_fov_deg,
+          .vertical_fov_deg = display.vertical_fov_deg,
+          .lens = display.lens.value_or(RadialLens{}),
+          .parts = {{.origin = IVec2(0), .size = framebuffer}}};
+}
+
 }  // namespace
 
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer) {
-  return display.kind == DisplayKind::headset ? view_for_each_eye(display, framebuffer)
-                                              : pane_at_a_distance(display, framebuffer);
+  switch (display.kind) {
+    case DisplayKind::headset:
+      return view_for_each_eye(display, framebuffer);
+    case DisplayKind::monitor:
+      return pane_at_a_distance(display, framebuffer);
+    case DisplayKind::openxr:
+      break;
+  }
+  return view_of_head(display, framebuffer);
 }
 
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer,

@@ -13,11 +13,12 @@ struct ViewGeometry {
   double horizontal_fov_deg = 0.0;  ///< one view's, without the lens
   double vertical_fov_deg = 0.0;
   RadialLens lens;                ///< before the first part
-  std::vector<WindowPart> parts;  ///< one, or the left eye's and the right eye's
+  std::vector<WindowPart> parts;  ///< one, or a headset's left eye's and right eye's in a window
 };
 
 /// A monitor's window shows what a pane of that size would let through at the viewing distance, so
-/// that angles are true; a headset shows its whole view to each eye, however large the window.
+/// that angles are true; a headset shows its whole view to each eye, however large the window. By
+/// OpenXR it is what holds both eyes' views, in a picture of the size of one.
 /// framebuffer: pixels, at least 2x1.
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer);
 

@@ -200,9 +200,9 @@ void Window::toggle_full_screen() {
   glfwPostEmptyEvent();
 }
 
-void Window::make_current() {
+void Window::make_current(int swap_interval) {
   glfwMakeContextCurrent(window_);
-  glfwSwapInterval(1);
+  glfwSwapInterval(swap_interval);
 }
 
 void Window::release() { glfwMakeContextCurrent(nullptr); }

@@ -67,7 +67,8 @@ class Window {
 
   // --- The thread that draws ---
 
-  void make_current();
+  /// With swaps that wait for so many of the display's refreshes.
+  void make_current(int swap_interval = 1);
   void release();
   /// Shows what was drawn; with a display that has refreshes, at the next one.
   void swap();

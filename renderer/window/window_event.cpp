@@ -4,6 +4,28 @@
 
 namespace foveola {
 
+const char* words_for(HeadsetChange change) {
+  switch (change) {
+    case HeadsetChange::recentered:
+      return "the headset was recentered";
+    case HeadsetChange::lost_focus:
+      return "the headset shows something else";
+    case HeadsetChange::got_focus:
+      return "the headset shows this";
+    case HeadsetChange::taken_off:
+      return "the headset was taken off";
+    case HeadsetChange::put_on:
+      return "the headset was put on";
+    case HeadsetChange::lost:
+      return "the headset was lost";
+    case HeadsetChange::found:
+      return "the headset was found again";
+    case HeadsetChange::exit_wanted:
+      break;
+  }
+  return "the headset's runtime ended this";
+}
+
 void WindowEvents::push(WindowEvent event) {
   const std::scoped_lock lock(mutex_);
   events_.push_back(std::move(event));

@@ -56,10 +56,27 @@ struct MonitorFound {
 };
 struct CloseWanted {};
 
+enum class HeadsetChange {
+  recentered,  ///< straight ahead is elsewhere from now on
+  lost_focus,  ///< it shows something else, or nothing: nothing is seen or pressed
+  got_focus,
+  taken_off,
+  put_on,
+  lost,        ///< it, or its runtime, is gone
+  found,       ///< it is back
+  exit_wanted  ///< its runtime wants the program to end
+};
+struct HeadsetChanged {
+  HeadsetChange change = HeadsetChange::got_focus;
+};
+
+/// "the headset was taken off" and so on.
+const char* words_for(HeadsetChange change);
+
 struct WindowEvent {
   Nanoseconds time{0};
   std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, WheelTurned, GamepadMoved,
-               WindowResized, WindowHidden, MonitorLost, MonitorFound, CloseWanted>
+               WindowResized, WindowHidden, MonitorLost, MonitorFound, CloseWanted, HeadsetChanged>
       what;
 };
 

@@ -104,6 +104,10 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void answer(const WindowEvent& event);
   void answer_window_itself(const WindowEvent& event);
   void follow_size(const WindowResized& size);
+  void follow_headset(HeadsetChange change);
+  void pause_if_due();
+  /// What it shows does not depend on the window that shows it too.
+  bool is_in_headset() const { return seat_.display.is_headset(); }
   void pause_or_leave();
   void hand_in();
   void act(KeyIntent intent, Nanoseconds time);
@@ -152,6 +156,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
   std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
   bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
+  bool is_pause_due_ = false;        ///< what is seen is not what should be
   std::optional<SlowDrawing> slow_drawing_;  ///< once it was found in an attempt
   LiveFigures figures_;
   std::string last_mark_;  ///< in words; empty before the first

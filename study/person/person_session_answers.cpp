@@ -15,6 +15,7 @@ namespace foveola::study {
 
 void PersonSession::act(SessionDriver& /*driver*/) {
   answer_window();
+  pause_if_due();
   answer_console();
 }
 
@@ -80,6 +81,8 @@ void PersonSession::answer(const WindowEvent& event) {
 void PersonSession::answer_window_itself(const WindowEvent& event) {
   if (const auto* size = std::get_if<WindowResized>(&event.what)) {
     follow_size(*size);
+  } else if (is_in_headset() && std::holds_alternative<WindowHidden>(event.what)) {
+    return;
   } else if (const auto* hidden = std::get_if<WindowHidden>(&event.what)) {
     seat_.display.hide(hidden->is_hidden);
     driver_.feed(
@@ -87,11 +90,38 @@ void PersonSession::answer_window_itself(const WindowEvent& event) {
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
     driver_.feed(NoteWritten{"lost the monitor " + lost->name});
     pause_or_leave();
+  } else if (const auto* headset = std::get_if<HeadsetChanged>(&event.what)) {
+    follow_headset(headset->change);
+  }
+}
+
+/// Whatever is seen through it then, no time is taken of it.
+void PersonSession::follow_headset(HeadsetChange change) {
+  driver_.feed(NoteWritten{words_for(change)});
+  switch (change) {
+    case HeadsetChange::got_focus:
+    case HeadsetChange::put_on:
+    case HeadsetChange::found:
+      break;
+    case HeadsetChange::exit_wanted:
+      driver_.interrupt();
+      break;
+    default:
+      is_pause_due_ = true;
+      break;
+  }
+}
+
+/// As soon as the session takes it.
+void PersonSession::pause_if_due() {
+  if (is_pause_due_ && !driver_.has_effects_to_come()) {
+    is_pause_due_ = false;
+    driver_.feed(PauseRequested{});
   }
 }
 
 void PersonSession::follow_size(const WindowResized& size) {
-  if (size.framebuffer == seat_.display.framebuffer()) {
+  if (is_in_headset() || size.framebuffer == seat_.display.framebuffer()) {
     return;
   }
   seat_.display.resize(size.framebuffer);

@@ -14,8 +14,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/utf8.h"
+#include "renderer/commands/live_display.h"
 #include "renderer/commands/live_window.h"
-#include "renderer/gaze/gaze_source.h"
 #include "study/console/console_words.h"
 #include "study/console/open_console.h"
 #include "study/driver/session_so_far.h"
@@ -112,11 +112,17 @@ class PersonRun {
     const Workers workers(settings_.threads);
     DisplayProfile profile = profile_;
     profile.refresh_rate_hz = found_display_.refresh_rate_hz;
-    SessionDisplay display(window, profile, framebuffer, clock);
+    LiveDisplay shown_on(window, events, profile, framebuffer, clock);
+    if (shown_on.headset() != nullptr) {
+      profile_ = shown_on.profile();
+      found_display_.refresh_rate_hz = profile_.refresh_rate_hz;
+      worn_.emplace(shown_on.headset()->motion());
+    }
+    SessionDisplay display(shown_on.presenter(), shown_on.profile(), shown_on.picture_px(), clock);
     display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
     const SceneStages stages = load_stages(protocol_, sources_, workers);
     check(stages);
-    const WindowEyeTracker gaze = open_window_eye_tracker(tracker_, screen_of(profile_), clock);
+    const WindowEyeTracker gaze = open_eye_tracker_of(shown_on, tracker_, clock);
     measure_refreshes(display, protocol_.texts);
     const std::string devices =
         devices_json(display, window.key_time_source(),
@@ -136,7 +142,8 @@ class PersonRun {
                                                   .events = events,
                                                   .display = display,
                                                   .tracker = *gaze.tracker,
-                                                  .pointer = gaze.pointer},
+                                                  .pointer = gaze.pointer,
+                                                  .head = head()},
                                                  *console, recorder)
                                        .run(stop);
     console.reset();  // What comes now stands below what was said.
@@ -155,7 +162,7 @@ class PersonRun {
                                    SessionDisplay& display, const WindowEyeTracker& gaze,
                                    const std::stop_token& stop) {
     PersonTracker eye(*gaze.tracker);
-    Viewer viewer(gaze.pointer);
+    Viewer viewer(gaze.pointer, head());
     viewer.show(display.geometry(), display.framebuffer(), 1.0);
     const MeasuredTrials measured = measure_trials({.protocol = protocol_,
                                                     .stages = stages,
@@ -181,6 +188,9 @@ class PersonRun {
     }
     return preflight_json(found, checks);
   }
+
+  /// Null: keys turn it.
+  HeadTracker* head() { return worn_ ? &*worn_ : nullptr; }
 
   std::string devices_json(const SessionDisplay& display, KeyTimeSource key_times,
                            const nlohmann::ordered_json& preflight) const {
@@ -285,6 +295,7 @@ class PersonRun {
   const std::vector<SceneSource>& sources_;
   DisplayProfile profile_;
   FoundDisplay found_display_;
+  std::optional<HeadsetHead> worn_;
   TrackerProfile tracker_;
   StudyStore& store_;
   LineWriter& output_;
@@ -346,6 +357,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
       session_so_far(store, protocol, settings.participant,
                      {.resumes = settings.resumes, .despite_changes = settings.despite_changes});
   print_notes(protocol);
+  silence_xr_loader();
   const SteadyClock clock;
   WindowEvents events;
   Window window({.size = settings.window,

@@ -8,15 +8,15 @@
 
 namespace foveola::study {
 
-SessionDisplay::SessionDisplay(Window& window, const DisplayProfile& profile,
+SessionDisplay::SessionDisplay(Presenter& presenter, const DisplayProfile& profile,
                                const IVec2& framebuffer, const Clock& clock)
     : clock_(&clock),
       geometry_(view_geometry(profile, framebuffer)),
       profile_(profile),
       area_{.framebuffer = framebuffer},
       refresh_(profile.refresh_rate_hz),
-      presenter_(window, clock),
-      frame_budget_(frame_budget_for(usual_drawer(presenter_.graphics()))) {}
+      presenter_(&presenter),
+      frame_budget_(frame_budget_for(presenter.film_drawer())) {}
 
 void SessionDisplay::resize(const IVec2& framebuffer) {
   area_.framebuffer = framebuffer;
@@ -27,6 +27,7 @@ void SessionDisplay::resize(const IVec2& framebuffer) {
 
 void SessionDisplay::draw(SessionPicture picture) {
   ShownFrame frame = head_frame(area_, geometry_, picture.head, picture.look);
+  frame.late_turn_rad = presenter_->late_turn_rad();
   if (area_.is_seen()) {
     if (drawing_) {
       drawing_->bring_up_to_date(frame);
@@ -43,7 +44,7 @@ void SessionDisplay::draw(SessionPicture picture) {
       pixels_ = picture_of(frame);
     }
   }
-  presenter_.draw(std::move(frame));
+  presenter_->draw(std::move(frame));
 }
 
 std::optional<RgbImage> SessionDisplay::take_pixels() {
@@ -51,7 +52,7 @@ std::optional<RgbImage> SessionDisplay::take_pixels() {
 }
 
 std::optional<Nanoseconds> SessionDisplay::wait_until_shown() {
-  const Nanoseconds shown = presenter_.wait_until_shown();
+  const Nanoseconds shown = presenter_->wait_until_shown();
   return area_.is_seen() ? std::optional(shown) : std::nullopt;
 }
 
@@ -70,7 +71,7 @@ Nanoseconds SessionDisplay::show(SessionPicture picture) {
 }
 
 void SessionDisplay::show_film(const EquirectFilm& film, const Workers& workers) {
-  drawing_.emplace(film, usual_drawer(graphics()), workers);
+  drawing_.emplace(film, presenter_->film_drawer(), workers);
 }
 
 }  // namespace foveola::study

@@ -20,7 +20,6 @@
 #include "renderer/window/presenter.h"
 #include "renderer/window/screen.h"
 #include "renderer/window/view_geometry.h"
-#include "renderer/window/window.h"
 
 namespace foveola::study {
 
@@ -36,9 +35,9 @@ struct SessionPicture {
 class SessionDisplay {
  public:
   /// framebuffer: the window's size in pixels. The fields of view are those of this size for as
-  /// long as it lives: a trial must not be seen through another view than its record says. window
-  /// and clock must outlive it.
-  SessionDisplay(Window& window, const DisplayProfile& profile, const IVec2& framebuffer,
+  /// long as it lives: a trial must not be seen through another view than its record says.
+  /// presenter and clock must outlive it.
+  SessionDisplay(Presenter& presenter, const DisplayProfile& profile, const IVec2& framebuffer,
                  const Clock& clock);
   SessionDisplay(const SessionDisplay&) = delete;
   SessionDisplay& operator=(const SessionDisplay&) = delete;
@@ -73,6 +72,8 @@ class SessionDisplay {
   Nanoseconds show(SessionPicture picture);
 
   const ViewGeometry& geometry() const { return geometry_; }
+  /// By OpenXR.
+  bool is_headset() const { return profile_.kind == DisplayKind::openxr; }
   const IVec2& framebuffer() const { return area_.framebuffer; }
   const RefreshEstimator& refresh() const { return refresh_; }
   /// What was learnt of the refreshes elsewhere.
@@ -82,7 +83,7 @@ class SessionDisplay {
   void set_frame_budget(const FrameBudget& budget) { frame_budget_ = budget; }
   const std::optional<TimingPatch>& timing_patch() const { return profile_.timing_patch; }
   /// The graphics card and its driver, in their own words.
-  const std::string& graphics() const { return presenter_.graphics(); }
+  const std::string& graphics() const { return presenter_->graphics(); }
 
  private:
   const Clock* clock_;
@@ -91,7 +92,7 @@ class SessionDisplay {
   WindowArea area_;
   RefreshEstimator refresh_;
   Nanoseconds next_frame_{0};
-  Presenter presenter_;
+  Presenter* presenter_;
   FrameBudget frame_budget_;
   std::optional<FilmDrawing> drawing_;  ///< while there is a film
   std::optional<std::filesystem::path> picture_file_;

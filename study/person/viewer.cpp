@@ -13,6 +13,9 @@ bool turns_head(const WindowEvent& event) {
 }  // namespace
 
 void Viewer::look_along(const AzimuthElevation& heading) {
+  if (worn_ != nullptr) {
+    worn_->face(heading);
+  }
   neck_.emplace(heading, pointer_);
   neck_->steering.show(sight_.geometry, sight_.framebuffer, sight_.pixels_per_unit);
 }

@@ -26,7 +26,7 @@ class Viewer {
   void turn_to(const Vec3& direction, Nanoseconds time);
 
   /// World from head.
-  Quat orientation(Nanoseconds time) { return head_orientation(head().pose(time).heading); }
+  Quat orientation(Nanoseconds time) { return head().pose(time).orientation(); }
   HeadTracker& head() { return worn_ != nullptr ? *worn_ : neck_->head; }
 
  private:

@@ -19,6 +19,9 @@ bool differs(double found, double stated, double tolerance) {
 void compare_pixels(const DisplayProfile& stated, const FoundDisplay& found,
                     std::vector<std::string>& differences) {
   const IVec2 stated_px(stated.width_px, stated.height_px);
+  if (stated.kind == DisplayKind::openxr) {
+    return;  // they are what its runtime says
+  }
   const IVec2& shown_px = stated.kind == DisplayKind::headset ? found.window_px : found.monitor_px;
   if (shown_px != stated_px) {
     differences.push_back(
@@ -30,7 +33,7 @@ void compare_pixels(const DisplayProfile& stated, const FoundDisplay& found,
 
 void compare_pixel_sizes(const DisplayProfile& stated, const FoundDisplay& found,
                          std::vector<std::string>& differences) {
-  if (stated.kind == DisplayKind::headset || found.monitor_width_m <= 0.0) {
+  if (stated.kind != DisplayKind::monitor || found.monitor_width_m <= 0.0) {
     return;
   }
   constexpr double mm_per_m = 1e3;
@@ -72,6 +75,7 @@ const char* eye_of(TrackerSource source) {
       return "pointer";
     case TrackerSource::hid:
     case TrackerSource::open_gaze:
+    case TrackerSource::openxr:
       break;
   }
   return "tracked";

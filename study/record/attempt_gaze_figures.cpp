@@ -11,16 +11,18 @@ namespace {
 
 double degrees_between(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
-AzimuthElevation heading_of(const FrameRow& frame) {
-  return {.azimuth_rad = frame.head_azimuth_rad, .elevation_rad = frame.head_elevation_rad};
+Quat head_of(const FrameRow& frame) {
+  return head_orientation(
+      {.azimuth_rad = frame.head_azimuth_rad, .elevation_rad = frame.head_elevation_rad},
+      frame.head_roll_rad);
 }
 
-/// The heading when it was polled last before `time`, or first of all.
-AzimuthElevation heading_at(const std::vector<FrameRow>& frames, Nanoseconds time) {
+/// The head as it was polled last before `time`, or first of all.
+Quat head_at(const std::vector<FrameRow>& frames, Nanoseconds time) {
   const auto later =
       std::upper_bound(frames.begin(), frames.end(), time,
                        [](Nanoseconds sought, const FrameRow& row) { return sought < row.time; });
-  return heading_of(later == frames.begin() ? frames.front() : *std::prev(later));
+  return head_of(later == frames.begin() ? frames.front() : *std::prev(later));
 }
 
 GazeTimes gaze_times(const WatchedAttempt& attempt, Nanoseconds end) {
@@ -53,7 +55,7 @@ Vec3 mean_direction(const MarkedMovement& movement, const std::vector<FrameRow>&
   Vec3 sum(0.0F);
   for (const GazeSample& sample : movement.samples) {
     if (sample.valid) {
-      sum += head_orientation(heading_at(frames, sample.time)) * sample.direction;
+      sum += head_at(frames, sample.time) * sample.direction;
     }
   }
   return sum;
@@ -102,10 +104,10 @@ GazeAtMark gaze_at(const MarkedMoment& mark, const WatchedAttempt& attempt) {
   if (has_gaze(*frame)) {
     figures.gaze_from_object_deg = degrees_between(frame->gaze, direction);
   }
-  const AzimuthElevation heading = heading_of(*frame);
-  figures.object_from_middle_deg = degrees_between(direction_from(heading), direction);
+  const Quat head = head_of(*frame);
+  figures.object_from_middle_deg = degrees_between(head * Vec3(0.0F, 0.0F, -1.0F), direction);
   if (attempt.view) {
-    figures.object_in_view = Viewport(heading, *attempt.view).project(direction).has_value();
+    figures.object_in_view = viewport_of(head, *attempt.view).project(direction).has_value();
   }
   return figures;
 }

@@ -1,5 +1,8 @@
 #include "study/record/frame_encoding.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "study/record/little_endian.h"
 
 namespace foveola::study {
@@ -9,14 +12,21 @@ constexpr const char* encoding_without_presentation = "frames-2";
 constexpr std::uint32_t gaze_valid_bit = 1;
 constexpr std::uint32_t gaze_held_bit = 2;
 constexpr std::uint32_t late_bit = 4;
+constexpr std::uint32_t roll_shift = 16;
+constexpr double roll_step_rad = 2.0 * std::numbers::pi / 65536.0;
 
 bool keeps_presentation(const std::string& encoding) {
   return encoding != encoding_without_presentation;
 }
 
+/// In 16 bits, as the complement of two.
+std::uint32_t roll_steps(const FrameRow& frame) {
+  return static_cast<std::uint16_t>(std::lround(frame.head_roll_rad / roll_step_rad));
+}
+
 std::uint32_t flags_of(const FrameRow& frame) {
   return (frame.gaze_valid ? gaze_valid_bit : 0U) | (frame.gaze_held ? gaze_held_bit : 0U) |
-         (frame.is_late ? late_bit : 0U);
+         (frame.is_late ? late_bit : 0U) | (roll_steps(frame) << roll_shift);
 }
 
 void append_frame(std::string& bytes, const FrameRow& frame) {
@@ -45,6 +55,8 @@ FrameRow take_frame(std::string_view& bytes, bool keeps_presentation) {
   frame.gaze_valid = (flags & gaze_valid_bit) != 0;
   frame.gaze_held = (flags & gaze_held_bit) != 0;
   frame.is_late = (flags & late_bit) != 0;
+  const auto steps = static_cast<std::int16_t>(flags >> roll_shift);
+  frame.head_roll_rad = static_cast<float>(roll_step_rad * steps);
   return frame;
 }
 

@@ -8,12 +8,14 @@ namespace {
 constexpr std::uint32_t valid_bit = 1;
 constexpr std::uint32_t mark_shift = 1;
 constexpr std::uint32_t mark_mask = 3;
+constexpr std::uint32_t time_unknown_bit = 8;
 
 void append_sample(std::string& bytes, const GazeSample& sample) {
   append(bytes, sample.time);
   append(bytes, sample.direction);
-  append(bytes,
-         (sample.valid ? valid_bit : 0U) | (static_cast<std::uint32_t>(sample.mark) << mark_shift));
+  append(bytes, (sample.valid ? valid_bit : 0U) |
+                    (static_cast<std::uint32_t>(sample.mark) << mark_shift) |
+                    (sample.is_time_known ? 0U : time_unknown_bit));
 }
 
 GazeSample take_sample(std::string_view& bytes) {
@@ -24,6 +26,7 @@ GazeSample take_sample(std::string_view& bytes) {
   const auto flags = take<std::uint32_t>(bytes);
   sample.valid = (flags & valid_bit) != 0;
   sample.mark = static_cast<GazeMark>((flags >> mark_shift) & mark_mask);
+  sample.is_time_known = (flags & time_unknown_bit) == 0;
   return sample;
 }
 

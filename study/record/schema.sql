@@ -312,8 +312,9 @@ CREATE TABLE rating (
 --   offset 36  int64    age of that gaze, ns
 --   offset 44  uint32   samples traced for this frame
 --   offset 48  uint32   flags: bit 0 is set if the tracker's newest gaze was valid, bit 1 if the
---                       gaze above was one that is held, bit 2 if the frame missed its refresh; the
---                       others are 0
+--                       gaze above was one that is held, bit 2 if the frame missed its refresh;
+--                       bits 16 to 31 are how far the head was tilted to the right, as an int16 in
+--                       1/65536 of a turn; the others are 0
 -- Encoding 'frames-2', of sessions that were recorded in schema 2 or 3, is the same in 44 bytes:
 -- without the second time, and without bit 2.
 CREATE TABLE frame_chunk (
@@ -341,7 +342,8 @@ CREATE TABLE frame_chunk (
 --   offset 16  float32  gaze direction z
 --   offset 20  uint32   flags: bit 0 is set if the sample is valid; bits 1 and 2 are what the eye
 --                       did meanwhile, by a velocity threshold: 0 unknown, 1 a fixation, 2 a
---                       saccade, 3 a blink; the others are 0
+--                       saccade, 3 a blink; bit 3 is set if the tracker did not say when the eye was
+--                       there, so that the time is that at which it was asked; the others are 0
 CREATE TABLE gaze_chunk (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,

@@ -20,7 +20,8 @@ struct FrameRow {
   Nanoseconds presented{0};  ///< session clock: it was on the display
   float head_azimuth_rad = 0.0F;
   float head_elevation_rad = 0.0F;
-  Vec3 gaze{0.0F};  ///< world axes: the gaze that the frame was rendered for
+  float head_roll_rad = 0.0F;  ///< a multiple of 1/65536 of a turn, in [-pi, pi)
+  Vec3 gaze{0.0F};             ///< world axes: the gaze that the frame was rendered for
   bool gaze_valid = false;
   bool gaze_held = false;
   bool is_late = false;  ///< it missed its refresh

@@ -49,10 +49,11 @@ void AttemptReplay::finish() {
 }
 
 void AttemptReplay::render(const FrameRow& frame) {
-  FrameReport report = preview_.begin_frame(
-      frame.time,
-      {.azimuth_rad = frame.head_azimuth_rad, .elevation_rad = frame.head_elevation_rad},
-      frame.gaze);
+  FrameReport report = preview_.begin_frame({.time = frame.time,
+                                             .heading = {.azimuth_rad = frame.head_azimuth_rad,
+                                                         .elevation_rad = frame.head_elevation_rad},
+                                             .roll_rad = frame.head_roll_rad},
+                                            frame.gaze);
   preview_.trace(frame.samples, report);
 }
 

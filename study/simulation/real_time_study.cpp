@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/commands/live_window.h"
+#include "renderer/window/window_presenter.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/person_session.h"
 #include "study/person/session_window.h"
@@ -116,7 +117,8 @@ SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kin
   profile.refresh_rate_hz = said_refresh_rate_hz(window, 0, profile);
   SimulateReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {
-    SessionDisplay display(window, profile, framebuffer, clock);
+    WindowPresenter presenter(window, clock);
+    SessionDisplay display(presenter, profile, framebuffer, clock);
     measure_refreshes(display, study.protocol.texts);
     study.devices = devices_in_real_time(kind, display, profile, study.protocol.tracker.filter);
     study.run_in_window = [shared = SharedWindow{study, clock, events, display}](

@@ -10,6 +10,7 @@ FrameRow frame_row(const FrameReport& report) {
   return {.time = report.time,
           .head_azimuth_rad = static_cast<float>(report.head.azimuth_rad),
           .head_elevation_rad = static_cast<float>(report.head.elevation_rad),
+          .head_roll_rad = static_cast<float>(report.head_roll_rad),
           .gaze = report.gaze,
           .gaze_valid = report.gaze_valid,
           .gaze_held = report.gaze_held,

@@ -46,6 +46,40 @@ TEST(ScriptedHeadTracker, NeedsPosesInTheOrderOfTime) {
   EXPECT_THROW(ScriptedHeadTracker({pose_at(10, 0, 0), pose_at(10, 1, 0)}), Error);
 }
 
+TEST(ScriptedHeadTracker, TiltsAtConstantSpeed) {
+  ScriptedHeadTracker tracker(
+      {{.time = Nanoseconds(0)}, {.time = milliseconds(100), .roll_rad = radians(-30.0)}});
+  EXPECT_NEAR(degrees(tracker.pose(milliseconds(50)).roll_rad), -15.0, 1e-9);
+  EXPECT_NEAR(degrees(tracker.pose(milliseconds(500)).roll_rad), -30.0, 1e-9);
+}
+
+TEST(HeadPose, OfAnOrientationLooksAndTiltsAsItDoes) {
+  for (const double roll_deg : {-170.0, -20.0, 0.0, 33.0, 179.0}) {
+    const AzimuthElevation heading{.azimuth_rad = -2.0, .elevation_rad = 0.6};
+    const HeadPose pose = head_pose(milliseconds(3), head_orientation(heading, radians(roll_deg)));
+    EXPECT_EQ(pose.time, milliseconds(3));
+    EXPECT_NEAR(pose.heading.azimuth_rad, -2.0, 1e-6);
+    EXPECT_NEAR(pose.heading.elevation_rad, 0.6, 1e-6);
+    EXPECT_NEAR(degrees(pose.roll_rad), roll_deg, 0.5 * 360.0 / 65536.0 + 1e-4);
+  }
+}
+
+TEST(HeadPose, TiltedToTheRightHasItsUpToTheRight) {
+  const HeadPose pose{.roll_rad = radians(90.0)};
+  EXPECT_LT(angle_between(pose.orientation() * Vec3(0, 1, 0), Vec3(1, 0, 0)), 1e-6);
+  EXPECT_LT(angle_between(pose.orientation() * Vec3(0, 0, -1), Vec3(0, 0, -1)), 1e-6);
+}
+
+// Where looking up and turning are one.
+TEST(HeadPose, OfAHeadThatLooksStraightUpIsTheSameOrientation) {
+  const Quat up = glm::angleAxis(0.7F, Vec3(0, 1, 0)) *
+                  head_orientation({.azimuth_rad = 0.0, .elevation_rad = radians(90.0)});
+  const Quat again = head_pose({}, up).orientation();
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+    EXPECT_LT(degrees(angle_between(up * axis, again * axis)), 0.01);
+  }
+}
+
 TEST(SimulatedHeadTracker, FollowsTheHead) {
   SimulatedHeadTracker tracker(
       [](Nanoseconds time) { return AzimuthElevation{.azimuth_rad = foveola::seconds(time)}; });

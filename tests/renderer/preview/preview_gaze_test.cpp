@@ -74,6 +74,41 @@ TEST_F(PreviewGaze, StaysWhileNothingArrives) {
   EXPECT_EQ(second.gaze_age, gaze_frame_time);
 }
 
+/// A head that turns and tilts, and whose past is known.
+class RememberedHead final : public HeadTracker {
+ public:
+  HeadPose pose(Nanoseconds now) override {
+    return {.time = now, .heading = {.azimuth_rad = seconds(now)}, .roll_rad = 0.5};
+  }
+  HeadPose pose_at_gaze(Nanoseconds then, Nanoseconds /*now*/) override { return pose(then); }
+};
+
+// Eyes that stay on something while the head turns would otherwise seem to run ahead of it.
+TEST_F(PreviewGaze, IsWhereTheEyeLookedInTheWorldWhenItWasSeen) {
+  RememberedHead head;
+  Preview preview(tracer_, settings(), eye_, head, workers_);
+  preview.restart("fv", 1);
+  const Vec3 looked_at = direction_from({.azimuth_rad = 0.3, .elevation_rad = 0.1});
+  eye_.next.push_back({.time = gaze_frame_time, .direction = looked_at, .valid = true});
+  const FrameReport report = preview.render_frame(3 * gaze_frame_time, 1);
+  EXPECT_LT(angle_deg(report.gaze, head.pose(gaze_frame_time).orientation() * looked_at), 1e-3);
+  EXPECT_NEAR(report.head.azimuth_rad, seconds(3 * gaze_frame_time), 1e-9);
+  EXPECT_EQ(report.head_roll_rad, 0.5);
+  EXPECT_EQ(preview.viewport().head(), head.pose(3 * gaze_frame_time).orientation());
+}
+
+TEST_F(PreviewGaze, StaysInTheHeadsAxesThroughABlink) {
+  RememberedHead head;
+  Preview preview(tracer_, settings(), eye_, head, workers_);
+  preview.restart("fv", 1);
+  const Vec3 looked_at = direction_from({.azimuth_rad = 0.3, .elevation_rad = 0.1});
+  eye_.next.push_back({.time = gaze_frame_time, .direction = looked_at, .valid = true});
+  preview.render_frame(gaze_frame_time, 1);
+  eye_.next.push_back({.time = 5 * gaze_frame_time, .direction = looked_at});
+  const FrameReport blink = preview.render_frame(6 * gaze_frame_time, 1);
+  EXPECT_LT(angle_deg(blink.gaze, head.pose(6 * gaze_frame_time).orientation() * looked_at), 1e-3);
+}
+
 // The valid sample came and went between two frames.
 TEST_F(PreviewGaze, IsTheNewestValidOneOfThoseThatArriveTogether) {
   const Vec3 looked_at = direction_from({.azimuth_rad = -0.2});

@@ -8,6 +8,7 @@
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/equirect.h"
+#include "renderer/window/window_presenter.h"
 #include "tests/x_server.h"
 
 namespace foveola {
@@ -99,7 +100,7 @@ class FilmDrawingTest : public ::testing::TestWithParam<FilmDrawer> {
   WindowEvents events_;
   Window window_{{.size = size_}, events_, clock_};
   Workers workers_{2};
-  Presenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, clock_};
   Pcg32 random_{7, 9};
 };
 

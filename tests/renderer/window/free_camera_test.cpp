@@ -206,7 +206,8 @@ class ReplayedHeadTest : public FreeCameraTest {
                             [](const Vec3& from, const Vec3& direction) {
                               return wall(from, {direction.z, direction.y, -direction.x});
                             }},
-                       recorded_};
+                       recorded_,
+                       "a recording"};
 };
 
 TEST_F(ReplayedHeadTest, WalksAndPicksAsItLooks) {

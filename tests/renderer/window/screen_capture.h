@@ -6,7 +6,7 @@
 
 #include "renderer/film/equirect_film.h"
 #include "renderer/window/film_mirror.h"
-#include "renderer/window/presenter.h"
+#include "renderer/window/window_presenter.h"
 #include "tests/x_server.h"
 
 namespace foveola::test {
@@ -46,7 +46,7 @@ class ScreenCapture {
   Window window_{{.size = window_case_.size}, events_, clock_};
   EquirectFilm film_{64, 32};
   FilmMirror mirror_{film_};
-  Presenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, clock_};
 };
 
 /// Writes NAME.png into the folder that FOVEOLA_SCREENS names, if it does, for people to look at.

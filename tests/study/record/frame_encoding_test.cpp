@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "bytes_from_hex.h"
+#include "renderer/base/angles.h"
+#include "renderer/gaze/head_tracker.h"
 
 namespace foveola::study {
 namespace {
@@ -46,6 +48,7 @@ void expect_same(const FrameRow& frame, const FrameRow& expected) {
   EXPECT_EQ(frame.is_late, expected.is_late);
   EXPECT_EQ(frame.gaze_age, expected.gaze_age);
   EXPECT_EQ(frame.samples, expected.samples);
+  EXPECT_EQ(frame.head_roll_rad, expected.head_roll_rad);
 }
 
 TEST(FrameEncoding, MatchesPythonsStruct) {
@@ -58,6 +61,32 @@ TEST(FrameEncoding, ReadsWhatPythonsStructWrote) {
   ASSERT_EQ(frames.size(), 2U);
   expect_same(frames[0], two_frames[0]);
   expect_same(frames[1], two_frames[1]);
+}
+
+// struct.pack('<qq5fqII', 5, 6, 0.5, -0.25, 0.6, 0.0, -0.8, 7, 8, (-4096 & 0xffff) << 16)
+TEST(FrameEncoding, KeepsHowFarTheHeadIsTilted) {
+  const std::string bytes = bytes_from_hex(
+      "050000000000000006000000000000000000003f000080be9a99193f00000000cdcc4cbf07000000000000000800"
+      "0000000000f0");
+  const FrameRow tilted{.time = Nanoseconds(5),
+                        .presented = Nanoseconds(6),
+                        .head_azimuth_rad = 0.5F,
+                        .head_elevation_rad = -0.25F,
+                        .head_roll_rad = static_cast<float>(-radians(22.5)),
+                        .gaze = {0.6F, 0.0F, -0.8F},
+                        .gaze_age = Nanoseconds(7),
+                        .samples = 8};
+  EXPECT_EQ(encode_frames({tilted}), bytes);
+  expect_same(decode_frames("frames-3", bytes).at(0), tilted);
+}
+
+TEST(FrameEncoding, KeepsATrackedHeadsRollAsItWasUsed) {
+  for (int i = -180; i <= 180; ++i) {
+    const double roll_rad = head_pose({}, head_orientation({}, radians(i))).roll_rad;
+    FrameRow frame{.head_roll_rad = static_cast<float>(roll_rad)};
+    const FrameRow kept = decode_frames("frames-3", encode_frames({frame})).at(0);
+    EXPECT_EQ(head_orientation({}, kept.head_roll_rad), head_orientation({}, roll_rad)) << i;
+  }
 }
 
 // struct.pack('<q5fqII', 1234567890123, 0.5, -0.25, 0.6, 0.0, -0.8, 14000000, 100000, 1)

@@ -41,5 +41,17 @@ TEST(GazeEncoding, ReadsWhatPythonsStructWrote) {
   EXPECT_TRUE(decode_gaze(bytes_from_hex(python).substr(0, 23)).empty());
 }
 
+// struct.pack('<q3fI', 5, 0.6, 0.0, -0.8, 1 | 8)
+TEST(GazeEncoding, KeepsThatATimeIsNotTheTrackers) {
+  const std::string bytes = bytes_from_hex("05000000000000009a99193f00000000cdcc4cbf09000000");
+  const GazeSample sample{.time = Nanoseconds(5),
+                          .direction = {0.6F, 0.0F, -0.8F},
+                          .valid = true,
+                          .is_time_known = false};
+  EXPECT_EQ(encode_gaze({sample}), bytes);
+  EXPECT_FALSE(decode_gaze(bytes).at(0).is_time_known);
+  EXPECT_TRUE(decode_gaze(encode_gaze(samples)).at(0).is_time_known);
+}
+
 }  // namespace
 }  // namespace foveola::study

@@ -67,6 +67,7 @@ TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
 TEST_F(AttemptLogTest, AFrameIsKeptAsItWasUsed) {
   const FrameReport report{.time = ms(7),
                            .head = {.azimuth_rad = 1.0 / 3.0, .elevation_rad = -0.1},
+                           .head_roll_rad = 0.75,
                            .gaze = {0.6F, 0.0F, -0.8F},
                            .gaze_valid = true,
                            .gaze_held = true,
@@ -76,7 +77,7 @@ TEST_F(AttemptLogTest, AFrameIsKeptAsItWasUsed) {
   EXPECT_EQ(row.time, ms(7));
   const AzimuthElevation kept{.azimuth_rad = row.head_azimuth_rad,
                               .elevation_rad = row.head_elevation_rad};
-  EXPECT_EQ(head_orientation(kept), head_orientation(report.head));
+  EXPECT_EQ(head_orientation(kept, row.head_roll_rad), head_orientation(report.head, 0.75));
   EXPECT_EQ(row.gaze, report.gaze);
   EXPECT_TRUE(row.gaze_valid && row.gaze_held);
   EXPECT_EQ(row.gaze_age, ms(3));

@@ -1,5 +1,5 @@
 // The graphics card's picture against the processor's.
-#include "renderer/window/presenter.h"
+#include "renderer/window/window_presenter.h"
 
 #include <cmath>
 
@@ -11,34 +11,15 @@
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/equirect.h"
 #include "renderer/window/film_mirror.h"
+#include "tests/renderer/window/patterned_film.h"
 #include "tests/x_server.h"
 
 namespace foveola {
 namespace {
 
-/// A picture of smooth waves and a few sharp edges, in part unsampled.
-Rgb pattern(const Vec2& image) {
-  const float wave = 0.5F + 0.5F * std::sin(60.0F * image.x) * std::cos(40.0F * image.y);
-  const float edge = std::fmod(image.x * 16.0F, 1.0F) < 0.5F ? 0.2F : 1.5F;
-  return {wave, 0.3F * edge, 0.5F * wave * edge};
-}
-
 class PresenterTest : public ::testing::Test {
  protected:
-  PresenterTest() {
-    std::vector<ViewSample> samples;
-    std::vector<Rgb> radiance;
-    Pcg32 random(3, 5);
-    for (int i = 0; i < 200'000; ++i) {
-      const auto u = static_cast<float>(random.uniform());
-      const auto v = static_cast<float>(random.uniform());
-      samples.push_back({.direction = direction_from_equirect({u, v}), .image = {u, v}});
-      radiance.push_back(pattern({u, v}));
-    }
-    NumberedBatch batch;
-    film_.number(samples, batch, workers_);
-    film_.add(batch, radiance, workers_);
-  }
+  PresenterTest() { test::paint_pattern(film_, workers_); }
 
   RgbImage picture(const std::vector<ShownView>& views, const ViewLook& look,
                    const ViewOverlays& overlays = {}, const std::vector<TextPanel>& panels = {}) {
@@ -59,32 +40,9 @@ class PresenterTest : public ::testing::Test {
     return picture.get();
   }
 
-  /// The part of the window that a view has, as the processor draws it.
   void expect_like_the_processors(const RgbImage& picture, const ShownView& view,
                                   const ViewLook& look) {
-    const RgbImage expected = display_image(
-        viewport_image(film_, view.viewport, view.part.size.x, view.part.size.y,
-                       look.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black,
-                       workers_),
-        look.exposure_stops);
-    // A step of the display is 1/255, half of which is its rounding; 16-bit texels add a part in
-    // two thousand, and positions on the card a thousandth of a pixel.
-    constexpr float tolerance = 1.5F / 255.0F;
-    int differing = 0;
-    double sum = 0.0;
-    const int top = picture.height - view.part.origin.y - view.part.size.y;
-    for (int y = 0; y < expected.height; ++y) {
-      for (int x = 0; x < expected.width; ++x) {
-        const Rgb difference =
-            glm::abs(picture.at(view.part.origin.x + x, top + y) - expected.at(x, y));
-        const float largest = std::max({difference.r, difference.g, difference.b});
-        differing += largest > tolerance ? 1 : 0;
-        sum += largest;
-      }
-    }
-    const double pixels = static_cast<double>(expected.width) * expected.height;
-    EXPECT_LE(differing, 0.001 * pixels);
-    EXPECT_LE(sum / pixels, 0.7 / 255.0);
+    test::expect_like_the_processors(picture, view, look, film_, workers_);
   }
 
   ShownView whole_window(const AzimuthElevation& heading, double fov_deg = 90.0) {
@@ -100,7 +58,7 @@ class PresenterTest : public ::testing::Test {
   Workers workers_{2};
   EquirectFilm film_{600, 300};
   FilmMirror mirror_{film_};
-  Presenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, clock_};
 };
 
 TEST_F(PresenterTest, DrawsWhatTheProcessorDraws) {
@@ -278,7 +236,7 @@ TEST(PresenterErrors, AFilmBeyondTheCardsTexturesIsRefused) {
   WindowEvents events;
   Window window({.size = {64, 64}}, events, clock);
   try {
-    Presenter presenter(window, clock);
+    WindowPresenter presenter(window, clock);
     const PyramidAtlas atlas(65536, 16);
     presenter.draw({.framebuffer = {64, 64}, .atlas = &atlas});
     FAIL() << "a texture 65536 texels wide";

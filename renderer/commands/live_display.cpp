@@ -1,0 +1,34 @@
+#include "renderer/commands/live_display.h"
+
+#include <utility>
+
+#include "renderer/headset/headset_display.h"
+#include "renderer/window/window_presenter.h"
+
+namespace foveola {
+
+LiveDisplay::LiveDisplay(Window& window, WindowEvents& events, const DisplayProfile& profile,
+                         const IVec2& framebuffer, const Clock& clock)
+    : profile_(profile), picture_px_(framebuffer) {
+  if (profile.kind != DisplayKind::openxr) {
+    presenter_ = std::make_unique<WindowPresenter>(window, clock);
+    return;
+  }
+  auto headset = std::make_unique<HeadsetPresenter>(window, events, clock);
+  headset_ = headset.get();
+  presenter_ = std::move(headset);
+  profile_ = told_by(headset_->facts(), profile);
+  picture_px_ = {profile_.width_px, profile_.height_px};
+}
+
+WindowEyeTracker open_eye_tracker_of(LiveDisplay& display, const TrackerProfile& profile,
+                                     const Clock& clock) {
+  if (profile.source == TrackerSource::openxr && display.headset() != nullptr) {
+    HeadsetPresenter& headset = *display.headset();
+    return {.tracker =
+                std::make_unique<HeadsetEyes>(headset.motion(), headset.facts().has_eye_tracker)};
+  }
+  return open_window_eye_tracker(profile, screen_of(display.profile()), clock);
+}
+
+}  // namespace foveola

@@ -1,0 +1,39 @@
+// What live pictures are shown on, a window or a headset.
+#pragma once
+
+#include <memory>
+
+#include "renderer/gaze/gaze_source.h"
+#include "renderer/headset/headset_presenter.h"
+#include "renderer/window/window.h"
+
+namespace foveola {
+
+class LiveDisplay {
+ public:
+  /// Opens what `profile` describes: `window`, of `framebuffer` pixels, or a headset, whose mirror
+  /// the window then is. Window, events and clock must outlive it. Throws Error if it is not there.
+  LiveDisplay(Window& window, WindowEvents& events, const DisplayProfile& profile,
+              const IVec2& framebuffer, const Clock& clock);
+
+  Presenter& presenter() { return *presenter_; }
+  /// Null where it is a window.
+  HeadsetPresenter* headset() { return headset_; }
+  /// With what a headset tells of itself.
+  const DisplayProfile& profile() const { return profile_; }
+  /// The size of the picture, in pixels: the window's, or that for one eye.
+  const IVec2& picture_px() const { return picture_px_; }
+
+ private:
+  std::unique_ptr<Presenter> presenter_;
+  HeadsetPresenter* headset_ = nullptr;
+  DisplayProfile profile_;
+  IVec2 picture_px_;
+};
+
+/// The tracker of whoever looks at `display`, which must outlive it. Throws Error as
+/// open_window_eye_tracker, and if it is a headset's and there is no headset.
+WindowEyeTracker open_eye_tracker_of(LiveDisplay& display, const TrackerProfile& profile,
+                                     const Clock& clock);
+
+}  // namespace foveola

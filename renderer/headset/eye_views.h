@@ -1,0 +1,29 @@
+// What the eyes of a headset see, as its runtime tells it, in the terms of the renderer.
+#pragma once
+
+#include <array>
+
+#include <openxr/openxr.h>
+
+#include "renderer/view/viewport.h"
+
+namespace foveola {
+
+inline Quat orientation_of(const XrPosef& pose) {
+  const XrQuaternionf& q = pose.orientation;
+  return {q.w, q.x, q.y, q.z};
+}
+
+/// One eye's, to each side of its axis as it likes: a display's half that is seen from beside its
+/// middle, without a lens, since the runtime sees to that.
+FieldOfView field_of_view_of(const XrFovf& fov);
+
+/// What an eye sees of the sphere. world_from_room: the orientation of the space that `eye` is
+/// located in.
+Viewport viewport_of(const XrView& eye, const Quat& world_from_room);
+
+/// The field of view in the head's axes that holds both eyes', which may point outwards: at most
+/// 80 degrees to each side. head: in the same space as the eyes.
+FieldOfView field_of_view_of_both(const std::array<XrView, 2>& eyes, const Quat& head);
+
+}  // namespace foveola

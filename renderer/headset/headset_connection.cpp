@@ -1,0 +1,99 @@
+#include "renderer/headset/headset_connection.h"
+
+#include "renderer/headset/eye_views.h"
+
+namespace foveola {
+
+HeadsetConnection::HeadsetConnection()
+    : session_(instance_),
+      inputs_(instance_, session_.handle()),
+      images_{EyeImages(instance_, session_.handle(), 0),
+              EyeImages(instance_, session_.handle(), 1)} {}
+
+void HeadsetConnection::ask(Nanoseconds now, const XrPlannedFrame& planned, HeadsetMotion& motion,
+                            std::vector<WindowEvent>& keys) {
+  inputs_.update(now, keys);
+  std::optional<GazeSample> sample;
+  if (const std::optional<XrSpace> gaze = inputs_.gaze_space()) {
+    sample = gaze_times_.sample_of(session_.gaze_at(now, *gaze));
+  }
+  const auto tell_of_head = [&](Nanoseconds time, XrTime xr_time) {
+    if (const std::optional<Quat> head = session_.head_at(xr_time)) {
+      motion.head_was(time, *head);
+    }
+  };
+  // In the order of time: of the gaze, which is past, of now, and of what is to be seen.
+  if (sample) {
+    tell_of_head(sample->time, instance_.xr_time(sample->time));
+    motion.gaze_came(*sample);
+  }
+  tell_of_head(now, instance_.xr_time(now));
+  tell_of_head(instance_.steady_time(planned.display_time), planned.display_time);
+}
+
+std::optional<HeadsetFacts> HeadsetConnection::facts(const XrPlannedFrame& planned,
+                                                     Nanoseconds asked) const {
+  const std::optional<std::array<XrView, 2>> eyes = session_.eyes_at(planned.display_time);
+  const std::optional<Quat> head = session_.head_at(planned.display_time);
+  if (!eyes || !head) {
+    return std::nullopt;
+  }
+  HeadsetFacts facts{.runtime = instance_.runtime(),
+                     .headset = instance_.headset(),
+                     .has_eye_tracker = instance_.has_eye_tracker(),
+                     .eye_px = instance_.eye_px(),
+                     .both = field_of_view_of_both(*eyes, *head),
+                     .refresh_rate_hz = 1.0 / seconds(planned.interval),
+                     .display_delay = instance_.steady_time(planned.display_time) - asked};
+  for (std::size_t eye = 0; eye < eyes->size(); ++eye) {
+    const Vec3 ahead = glm::conjugate(*head) * orientation_of((*eyes)[eye].pose) * Vec3(0, 0, -1);
+    const double right_deg = degrees(azimuth_elevation(ahead).azimuth_rad);
+    facts.eyes[eye] = field_of_view_of((*eyes)[eye].fov);
+    facts.cant_deg[eye] = eye == 0 ? -right_deg : right_deg;
+  }
+  return facts;
+}
+
+void HeadsetConnection::show(const XrPlannedFrame& planned, const ShownFrame& shown,
+                             const Quat& world_from_room, FramePainter& painter,
+                             HeadsetMirror& mirror) {
+  session_.begin_frame();
+  std::array<XrCompositionLayerProjectionView, 2> views;
+  const std::optional<std::array<XrView, 2>> eyes =
+      planned.is_drawn ? session_.eyes_at(planned.display_time) : std::nullopt;
+  if (!eyes) {
+    session_.end_frame(planned, {});
+    return;
+  }
+  for (std::size_t eye = 0; eye < views.size(); ++eye) {
+    draw(eye, viewport_of((*eyes)[eye], world_from_room), shown, painter, mirror);
+    views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
+    views[eye].pose = (*eyes)[eye].pose;
+    views[eye].fov = (*eyes)[eye].fov;
+    views[eye].subImage = images_[eye].sub_image();
+  }
+  session_.end_frame(planned, views);
+}
+
+void HeadsetConnection::draw(std::size_t eye, const Viewport& viewport, const ShownFrame& shown,
+                             FramePainter& painter, HeadsetMirror& mirror) {
+  EyeImages& images = images_[eye];
+  const ShownView view{.viewport = viewport,
+                       .part = {.origin = IVec2(0), .size = images.size_px()}};
+  const bool is_asked_for_picture = eye == 0 && shown.picture != nullptr;
+  images.begin();
+  painter.draw_film(shown, view);
+  if (is_asked_for_picture && shown.picture_is_bare) {
+    shown.picture->set_value(read_picture(images.size_px()));
+  }
+  painter.draw_over(shown, images.size_px(), {&view, 1}, {});
+  if (is_asked_for_picture && !shown.picture_is_bare) {
+    shown.picture->set_value(read_picture(images.size_px()));
+  }
+  if (eye == 0) {
+    mirror.copy(view);
+  }
+  images.end();
+}
+
+}  // namespace foveola

@@ -1,0 +1,66 @@
+// A headset that is there: what is asked of it and drawn for it, frame by frame.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/headset/eye_images.h"
+#include "renderer/headset/gaze_times.h"
+#include "renderer/headset/headset_inputs.h"
+#include "renderer/headset/headset_mirror.h"
+#include "renderer/headset/headset_motion.h"
+#include "renderer/headset/xr_session.h"
+#include "renderer/window/frame_painter.h"
+
+namespace foveola {
+
+/// What a headset's runtime tells of it.
+struct HeadsetFacts {
+  std::string runtime;               ///< as "Monado 25.0.0"
+  std::string headset;               ///< its name
+  bool has_eye_tracker = false;      ///< one that programs may ask
+  std::array<IVec2, 2> eye_px{};     ///< of the pictures for the left eye and the right eye
+  std::array<FieldOfView, 2> eyes;   ///< what each sees
+  std::array<double, 2> cant_deg{};  ///< how far each is turned outwards in the head
+  FieldOfView both;                  ///< what holds both, in the head's axes
+  double refresh_rate_hz = 0.0;
+  /// From when the runtime asks for a frame until the middle of when it is to be seen.
+  Nanoseconds display_delay{0};
+};
+
+/// One thread uses it, whose OpenGL context must be the one that it was made with.
+class HeadsetConnection {
+ public:
+  /// Draws with the OpenGL context that is current. Throws Error, with what to do, if there is no
+  /// headset.
+  HeadsetConnection();
+
+  XrSessionOwner& session() { return session_; }
+
+  /// Asks for the keys, the head and the gaze `now`, of which `motion` and `keys` are told.
+  /// planned: the next frame.
+  void ask(Nanoseconds now, const XrPlannedFrame& planned, HeadsetMotion& motion,
+           std::vector<WindowEvent>& keys);
+  /// What is known of the headset; empty before it knows where its eyes are. asked: when the
+  /// runtime asked for the frame.
+  std::optional<HeadsetFacts> facts(const XrPlannedFrame& planned, Nanoseconds asked) const;
+
+  /// Shows what the eyes see of a frame, of which the film is drawn as it is now, as the head is
+  /// turned when the planned frame is to be seen. mirror: gets what the left eye sees.
+  void show(const XrPlannedFrame& planned, const ShownFrame& shown, const Quat& world_from_room,
+            FramePainter& painter, HeadsetMirror& mirror);
+
+ private:
+  void draw(std::size_t eye, const Viewport& viewport, const ShownFrame& shown,
+            FramePainter& painter, HeadsetMirror& mirror);
+
+  XrInstanceOwner instance_;
+  XrSessionOwner session_;
+  HeadsetInputs inputs_;
+  std::array<EyeImages, 2> images_;
+  GazeTimes gaze_times_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,292 @@
+// What is shown in a headset that follows a script, and what is learned from it.
+#include "renderer/headset/headset_presenter.h"
+
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/window/film_drawing.h"
+#include "renderer/window/head_frame.h"
+#include "tests/openxr/scripted_headset.h"
+#include "tests/renderer/window/patterned_film.h"
+#include "tests/x_server.h"
+
+namespace foveola {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+/// Small pictures, for a machine that draws with its processor.
+const std::string small_eyes = R"("eyes": [
+    {"recommended_px": [120, 100], "cant_deg": 5,
+     "fov_deg": {"left": -50, "right": 40, "up": 42, "down": -46}},
+    {"recommended_px": [120, 100], "cant_deg": -5,
+     "fov_deg": {"left": -40, "right": 50, "up": 42, "down": -46}}])";
+
+/// sRGB in [0, 1], of a portable pixmap.
+RgbImage picture_from(const std::string& pixmap) {
+  std::istringstream header(pixmap);
+  std::string kind;
+  int width = 0;
+  int height = 0;
+  int most = 0;
+  header >> kind >> width >> height >> most;
+  header.get();
+  const auto* bytes = reinterpret_cast<const unsigned char*>(pixmap.data() + header.tellg());
+  RgbImage picture(width, height);
+  for (Rgb& pixel : picture.pixels) {
+    pixel = Rgb(bytes[0], bytes[1], bytes[2]) / 255.0F;
+    bytes += 3;
+  }
+  return picture;
+}
+
+class HeadsetPresenterTest : public ::testing::Test {
+ protected:
+  HeadsetPresenterTest() { test::paint_pattern(film_, workers_); }
+
+  /// A headset at 60 Hz with such a wearer.
+  void wear(const std::string& script) {
+    headset_.emplace("{\"refresh_hz\": 60, " + small_eyes + script + "}");
+    window_.emplace(WindowSettings{.size = {320, 240}}, events_, clock_);
+    presenter_.emplace(*window_, events_, clock_);
+  }
+
+  void TearDown() override {
+    presenter_.reset();
+    if (headset_ && finds_nothing_wrong_) {
+      EXPECT_EQ(headset_->found_invalid(), "");
+    }
+  }
+
+  HeadsetPresenter& presenter() { return *presenter_; }
+
+  /// Shows the film's pattern.
+  void show() {
+    const IVec2 eye_px = presenter().facts().eye_px[0];
+    const ViewGeometry geometry{.horizontal_fov_deg = presenter().facts().both.horizontal_deg,
+                                .vertical_fov_deg = presenter().facts().both.vertical_deg,
+                                .lens = presenter().facts().both.lens,
+                                .parts = {{.origin = IVec2(0), .size = eye_px}}};
+    HeadsetHead head(presenter().motion());
+    ShownFrame frame =
+        head_frame({.framebuffer = eye_px}, geometry, head.pose(clock_.now()).orientation(), {});
+    frame.late_turn_rad = presenter().late_turn_rad();
+    drawing_.bring_up_to_date(frame);
+    presenter().draw(std::move(frame));
+    presenter().wait_until_shown();
+  }
+
+  /// The newest frame that was ended, by its number.
+  std::int64_t newest_frame() const { return headset_->log("frame").back().at("frame"); }
+
+  template <typename Condition>
+  void wait_until(const Condition& condition) const {
+    const Nanoseconds end = clock_.now() + std::chrono::seconds(30);
+    while (!condition()) {
+      ASSERT_LT(clock_.now(), end) << "waited for too long";
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  /// What was told of the headset until `last`, whatever else happened.
+  std::vector<HeadsetChange> changes_until(HeadsetChange last) {
+    std::vector<HeadsetChange> changes;
+    wait_until([&] {
+      for (const WindowEvent& event : events_.take()) {
+        if (const auto* changed = std::get_if<HeadsetChanged>(&event.what)) {
+          changes.push_back(changed->change);
+        }
+      }
+      return !changes.empty() && changes.back() == last;
+    });
+    return changes;
+  }
+
+  test::XServer server_;
+  std::optional<test::ScriptedHeadset> headset_;
+  SteadyClock clock_;
+  WindowEvents events_;
+  std::optional<Window> window_;
+  Workers workers_{2};
+  EquirectFilm film_{600, 300};
+  FilmDrawing drawing_{film_, FilmDrawer::graphics_card, workers_};
+  std::optional<HeadsetPresenter> presenter_;
+  bool finds_nothing_wrong_ = true;
+};
+
+TEST_F(HeadsetPresenterTest, TellsWhatTheRuntimeTells) {
+  wear(R"(, "system_name": "A headset")");
+  const HeadsetFacts& facts = presenter().facts();
+  EXPECT_EQ(facts.headset, "A headset");
+  EXPECT_TRUE(facts.has_eye_tracker);
+  EXPECT_EQ(facts.eye_px[1], IVec2(120, 100));
+  EXPECT_NEAR(facts.refresh_rate_hz, 60.0, 0.01);
+  EXPECT_NEAR(facts.cant_deg[0], 5.0, 1e-3);
+  EXPECT_NEAR(facts.cant_deg[1], 5.0, 1e-3);
+  EXPECT_GT(facts.eyes[0].lens.axis.x, 0.5F) << "it sees farther to the left";
+  EXPECT_LT(facts.eyes[1].lens.axis.x, 0.5F);
+  EXPECT_GT(facts.both.horizontal_deg, 108.0);
+  EXPECT_GT(facts.display_delay, Nanoseconds(0));
+  EXPECT_LT(facts.display_delay, std::chrono::milliseconds(200));
+}
+
+TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
+  std::string frames = "0";
+  for (int i = 1; i < 2000; ++i) {
+    frames += "," + std::to_string(i);
+  }
+  wear(R"(, "head": [{"time": 0, "yaw_deg": 30, "pitch_deg": 12, "roll_deg": -20}],
+          "save_frames": [)" +
+       frames + "]");
+  presenter().motion().face({.azimuth_rad = radians(100.0)});
+  show();
+  const std::int64_t shown = newest_frame();
+  wait_until([&] { return newest_frame() >= shown + 3; });
+  const std::map<std::string, std::string> pictures = headset_->pictures();
+  for (int eye = 0; eye < 2; ++eye) {
+    SCOPED_TRACE(eye);
+    const RgbImage picture =
+        picture_from(pictures.at(std::to_string(shown + 2) + "-" + std::to_string(eye) + ".ppm"));
+    const Quat head = head_orientation(
+        {.azimuth_rad = radians(100.0 - 30.0), .elevation_rad = radians(12.0)}, radians(20.0));
+    const double outwards_deg = eye == 0 ? -5.0 : 5.0;
+    const Quat cant = head_orientation({.azimuth_rad = radians(outwards_deg)});
+    const ShownView view{.viewport = viewport_of(
+                             head * cant, presenter().facts().eyes[static_cast<std::size_t>(eye)]),
+                         .part = {.origin = IVec2(0), .size = {120, 100}}};
+    test::expect_like_the_processors(picture, view, {}, film_, workers_);
+  }
+}
+
+// The head turns, and whoever renders takes his time.
+TEST_F(HeadsetPresenterTest, FollowsTheHeadWithoutNewFrames) {
+  wear(R"(, "head": [{"time": 0}, {"time": 100, "yaw_deg": 3000}])");
+  show();
+  const std::int64_t shown = newest_frame();
+  wait_until([&] { return newest_frame() >= shown + 10; });
+  std::optional<double> before;
+  for (const nlohmann::json& frame : headset_->log("frame")) {
+    if (frame.at("frame") > shown && !frame.at("layers").empty()) {
+      const nlohmann::json& q = frame.at("layers")[0].at("views")[0].at("orientation");
+      const double yaw_deg = degrees(2.0 * std::atan2(q[1].get<double>(), q[3].get<double>()));
+      if (before) {
+        EXPECT_NEAR(std::remainder(yaw_deg - *before, 360.0), 0.5, 0.1) << "30 degrees a second";
+      }
+      before = yaw_deg;
+    }
+  }
+  EXPECT_TRUE(before);
+}
+
+TEST_F(HeadsetPresenterTest, TellsWhereTheEyesLook) {
+  wear(R"(, "gaze": [{"time": 0, "yaw_deg": -10, "pitch_deg": 5}],
+          "gaze_gaps": [{"from": 0.5, "to": 1, "kind": "blink"},
+                        {"from": 1.5, "to": 2, "kind": "lost"}],
+          "gaze_sample_time": [{"time": 0, "policy": "true", "delay_ms": 12},
+                               {"time": 2, "policy": "zero"}])");
+  HeadsetEyes eyes(presenter().motion(), true);
+  std::vector<GazeSample> samples;
+  wait_until([&] {
+    eyes.poll(clock_.now(), samples);
+    return newest_frame() > 150;
+  });
+  const Vec3 looked_at =
+      direction_from({.azimuth_rad = radians(10.0), .elevation_rad = radians(5.0)});
+  int valid = 0;
+  int blinks = 0;
+  int without_time = 0;
+  for (const GazeSample& sample : samples) {
+    if (sample.valid) {
+      EXPECT_LT(degrees(angle_between(sample.direction, looked_at)), 0.01);
+    }
+    valid += sample.valid ? 1 : 0;
+    blinks += sample.valid ? 0 : 1;
+    without_time += sample.is_time_known ? 0 : 1;
+  }
+  EXPECT_GT(valid, 60);
+  EXPECT_NEAR(blinks, 30, 3);
+  EXPECT_GT(without_time, 20);
+  EXPECT_TRUE(
+      std::is_sorted(samples.begin(), samples.end(),
+                     [](const GazeSample& a, const GazeSample& b) { return a.time < b.time; }));
+}
+
+TEST_F(HeadsetPresenterTest, PassesOnWhatIsPressed) {
+  wear(R"(, "inputs": [
+      {"time": 0.2, "path": "/user/hand/right/input/select/click", "pressed": true},
+      {"time": 0.4, "path": "/user/hand/right/input/select/click", "pressed": false}])");
+  std::vector<std::pair<int, bool>> keys;
+  wait_until([&] {
+    for (const WindowEvent& event : events_.take()) {
+      if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
+        keys.emplace_back(key->key, key->is_down);
+      }
+    }
+    return keys.size() >= 2;
+  });
+  EXPECT_THAT(keys, ElementsAre(std::pair(GLFW_KEY_SPACE, true), std::pair(GLFW_KEY_SPACE, false)));
+}
+
+TEST_F(HeadsetPresenterTest, TellsOfRecenteringAndOfFocus) {
+  wear(R"(, "events": [{"time": 0.2, "event": "recenter", "yaw_deg": 90},
+                       {"time": 0.4, "event": "focus_lost"},
+                       {"time": 0.6, "event": "hidden"},
+                       {"time": 0.8, "event": "focus_gained"}])");
+  EXPECT_THAT(
+      changes_until(HeadsetChange::lost_focus),
+      ElementsAre(HeadsetChange::got_focus, HeadsetChange::recentered, HeadsetChange::lost_focus));
+  EXPECT_THAT(changes_until(HeadsetChange::got_focus), ElementsAre(HeadsetChange::got_focus));
+}
+
+TEST_F(HeadsetPresenterTest, FindsALostHeadsetAgain) {
+  wear(R"(, "events": [{"time": 0.2, "event": "session_loss", "session": 1}])");
+  changes_until(HeadsetChange::lost);
+  show();  // nobody waits for it
+  changes_until(HeadsetChange::found);
+  const std::int64_t shown = newest_frame();
+  wait_until([&] { return newest_frame() > shown; });
+  show();
+}
+
+TEST_F(HeadsetPresenterTest, IsToldToEndByTheRuntime) {
+  wear(R"(, "events": [{"time": 0.2, "event": "exit"}])");
+  changes_until(HeadsetChange::exit_wanted);
+  show();  // nobody waits for it
+}
+
+TEST_F(HeadsetPresenterTest, SaysThatTheHeadsetIsNotThere) {
+  finds_nothing_wrong_ = false;
+  EXPECT_THAT(
+      [&] {
+        wear(R"(, "failures": [{"function": "xrGetSystem",
+                                "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}])");
+      },
+      ThrowsMessage<Error>(HasSubstr("not there")));
+}
+
+TEST_F(HeadsetPresenterTest, SaysThatThereIsNoRuntime) {
+  ::setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
+  window_.emplace(WindowSettings{}, events_, clock_);
+  EXPECT_THAT([&] { presenter_.emplace(*window_, events_, clock_); },
+              ThrowsMessage<Error>(HasSubstr("runtime")));
+}
+
+TEST_F(HeadsetPresenterTest, SaysThatTheRuntimeCannotDrawWithOpenGl) {
+  finds_nothing_wrong_ = false;
+  EXPECT_THAT([&] { wear(R"(, "extensions": ["XR_KHR_convert_timespec_time"])"); },
+              ThrowsMessage<Error>(HasSubstr("XR_KHR_opengl_enable")));
+}
+
+}  // namespace
+}  // namespace foveola
