@@ -6,6 +6,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/commands/gaze_filter_option.h"
+#include "renderer/commands/headset_option.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/gaze/recorded_head.h"
 #include "renderer/image/image_file.h"
@@ -56,26 +57,13 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
                   "A display's profile, by name or file: a monitor's window, or a headset's two "
                   "views side by side")
       ->capture_default_str();
-  CLI::Option* const display = command.get_option("--display");
   CLI::Option* tracker =
       command
           .add_option(
               "--tracker", arguments.tracker,
               "Where the gaze comes from: pointer, or a tracker's profile (see tracker list)")
           ->capture_default_str();
-  command
-      .add_flag_callback(
-          "--headset",
-          [&arguments, tracker] {
-            arguments.display = "openxr";
-            if (tracker->empty()) {
-              arguments.tracker = "openxr";
-            }
-          },
-          "Show it in a headset, by OpenXR, and follow the head and eyes of who wears it; the "
-          "window "
-          "shows what the left eye sees")
-      ->excludes(display);
+  add_headset_option(command, arguments.display, arguments.tracker);
   command
       .add_option("--gaze-file", arguments.gaze_file,
                   "Replay a recorded gaze from this file instead")

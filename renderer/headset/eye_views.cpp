@@ -39,6 +39,18 @@ Viewport viewport_of(const XrView& eye, const Quat& world_from_room) {
   return viewport_of(world_from_room * orientation_of(eye.pose), field_of_view_of(eye.fov));
 }
 
+Vec2 straight_ahead_of(const std::array<XrView, 2>& eyes, std::size_t eye, const Quat& head,
+                       float distance_m) {
+  const auto position_of = [](const XrView& one) {
+    const XrVector3f& p = one.pose.position;
+    return Vec3(p.x, p.y, p.z);
+  };
+  const Vec3 middle = 0.5F * (position_of(eyes[0]) + position_of(eyes[1]));
+  const Vec3 point = middle + head * Vec3(0.0F, 0.0F, -distance_m);
+  const Viewport view = viewport_of(eyes[eye], Quat(1.0F, 0.0F, 0.0F, 0.0F));
+  return view.project(glm::normalize(point - position_of(eyes[eye]))).value_or(view.lens().axis);
+}
+
 FieldOfView field_of_view_of_both(const std::array<XrView, 2>& eyes, const Quat& head) {
   const double farthest = std::tan(radians(80.0));
   constexpr double unknown = std::numeric_limits<double>::infinity();

@@ -22,6 +22,12 @@ FieldOfView field_of_view_of(const XrFovf& fov);
 /// located in.
 Viewport viewport_of(const XrView& eye, const Quat& world_from_room);
 
+/// Where a point at so many metres straight ahead of the head (its orientation in the eyes' space)
+/// is in an eye's picture, whose top left corner is (0, 0) and whose bottom right one (1, 1): other
+/// eyes see it elsewhere, as they see whatever is near.
+Vec2 straight_ahead_of(const std::array<XrView, 2>& eyes, std::size_t eye, const Quat& head,
+                       float distance_m);
+
 /// The field of view in the head's axes that holds both eyes', which may point outwards: at most
 /// 80 degrees to each side. head: in the same space as the eyes.
 FieldOfView field_of_view_of_both(const std::array<XrView, 2>& eyes, const Quat& head);

@@ -54,19 +54,24 @@ std::optional<HeadsetFacts> HeadsetConnection::facts(const XrPlannedFrame& plann
   return facts;
 }
 
-void HeadsetConnection::show(const XrPlannedFrame& planned, const ShownFrame& shown,
+void HeadsetConnection::show(const XrPlannedFrame& planned, ShownFrame& shown,
                              const Quat& world_from_room, FramePainter& painter,
                              HeadsetMirror& mirror) {
   session_.begin_frame();
   std::array<XrCompositionLayerProjectionView, 2> views;
   const std::optional<std::array<XrView, 2>> eyes =
       planned.is_drawn ? session_.eyes_at(planned.display_time) : std::nullopt;
-  if (!eyes) {
+  const std::optional<Quat> head = eyes ? session_.head_at(planned.display_time) : std::nullopt;
+  if (!head) {
     session_.end_frame(planned, {});
     return;
   }
   for (std::size_t eye = 0; eye < views.size(); ++eye) {
-    draw(eye, viewport_of((*eyes)[eye], world_from_room), shown, painter, mirror);
+    draw(eye,
+         {.viewport = viewport_of((*eyes)[eye], world_from_room),
+          .part = {.origin = IVec2(0), .size = images_[eye].size_px()},
+          .straight_ahead = straight_ahead_of(*eyes, eye, *head, page_distance_m)},
+         shown, painter, mirror);
     views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
     views[eye].pose = (*eyes)[eye].pose;
     views[eye].fov = (*eyes)[eye].fov;
@@ -75,11 +80,9 @@ void HeadsetConnection::show(const XrPlannedFrame& planned, const ShownFrame& sh
   session_.end_frame(planned, views);
 }
 
-void HeadsetConnection::draw(std::size_t eye, const Viewport& viewport, const ShownFrame& shown,
+void HeadsetConnection::draw(std::size_t eye, const ShownView& view, ShownFrame& shown,
                              FramePainter& painter, HeadsetMirror& mirror) {
   EyeImages& images = images_[eye];
-  const ShownView view{.viewport = viewport,
-                       .part = {.origin = IVec2(0), .size = images.size_px()}};
   const bool is_asked_for_picture = eye == 0 && shown.picture != nullptr;
   images.begin();
   painter.draw_film(shown, view);
@@ -89,6 +92,9 @@ void HeadsetConnection::draw(std::size_t eye, const Viewport& viewport, const Sh
   painter.draw_over(shown, images.size_px(), {&view, 1}, {});
   if (is_asked_for_picture && !shown.picture_is_bare) {
     shown.picture->set_value(read_picture(images.size_px()));
+  }
+  if (is_asked_for_picture) {
+    shown.picture.reset();
   }
   if (eye == 0) {
     mirror.copy(view);

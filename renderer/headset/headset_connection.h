@@ -33,6 +33,9 @@ struct HeadsetFacts {
 /// One thread uses it, whose OpenGL context must be the one that it was made with.
 class HeadsetConnection {
  public:
+  /// How far away pages stand: where eyes rest that look at them for long.
+  static constexpr float page_distance_m = 1.5F;
+
   /// Draws with the OpenGL context that is current. Throws Error, with what to do, if there is no
   /// headset.
   HeadsetConnection();
@@ -48,13 +51,14 @@ class HeadsetConnection {
   std::optional<HeadsetFacts> facts(const XrPlannedFrame& planned, Nanoseconds asked) const;
 
   /// Shows what the eyes see of a frame, of which the film is drawn as it is now, as the head is
-  /// turned when the planned frame is to be seen. mirror: gets what the left eye sees.
-  void show(const XrPlannedFrame& planned, const ShownFrame& shown, const Quat& world_from_room,
+  /// turned when the planned frame is to be seen. A picture that it asks for is given once. mirror:
+  /// gets what the left eye sees.
+  void show(const XrPlannedFrame& planned, ShownFrame& shown, const Quat& world_from_room,
             FramePainter& painter, HeadsetMirror& mirror);
 
  private:
-  void draw(std::size_t eye, const Viewport& viewport, const ShownFrame& shown,
-            FramePainter& painter, HeadsetMirror& mirror);
+  void draw(std::size_t eye, const ShownView& view, ShownFrame& shown, FramePainter& painter,
+            HeadsetMirror& mirror);
 
   XrInstanceOwner instance_;
   XrSessionOwner session_;

@@ -1,5 +1,7 @@
 #include "renderer/headset/headset_inputs.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -76,6 +78,12 @@ std::vector<ButtonDescription> button_descriptions() {
            {{touch, "hand/left/input/menu/click"}, {gamepad, "gamepad/input/menu/click"}}}};
 }
 
+const std::vector<Binding> sticks = {
+    {touch, "hand/left/input/thumbstick"},     {touch, "hand/right/input/thumbstick"},
+    {index, "hand/left/input/thumbstick"},     {index, "hand/right/input/thumbstick"},
+    {vive, "hand/left/input/trackpad"},        {vive, "hand/right/input/trackpad"},
+    {gamepad, "gamepad/input/thumbstick_left"}};
+
 template <std::size_t size>
 void put(const char* text, char (&out)[size]) {
   out[std::string(text).copy(out, size - 1)] = '\0';
@@ -95,6 +103,7 @@ HeadsetInputs::HeadsetInputs(const XrInstanceOwner& instance, XrSession session)
         {.action = make_action(button.name, button.shown_name, XR_ACTION_TYPE_BOOLEAN_INPUT),
          .key = button.key});
   }
+  stick_ = make_action("choose", "Choose", XR_ACTION_TYPE_VECTOR2F_INPUT);
   if (instance.has_eye_tracker()) {
     gaze_ = make_action("gaze", "Where the eyes look", XR_ACTION_TYPE_POSE_INPUT);
   }
@@ -132,6 +141,10 @@ void HeadsetInputs::suggest_bindings() const {
           {buttons_[i].action, instance_->path((std::string("/user/") + binding.source).c_str())});
     }
   }
+  for (const Binding& binding : sticks) {
+    bindings[std::string("/interaction_profiles/") + binding.profile].push_back(
+        {stick_, instance_->path((std::string("/user/") + binding.source).c_str())});
+  }
   if (gaze_ != XR_NULL_HANDLE) {
     bindings[eyes_profile] = {{gaze_, instance_->path("/user/eyes_ext/input/gaze_ext/pose")}};
   }
@@ -156,8 +169,9 @@ void HeadsetInputs::update(Nanoseconds now, std::vector<WindowEvent>& events) {
   const XrResult synced = instance_->xr().SyncActions(session_, &sync);
   instance_->require(synced, "xrSyncActions");
   const bool has_focus = synced != XR_SESSION_NOT_FOCUSED;
+  const int pushed = has_focus ? key_of_stick() : 0;
   for (Button& button : buttons_) {
-    const bool is_down = has_focus && is_pressed(button.action);
+    const bool is_down = has_focus && (is_pressed(button.action) || button.key == pushed);
     if (is_down != button.is_down) {
       button.is_down = is_down;
       events.push_back({.time = now, .what = KeyMoved{.key = button.key, .is_down = is_down}});
@@ -173,6 +187,23 @@ bool HeadsetInputs::is_pressed(XrAction action) const {
   instance_->require(instance_->xr().GetActionStateBoolean(session_, &get, &state),
                      "xrGetActionStateBoolean");
   return state.isActive != XR_FALSE && state.currentState != XR_FALSE;
+}
+
+int HeadsetInputs::key_of_stick() const {
+  constexpr float far_enough = 0.6F;
+  XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO};
+  get.action = stick_;
+  XrActionStateVector2f state{XR_TYPE_ACTION_STATE_VECTOR2F};
+  instance_->require(instance_->xr().GetActionStateVector2f(session_, &get, &state),
+                     "xrGetActionStateVector2f");
+  const auto [x, y] = state.currentState;
+  if (state.isActive == XR_FALSE || std::max(std::abs(x), std::abs(y)) < far_enough) {
+    return 0;
+  }
+  if (std::abs(x) > std::abs(y)) {
+    return x > 0.0F ? GLFW_KEY_RIGHT : GLFW_KEY_LEFT;
+  }
+  return y > 0.0F ? GLFW_KEY_UP : GLFW_KEY_DOWN;
 }
 
 bool HeadsetInputs::is_gaze_active() const {

@@ -33,6 +33,8 @@ class HeadsetInputs {
     bool is_down = false;
   };
 
+  /// What a stick that is pushed far enough stands for; 0 if it is not.
+  int key_of_stick() const;
   XrAction make_action(const char* name, const char* shown_name, XrActionType type) const;
   void suggest_bindings() const;
   bool is_pressed(XrAction action) const;
@@ -42,6 +44,7 @@ class HeadsetInputs {
   XrSession session_;
   XrActionSet set_ = XR_NULL_HANDLE;
   std::vector<Button> buttons_;
+  XrAction stick_ = XR_NULL_HANDLE;
   XrAction gaze_ = XR_NULL_HANDLE;
   XrSpace gaze_space_ = XR_NULL_HANDLE;
   bool is_gaze_active_ = false;

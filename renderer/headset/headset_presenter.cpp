@@ -34,6 +34,7 @@ void HeadsetPresenter::run(const std::stop_token& stop) {
   } catch (...) {
     handover_.fail(std::current_exception());
   }
+  give_up_picture();
   window_->release();
 }
 
@@ -97,7 +98,6 @@ void HeadsetPresenter::show_frame(HeadsetConnection& headset, FramePainter& pain
   }
   mirror_.begin_frame(now);
   headset.show(planned, shown_, motion_.world_from_room(), painter, mirror_);
-  shown_.picture.reset();
   mirror_.show(motion_.newest_gaze(), shown_.panels, painter);
   learn_facts(headset, planned, now);
 }
@@ -117,12 +117,21 @@ bool HeadsetPresenter::take_frame(FramePainter& painter) {
   if (!frame) {
     return false;
   }
+  give_up_picture();
   shown_ = *std::move(frame);
   painter.update_film(shown_);
   shown_.atlas = nullptr;
   shown_.update.clear();
   handover_.note_drawn();
   return true;
+}
+
+void HeadsetPresenter::give_up_picture() {
+  if (shown_.picture) {
+    shown_.picture->set_exception(std::make_exception_ptr(
+        Error("headset", "it did not show what there was to be a picture of", "wear it")));
+    shown_.picture.reset();
+  }
 }
 
 void HeadsetPresenter::serve_nobody(FramePainter& painter, Nanoseconds duration,

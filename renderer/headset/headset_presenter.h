@@ -51,6 +51,8 @@ class HeadsetPresenter final : public Presenter {
   /// there.
   void serve_nobody(FramePainter& painter, Nanoseconds duration, const std::stop_token& stop);
   bool take_frame(FramePainter& painter);
+  /// Whoever waits for the picture of a frame that was not shown is told so.
+  void give_up_picture();
   void tell(HeadsetChange change);
 
   Window* window_;

@@ -37,7 +37,6 @@ namespace foveola {
   DO(LocateViews)                        \
   DO(PollEvent)                          \
   DO(ReleaseSwapchainImage)              \
-  DO(RequestExitSession)                 \
   DO(ResultToString)                     \
   DO(StringToPath)                       \
   DO(SuggestInteractionProfileBindings)  \

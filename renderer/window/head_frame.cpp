@@ -31,6 +31,9 @@ ShownFrame head_frame(const WindowArea& window, const ViewGeometry& geometry, co
   const std::vector<Viewport> viewports = viewports_of(geometry, head);
   for (std::size_t i = 0; i < viewports.size(); ++i) {
     frame.views.push_back({.viewport = viewports[i], .part = geometry.parts[i]});
+    if (viewports.size() > 1) {
+      frame.views.back().straight_ahead = viewports[i].lens().axis;
+    }
   }
   return frame;
 }

@@ -331,14 +331,15 @@ Vec3 color_of(Ink ink) {
   return {0.078F, 0.094F, 0.114F};
 }
 
-ScreenPlace screen_place(const WindowPart& part, int framebuffer_height, bool is_headset,
-                         const Vec2& straight_ahead) {
+ScreenPlace screen_place(const WindowPart& part, int framebuffer_height,
+                         const std::optional<Vec2>& straight_ahead) {
   const Vec2 size(part.size);
   const auto top = static_cast<float>(framebuffer_height - part.origin.y - part.size.y);
   const Vec2 low(static_cast<float>(part.origin.x), top);
   const ScreenRect view{.low = low, .high = low + size};
-  return {.view = view,
-          .page = is_headset ? rect_within(view, low + straight_ahead * size, 0.5F * size) : view};
+  return {
+      .view = view,
+      .page = straight_ahead ? rect_within(view, low + *straight_ahead * size, 0.5F * size) : view};
 }
 
 float text_height_px(const ScreenPlace& place) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,8 +74,8 @@ struct ScreenPlace {
 /// around `straight_ahead` (in units of the view, (0, 0) its top left): with a field of view of 100
 /// degrees, 31 to each side, since lenses are sharp only in the middle and eyes turn no further
 /// without the head.
-ScreenPlace screen_place(const WindowPart& part, int framebuffer_height, bool is_headset,
-                         const Vec2& straight_ahead);
+ScreenPlace screen_place(const WindowPart& part, int framebuffer_height,
+                         const std::optional<Vec2>& straight_ahead);
 
 /// The height of a line of text, in whole pixels: a 28th of the page's height, or a 27th of its
 /// width. On a monitor of 24 inches (16:9) in full screen, 60 cm away, DejaVu's x is then 0.48

@@ -105,11 +105,9 @@ Vec2 panel_letter_px(const ScreenRect& view) {
 }
 
 std::vector<ScreenPlace> screen_places(std::span<const ShownView> views, int framebuffer_height) {
-  const bool is_headset = views.size() > 1;
   std::vector<ScreenPlace> places;
   for (const ShownView& view : views) {
-    places.push_back(
-        screen_place(view.part, framebuffer_height, is_headset, view.viewport.lens().axis));
+    places.push_back(screen_place(view.part, framebuffer_height, view.straight_ahead));
   }
   return places;
 }
@@ -162,7 +160,7 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const ShownView> view
     paint(list, lay_out(*overlaid.screen, place, width_of), *fonts_);
   }
   for (const ShownView& view : views) {
-    const ScreenRect pane = screen_place(view.part, framebuffer.y, false, Vec2(0.5F)).view;
+    const ScreenRect pane = screen_place(view.part, framebuffer.y, std::nullopt).view;
     const Vec2 letter_px = panel_letter_px(pane);
     for (const PlacedPanel& panel : lay_out(overlaid.panels, pane, letter_px)) {
       paint(list, panel, letter_px);

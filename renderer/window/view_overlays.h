@@ -36,6 +36,9 @@ struct ViewOverlays {
 struct ShownView {
   Viewport viewport;
   WindowPart part;
+  /// In a headset: where what is straight ahead of the head is in the part, whose top left corner
+  /// is (0, 0) and whose bottom right one (1, 1). Empty on a monitor.
+  std::optional<Vec2> straight_ahead;
 };
 
 /// Paints them into the view's part of a window that is so many pixels high, in the window's

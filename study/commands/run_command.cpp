@@ -11,6 +11,7 @@
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/gaze_filter_option.h"
+#include "renderer/commands/headset_option.h"
 #include "study/commands/command_line.h"
 #include "study/console/line_console.h"
 #include "study/person/run_person.h"
@@ -144,6 +145,7 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                       "The eye tracker's profile: a name or a file; pointer takes the mouse for "
                       "the eye (default: the "
                       "protocol's, or pointer)");
+  add_headset_option(*command, arguments->display, arguments->tracker);
   command->add_option("--gaze-filter", arguments->gaze_filter,
                       std::string("What a pilot's gaze goes through before frames use it (default: "
                                   "the protocol's): ") +

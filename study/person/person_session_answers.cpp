@@ -64,7 +64,11 @@ void PersonSession::answer(const WindowEvent& event) {
   }
   const Phase phase = driver_.state().phase;
   if (is_form_shown(prompt_, phase)) {
-    const std::optional<FormInput> input = form_input(event);
+    std::optional<FormInput> input = form_input(event);
+    // Who wears a headset has no letters.
+    if (is_in_headset() && input == FormInput(FormKey::enter)) {
+      input = prompt_.form->key_on();
+    }
     if (input && prompt_.form->follow(*input)) {
       hand_in();
       return;

@@ -9,6 +9,7 @@ namespace foveola::study {
 namespace {
 
 constexpr const char* usual_tracker = "pointer";
+constexpr const char* headsets_tracker = "openxr";
 constexpr const char* usual_display = "desktop";
 
 }  // namespace
@@ -24,7 +25,11 @@ TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol)
   if (settings.tracker.empty() && protocol.tracker.profile) {
     return *protocol.tracker.profile;
   }
-  return read_tracker_profile(settings.tracker.empty() ? usual_tracker : settings.tracker);
+  if (!settings.tracker.empty()) {
+    return read_tracker_profile(settings.tracker);
+  }
+  const bool is_headset = display_of(settings, protocol).kind == DisplayKind::openxr;
+  return read_tracker_profile(is_headset ? headsets_tracker : usual_tracker);
 }
 
 Protocol protocol_of(const RunSettings& settings) {

@@ -125,7 +125,7 @@ class PersonRun {
     const WindowEyeTracker gaze = open_eye_tracker_of(shown_on, tracker_, clock);
     measure_refreshes(display, protocol_.texts);
     const std::string devices =
-        devices_json(display, window.key_time_source(),
+        devices_json(display, shown_on.headset(), window.key_time_source(),
                      preflight(stages, workers, clock, events, display, gaze, stop));
     say_if_keys_are_late(window.key_time_source(), *console_);
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
@@ -192,13 +192,16 @@ class PersonRun {
   /// Null: keys turn it.
   HeadTracker* head() { return worn_ ? &*worn_ : nullptr; }
 
-  std::string devices_json(const SessionDisplay& display, KeyTimeSource key_times,
-                           const nlohmann::ordered_json& preflight) const {
-    const nlohmann::ordered_json json = {
+  std::string devices_json(const SessionDisplay& display, const HeadsetPresenter* headset,
+                           KeyTimeSource key_times, const nlohmann::ordered_json& preflight) const {
+    nlohmann::ordered_json json = {
         {"display", display_json(display, profile_)},
         {"tracker", tracker_json(tracker_.name, protocol_.tracker.filter)},
         {"keys", {{"time_source", name_of(key_times)}}},
         {"preflight", preflight}};
+    if (headset != nullptr) {
+      json["headset"] = headset_json(headset->facts());
+    }
     return json.dump();
   }
 

@@ -53,6 +53,23 @@ nlohmann::ordered_json display_json(const SessionDisplay& display, const Display
   return json;
 }
 
+nlohmann::ordered_json headset_json(const HeadsetFacts& facts) {
+  nlohmann::ordered_json eyes = nlohmann::ordered_json::array();
+  for (std::size_t eye = 0; eye < facts.eyes.size(); ++eye) {
+    const FieldOfView& seen = facts.eyes[eye];
+    eyes.push_back({{"picture_px", {facts.eye_px[eye].x, facts.eye_px[eye].y}},
+                    {"horizontal_fov_deg", seen.horizontal_deg},
+                    {"vertical_fov_deg", seen.vertical_deg},
+                    {"axis", {seen.lens.axis.x, seen.lens.axis.y}},
+                    {"outwards_deg", facts.cant_deg[eye]}});
+  }
+  return {{"name", facts.headset},
+          {"runtime", facts.runtime},
+          {"has_eye_tracker", facts.has_eye_tracker},
+          {"display_delay_ms", 1e3 * seconds(facts.display_delay)},
+          {"eyes", std::move(eyes)}};
+}
+
 nlohmann::ordered_json tracker_json(const std::string& profile, const GazeFilterSettings& filter) {
   nlohmann::ordered_json json = {{"profile", profile}};
   if (filter != GazeFilterSettings{}) {

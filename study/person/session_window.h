@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "renderer/gaze/gaze_filter.h"
+#include "renderer/headset/headset_connection.h"
 #include "study/person/session_display.h"
 #include "study/protocol/texts.h"
 
@@ -16,6 +17,9 @@ void measure_refreshes(SessionDisplay& display, const Texts& texts);
 
 /// What the record keeps of the display, as "display" of SessionFacts::devices.
 nlohmann::ordered_json display_json(const SessionDisplay& display, const DisplayProfile& profile);
+
+/// What it keeps of a headset beside that, as its runtime told it, as "headset" there.
+nlohmann::ordered_json headset_json(const HeadsetFacts& facts);
 
 /// What it keeps of the tracker, as "tracker" there: the profile's name, and "filter" if there is
 /// one.

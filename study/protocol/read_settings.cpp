@@ -82,7 +82,9 @@ void require_view(const TomlReader& reader, const DisplaySettings& display) {
 void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
   constexpr double narrowest_deg = 1.0;
   constexpr double widest_deg = 170.0;
-  if (display.profile && !reader.has("fov_deg")) {
+  // Of a headset by OpenXR nothing is known before it is there.
+  const bool knows_views = display.profile && display.profile->kind != DisplayKind::openxr;
+  if (knows_views && !reader.has("fov_deg")) {
     display.horizontal_fov_deg = display.profile->horizontal_fov_deg;
     display.vertical_fov_deg = display.profile->vertical_fov_deg;
     return;

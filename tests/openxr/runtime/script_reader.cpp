@@ -3,6 +3,7 @@
 #include <map>
 
 #include "tests/openxr/runtime/extensions.h"
+#include "tests/openxr/runtime/interaction_profiles.h"
 #include "tests/openxr/runtime/names.h"
 #include "tests/openxr/runtime/script.h"
 #include "tests/openxr/runtime/script_part.h"
@@ -200,6 +201,11 @@ void read_headset(const ScriptPart& part, Script& script) {
       part.get("interaction_profiles",
                std::vector<std::string>{"/interaction_profiles/khr/simple_controller",
                                         "/interaction_profiles/microsoft/xbox_controller"});
+  for (const std::string& profile : script.interaction_profiles) {
+    if (sources_of(profile).empty()) {
+      part.fail(fmt::format("has an unknown one of 'interaction_profiles': {}", profile));
+    }
+  }
   script.has_eye_tracker = part.get("eye_tracking", script.has_eye_tracker);
   read_eyes(part, script.eyes);
   script.max_swapchain_px = size_of(part, "max_swapchain_px", script.max_swapchain_px);

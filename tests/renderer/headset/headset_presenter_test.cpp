@@ -99,6 +99,20 @@ class HeadsetPresenterTest : public ::testing::Test {
     }
   }
 
+  /// So many keys that were pressed or let go.
+  std::vector<std::pair<int, bool>> keys(std::size_t count) {
+    std::vector<std::pair<int, bool>> moved;
+    wait_until([&] {
+      for (const WindowEvent& event : events_.take()) {
+        if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
+          moved.emplace_back(key->key, key->is_down);
+        }
+      }
+      return moved.size() >= count;
+    });
+    return moved;
+  }
+
   /// What was told of the headset until `last`, whatever else happened.
   std::vector<HeadsetChange> changes_until(HeadsetChange last) {
     std::vector<HeadsetChange> changes;
@@ -226,16 +240,25 @@ TEST_F(HeadsetPresenterTest, PassesOnWhatIsPressed) {
   wear(R"(, "inputs": [
       {"time": 0.2, "path": "/user/hand/right/input/select/click", "pressed": true},
       {"time": 0.4, "path": "/user/hand/right/input/select/click", "pressed": false}])");
-  std::vector<std::pair<int, bool>> keys;
-  wait_until([&] {
-    for (const WindowEvent& event : events_.take()) {
-      if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
-        keys.emplace_back(key->key, key->is_down);
-      }
-    }
-    return keys.size() >= 2;
-  });
-  EXPECT_THAT(keys, ElementsAre(std::pair(GLFW_KEY_SPACE, true), std::pair(GLFW_KEY_SPACE, false)));
+  EXPECT_THAT(keys(2),
+              ElementsAre(std::pair(GLFW_KEY_SPACE, true), std::pair(GLFW_KEY_SPACE, false)));
+}
+
+TEST_F(HeadsetPresenterTest, PassesOnWhatAGamepadSays) {
+  wear(R"(, "interaction_profiles": ["/interaction_profiles/microsoft/xbox_controller"], "inputs": [
+      {"time": 0.1, "path": "/user/gamepad/input/b/click", "pressed": true},
+      {"time": 0.2, "path": "/user/gamepad/input/b/click", "pressed": false},
+      {"time": 0.3, "path": "/user/gamepad/input/dpad_down/click", "pressed": true},
+      {"time": 0.4, "path": "/user/gamepad/input/dpad_down/click", "pressed": false},
+      {"time": 0.5, "path": "/user/gamepad/input/thumbstick_left", "xy": [0.2, 0.1]},
+      {"time": 0.6, "path": "/user/gamepad/input/thumbstick_left", "xy": [-0.9, 0.1]},
+      {"time": 0.7, "path": "/user/gamepad/input/thumbstick_left", "xy": [0.2, 0.8]},
+      {"time": 0.8, "path": "/user/gamepad/input/thumbstick_left", "xy": [0, 0]}])");
+  EXPECT_THAT(keys(8),
+              ElementsAre(std::pair(GLFW_KEY_ENTER, true), std::pair(GLFW_KEY_ENTER, false),
+                          std::pair(GLFW_KEY_DOWN, true), std::pair(GLFW_KEY_DOWN, false),
+                          std::pair(GLFW_KEY_LEFT, true), std::pair(GLFW_KEY_LEFT, false),
+                          std::pair(GLFW_KEY_UP, true), std::pair(GLFW_KEY_UP, false)));
 }
 
 TEST_F(HeadsetPresenterTest, TellsOfRecenteringAndOfFocus) {

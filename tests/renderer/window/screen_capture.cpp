@@ -13,8 +13,10 @@ namespace {
 std::vector<ShownView> views_of(const WindowCase& window, const IVec2& framebuffer) {
   const Quat head = head_orientation({});
   const auto view = [&](int x, int width) {
-    return ShownView{.viewport = Viewport(head, radians(100.0), radians(100.0)),
-                     .part = {.origin = {x, 0}, .size = {width, framebuffer.y}}};
+    return ShownView{
+        .viewport = Viewport(head, radians(100.0), radians(100.0)),
+        .part = {.origin = {x, 0}, .size = {width, framebuffer.y}},
+        .straight_ahead = window.is_headset ? std::optional(Vec2(0.5F)) : std::nullopt};
   };
   const int half = framebuffer.x / 2;
   return window.is_headset ? std::vector{view(0, half), view(half, half)}

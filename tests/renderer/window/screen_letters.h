@@ -37,11 +37,11 @@ struct PlaceCase {
 };
 
 inline ScreenPlace monitor(int width, int height) {
-  return screen_place({.size = {width, height}}, height, false, Vec2(0.5F));
+  return screen_place({.size = {width, height}}, height, std::nullopt);
 }
 
 inline ScreenPlace right_eye() {
-  return screen_place({.origin = {1280, 0}, .size = {1280, 1440}}, 1440, true, Vec2(0.45F, 0.5F));
+  return screen_place({.origin = {1280, 0}, .size = {1280, 1440}}, 1440, Vec2(0.45F, 0.5F));
 }
 
 inline std::vector<PlaceCase> place_cases() {

@@ -98,7 +98,7 @@ class Reader {
     return answer;
   }
 
-  ScreenPlace place_ = screen_place({.size = {1920, 1080}}, 1080, false, Vec2(0.5F));
+  ScreenPlace place_ = screen_place({.size = {1920, 1080}}, 1080, std::nullopt);
   TextWidth width_ = [](TextFace, std::string_view line) {
     return 12.0F * static_cast<float>(line.size());
   };

@@ -1,0 +1,126 @@
+// A preview and a person's whole session in a headset that follows a script.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/files.h"
+#include "tests/end_to_end/study_run.h"
+#include "tests/openxr/scripted_headset.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ContainsRegex;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// Small pictures at 30 Hz, for a machine that draws with its processor.
+const char* const small_headset = R"(
+    "refresh_hz": 30, "interaction_profiles": ["/interaction_profiles/microsoft/xbox_controller"],
+    "eyes": [{"recommended_px": [160, 144]}, {"recommended_px": [160, 144]}])";
+
+/// Somebody who presses one button after the other, four times a second: what goes on, what marks,
+/// and what chooses.
+std::string busy_thumbs() {
+  nlohmann::json inputs = nlohmann::json::array();
+  constexpr int presses = 2400;
+  for (int press = 0; press < presses; ++press) {
+    const char* const button = press % 3 == 0 ? "b" : press % 3 == 1 ? "a" : "dpad_right";
+    const std::string path = fmt::format("/user/gamepad/input/{}/click", button);
+    inputs.push_back({{"time", 0.25 * press}, {"path", path}, {"pressed", true}});
+    inputs.push_back({{"time", 0.25 * press + 0.1}, {"path", path}, {"pressed", false}});
+  }
+  return inputs.dump();
+}
+
+std::string script(const std::string& more) {
+  return fmt::format("{{{}, \"inputs\": {}{}}}", small_headset, busy_thumbs(), more);
+}
+
+class HeadsetRun : public StudyRun {
+ protected:
+  HeadsetRun() {
+    for (const char* const profile : {"displays/openxr.toml", "trackers/openxr.toml"}) {
+      const std::string data = std::string("data/") + profile;
+      participant_.folder().write("share/" + data,
+                                  read_file(std::string(TEST_DATA_DIR "/../../") + data));
+    }
+  }
+
+  nlohmann::json devices() const {
+    return nlohmann::json::parse(participant_.ask("SELECT devices FROM session").front());
+  }
+
+  std::vector<std::string> notes() const { return participant_.ask("SELECT text FROM note"); }
+};
+
+const char* const session_keys = R"(
+methods = ["vp", "fv"]
+phases = ["consent", "validation", "trials"]
+)";
+
+std::string session_tables() {
+  return R"(
+[texts]
+consent = "You will look at pictures."
+
+[tracker.validation]
+points = 5
+max_accuracy_deg = 45
+max_precision_deg = 10
+max_data_loss = 1.0
+)" + std::string(short_look);
+}
+
+TEST_F(HeadsetRun, AWholeSessionNeedsNoKeyboard) {
+  const ScriptedHeadset headset(script(
+      R"(, "head": [{"time": 0}, {"time": 10, "roll_deg": 10}, {"time": 600, "yaw_deg": 8}])"));
+  participant_.write_protocol(session_keys, session_tables());
+  participant_.begin({"--headset"});
+  EXPECT_EQ(participant_.program().wait_for_end(), 0) << participant_.program().said();
+  EXPECT_EQ(recorded_marks().size(), 4U);
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), Each("completed"));
+  EXPECT_EQ(headset.found_invalid(), "");
+  const nlohmann::json found = devices();
+  EXPECT_EQ(found.at("display").at("profile"), "openxr");
+  EXPECT_EQ(found.at("tracker").at("profile"), "openxr");
+  EXPECT_EQ(found.at("headset").at("eyes").size(), 2U);
+  const ProgramResult replayed = participant_.replay();
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  EXPECT_THAT(replayed.output, AllOf(ContainsRegex("hall, vp.*the same, bit for bit"),
+                                     ContainsRegex("hall, fv.*the same, bit for bit")));
+}
+
+TEST_F(HeadsetRun, APauseComesWithWhateverIsSeenInstead) {
+  const ScriptedHeadset headset(
+      script(R"(, "events": [{"time": 6, "event": "recenter", "yaw_deg": 20},
+                             {"time": 8, "event": "focus_lost"},
+                             {"time": 9, "event": "focus_gained"},
+                             {"time": 11, "event": "session_loss", "session": 1}])"));
+  participant_.write_protocol(session_keys, session_tables());
+  participant_.begin({"--headset"});
+  EXPECT_EQ(participant_.program().wait_for_end(), 0) << participant_.program().said();
+  EXPECT_THAT(
+      notes(),
+      AllOf(Contains("the headset was recentered"), Contains("the headset shows something else"),
+            Contains("the headset was lost"), Contains("the headset was found again")));
+  EXPECT_GE(participant_.ask("SELECT 1 FROM event WHERE type = 'pause_requested'").size(), 1U);
+  EXPECT_EQ(participant_.ask("SELECT 1 FROM event WHERE type = 'marked'").size() % 2, 0U);
+}
+
+TEST_F(HeadsetRun, WithoutAHeadsetNothingIsBegun) {
+  participant_.write_protocol(session_keys, session_tables());
+  const ProgramResult result = participant_.run_besides("P1", {"--headset"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("headset"), Not(HasSubstr("Error ["))));
+  EXPECT_THAT(participant_.ask("SELECT 1 FROM session"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace foveola::test
