@@ -59,10 +59,15 @@ void EyeImages::make_framebuffers() {
       xr.EnumerateSwapchainImages(swapchain_, count, &count,
                                   reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())),
       "xrEnumerateSwapchainImages");
+  depths_ = make_gl<GlRenderbuffer>(glGenRenderbuffers);
+  glBindRenderbuffer(GL_RENDERBUFFER, depths_.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size_px_.x, size_px_.y);
+  glBindRenderbuffer(GL_RENDERBUFFER, 0);
   for (const XrSwapchainImageOpenGLKHR& image : images) {
     framebuffers_.push_back(make_gl<GlFramebuffer>(glGenFramebuffers));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_.back().name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.image, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths_.name());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       throw Error("headset", "OpenGL cannot draw into the runtime's pictures",
                   "update the graphics driver and the headset's runtime");
@@ -81,7 +86,7 @@ void EyeImages::begin() {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[index].name());
   glViewport(0, 0, size_px_.x, size_px_.y);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void EyeImages::end() {

@@ -17,7 +17,7 @@ class EyeImages {
   /// session is destroyed after it. Throws Error if the runtime has no pictures of 8 bits in sRGB.
   EyeImages(const XrInstanceOwner& instance, XrSession session, std::size_t eye);
 
-  /// Waits for the next picture and binds a framebuffer for it, in black.
+  /// Waits for the next picture and binds a framebuffer for it, in black and far away.
   void begin();
   /// Hands it to the runtime.
   void end();
@@ -33,6 +33,7 @@ class EyeImages {
   const XrInstanceOwner* instance_;
   IVec2 size_px_;
   XrSwapchain swapchain_ = XR_NULL_HANDLE;
+  GlRenderbuffer depths_;
   std::vector<GlFramebuffer> framebuffers_;  ///< one for each picture
 };
 

@@ -8,7 +8,9 @@ HeadsetConnection::HeadsetConnection()
     : session_(instance_),
       inputs_(instance_, session_.handle()),
       images_{EyeImages(instance_, session_.handle(), 0),
-              EyeImages(instance_, session_.handle(), 1)} {}
+              EyeImages(instance_, session_.handle(), 1)},
+      hidden_{HiddenArea(instance_, session_.handle(), 0),
+              HiddenArea(instance_, session_.handle(), 1)} {}
 
 void HeadsetConnection::ask(Nanoseconds now, const XrPlannedFrame& planned, HeadsetMotion& motion,
                             std::vector<WindowEvent>& keys) {
@@ -54,6 +56,14 @@ std::optional<HeadsetFacts> HeadsetConnection::facts(const XrPlannedFrame& plann
   return facts;
 }
 
+void HeadsetConnection::follow_events(std::vector<HeadsetChange>& changes) {
+  session_.follow_events(changes);
+  if (session_.take_mask_change()) {
+    hidden_ = {HiddenArea(instance_, session_.handle(), 0),
+               HiddenArea(instance_, session_.handle(), 1)};
+  }
+}
+
 void HeadsetConnection::show(const XrPlannedFrame& planned, ShownFrame& shown,
                              const Quat& world_from_room, FramePainter& painter,
                              HeadsetMirror& mirror) {
@@ -67,7 +77,7 @@ void HeadsetConnection::show(const XrPlannedFrame& planned, ShownFrame& shown,
     return;
   }
   for (std::size_t eye = 0; eye < views.size(); ++eye) {
-    draw(eye,
+    draw(eye, (*eyes)[eye].fov,
          {.viewport = viewport_of((*eyes)[eye], world_from_room),
           .part = {.origin = IVec2(0), .size = images_[eye].size_px()},
           .straight_ahead = straight_ahead_of(*eyes, eye, *head, page_distance_m)},
@@ -80,12 +90,24 @@ void HeadsetConnection::show(const XrPlannedFrame& planned, ShownFrame& shown,
   session_.end_frame(planned, views);
 }
 
-void HeadsetConnection::draw(std::size_t eye, const ShownView& view, ShownFrame& shown,
-                             FramePainter& painter, HeadsetMirror& mirror) {
+/// Not where its lens never shows it.
+void HeadsetConnection::draw_film(std::size_t eye, const XrFovf& fov, const ShownView& view,
+                                  const ShownFrame& shown, FramePainter& painter) const {
+  const HiddenArea& hidden = hidden_[eye];
+  if (!hidden.is_empty()) {
+    glEnable(GL_DEPTH_TEST);
+    hidden.draw(fov);
+  }
+  painter.draw_film(shown, view);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void HeadsetConnection::draw(std::size_t eye, const XrFovf& fov, const ShownView& view,
+                             ShownFrame& shown, FramePainter& painter, HeadsetMirror& mirror) {
   EyeImages& images = images_[eye];
   const bool is_asked_for_picture = eye == 0 && shown.picture != nullptr;
   images.begin();
-  painter.draw_film(shown, view);
+  draw_film(eye, fov, view, shown, painter);
   if (is_asked_for_picture && shown.picture_is_bare) {
     shown.picture->set_value(read_picture(images.size_px()));
   }

@@ -11,6 +11,7 @@
 #include "renderer/headset/headset_inputs.h"
 #include "renderer/headset/headset_mirror.h"
 #include "renderer/headset/headset_motion.h"
+#include "renderer/headset/hidden_area.h"
 #include "renderer/headset/xr_session.h"
 #include "renderer/window/frame_painter.h"
 
@@ -42,6 +43,9 @@ class HeadsetConnection {
 
   XrSessionOwner& session() { return session_; }
 
+  /// As the session's.
+  void follow_events(std::vector<HeadsetChange>& changes);
+
   /// Asks for the keys, the head and the gaze `now`, of which `motion` and `keys` are told.
   /// planned: the next frame.
   void ask(Nanoseconds now, const XrPlannedFrame& planned, HeadsetMotion& motion,
@@ -57,13 +61,16 @@ class HeadsetConnection {
             FramePainter& painter, HeadsetMirror& mirror);
 
  private:
-  void draw(std::size_t eye, const ShownView& view, ShownFrame& shown, FramePainter& painter,
-            HeadsetMirror& mirror);
+  void draw_film(std::size_t eye, const XrFovf& fov, const ShownView& view, const ShownFrame& shown,
+                 FramePainter& painter) const;
+  void draw(std::size_t eye, const XrFovf& fov, const ShownView& view, ShownFrame& shown,
+            FramePainter& painter, HeadsetMirror& mirror);
 
   XrInstanceOwner instance_;
   XrSessionOwner session_;
   HeadsetInputs inputs_;
   std::array<EyeImages, 2> images_;
+  std::array<HiddenArea, 2> hidden_;
   GazeTimes gaze_times_;
 };
 

@@ -69,7 +69,7 @@ void HeadsetPresenter::show_in(HeadsetConnection& headset, FramePainter& painter
                                const std::stop_token& stop) {
   const Nanoseconds start = clock_->now();
   while (!stop.stop_requested() && !headset.session().is_over()) {
-    headset.session().follow_events(changes_);
+    headset.follow_events(changes_);
     for (const HeadsetChange change : std::exchange(changes_, {})) {
       tell(change);
     }

@@ -53,6 +53,8 @@ void XrSessionOwner::follow_events(std::vector<HeadsetChange>& changes) {
       if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL) {
         changes.push_back(HeadsetChange::recentered);
       }
+    } else if (event.type == XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR) {
+      has_mask_changed_ = true;
     }
 #ifdef XR_EXT_user_presence
     if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/base/vec.h"
@@ -38,6 +39,8 @@ class XrSessionOwner {
   void follow_events(std::vector<HeadsetChange>& changes);
   /// Whether there are frames to be had.
   bool is_running() const { return is_running_; }
+  /// Whether what the lenses never show has changed since it was asked last.
+  bool take_mask_change() { return std::exchange(has_mask_changed_, false); }
   /// Whether the runtime wants the program to end.
   bool is_over() const { return state_ == XR_SESSION_STATE_EXITING; }
 
@@ -67,6 +70,7 @@ class XrSessionOwner {
   XrSpace head_ = XR_NULL_HANDLE;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool is_running_ = false;
+  bool has_mask_changed_ = false;
 };
 
 }  // namespace foveola

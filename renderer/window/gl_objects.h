@@ -36,6 +36,7 @@ class GlObject {
 
 inline void remove_gl_texture(GLuint name) { glDeleteTextures(1, &name); }
 inline void remove_gl_framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+inline void remove_gl_renderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
 inline void remove_gl_buffer(GLuint name) { glDeleteBuffers(1, &name); }
 inline void remove_gl_vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
 inline void remove_gl_program(GLuint name) { glDeleteProgram(name); }
@@ -43,6 +44,7 @@ inline void remove_gl_shader(GLuint name) { glDeleteShader(name); }
 
 using GlTexture = GlObject<remove_gl_texture>;
 using GlFramebuffer = GlObject<remove_gl_framebuffer>;
+using GlRenderbuffer = GlObject<remove_gl_renderbuffer>;
 using GlBuffer = GlObject<remove_gl_buffer>;
 using GlVertexArray = GlObject<remove_gl_vertex_array>;
 using GlProgram = GlObject<remove_gl_program>;

@@ -183,6 +183,48 @@ TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
   }
 }
 
+TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
+  std::string frames = "0";
+  for (int i = 1; i < 2000; ++i) {
+    frames += "," + std::to_string(i);
+  }
+  // The right half of what each eye sees up to 45 degrees.
+  headset_.emplace(R"({"refresh_hz": 60, "save_frames": [)" + frames + R"(], "eyes": [
+      {"recommended_px": [120, 100], "fov_deg": {"left": -45, "right": 45, "up": 45, "down": -45},
+       "mask": {"vertices": [[0, -2], [2, -2], [2, 2], [0, 2]], "indices": [0, 1, 2, 0, 2, 3]}},
+      {"recommended_px": [120, 100]}]})");
+  window_.emplace(WindowSettings{.size = {320, 240}}, events_, clock_);
+  presenter_.emplace(*window_, events_, clock_);
+  show();
+  const std::int64_t shown = newest_frame();
+  wait_until([&] { return newest_frame() >= shown + 3; });
+  const RgbImage picture =
+      picture_from(headset_->pictures().at(std::to_string(shown + 2) + "-0.ppm"));
+  double seen = 0.0;
+  double hidden = 0.0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      (x < picture.width / 2 ? seen : hidden) += max_component(picture.at(x, y));
+    }
+  }
+  EXPECT_GT(seen, 100.0);
+  EXPECT_EQ(hidden, 0.0);
+}
+
+TEST_F(HeadsetPresenterTest, TheWindowShowsWhatTheLeftEyeSees) {
+  wear("");
+  show();
+  test::XUser user(server_.display());
+  double brightness = 0.0;
+  wait_until([&] {
+    show();
+    for (int x = 60; x < 260; x += 20) {
+      brightness = std::max(brightness, user.brightness_at("Foveola", x, 120));
+    }
+    return brightness > 0.2;
+  });
+}
+
 // The head turns, and whoever renders takes his time.
 TEST_F(HeadsetPresenterTest, FollowsTheHeadWithoutNewFrames) {
   wear(R"(, "head": [{"time": 0}, {"time": 100, "yaw_deg": 3000}])");

@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/image/image_file.h"
+#include "renderer/window/window_presenter.h"
 #include "tests/temporary_folder.h"
 #include "tests/x_server.h"
 
@@ -36,7 +37,9 @@ class SessionDisplayTest : public ::testing::Test {
   SteadyClock clock_;
   WindowEvents events_;
   Window window_{{.size = {64, 48}}, events_, clock_};
-  std::optional<SessionDisplay> display_{std::in_place, window_, monitor(), IVec2(64, 48), clock_};
+  WindowPresenter presenter_{window_, clock_};
+  std::optional<SessionDisplay> display_{std::in_place, presenter_, monitor(), IVec2(64, 48),
+                                         clock_};
 };
 
 TEST_F(SessionDisplayTest, APageBecomesAFileOnce) {
@@ -54,7 +57,7 @@ TEST_F(SessionDisplayTest, APageBecomesAFileOnce) {
 TEST_F(SessionDisplayTest, ItsTimingPatchIsWhiteInTrialsAloneOverAnyPage) {
   DisplayProfile profile = monitor();
   profile.timing_patch = {.corner = WindowCorner::bottom_right, .size_px = 8};
-  SessionDisplay& display = display_.emplace(window_, profile, IVec2(64, 48), clock_);
+  SessionDisplay& display = display_.emplace(presenter_, profile, IVec2(64, 48), clock_);
   const auto picture_of = [&](const SessionPicture& shown) {
     display.keep_pixels();
     display.show(shown);
