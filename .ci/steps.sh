@@ -5,7 +5,7 @@ print_minutes() { printf 'CI: %s\n' "${minutes[@]}" "$(in_minutes "$SECONDS") in
 trap print_minutes EXIT
 
 # The test programs that the thread sanitizer looks at.
-where_threads_meet=(base_test film_test gaze_test preview_test window_test record_test)
+where_threads_meet=(base_test film_test gaze_test preview_test window_test headset_test record_test)
 
 # Those that the sanitizer for addresses and undefined behaviour looks at on every submission: they
 # read files and devices, or write the record. The others and the program as a whole have their turn

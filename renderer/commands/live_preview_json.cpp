@@ -56,4 +56,12 @@ Json slow_drawing(const LivePreviewReport& report) {
           {"window", {slow.framebuffer.x, slow.framebuffer.y}}};
 }
 
+Json headset_changes(const LivePreviewReport& report) {
+  Json changes = Json::array();
+  for (const HeadsetChange change : report.headset_changes) {
+    changes.push_back(words_for(change));
+  }
+  return changes;
+}
+
 }  // namespace foveola

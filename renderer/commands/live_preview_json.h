@@ -19,4 +19,7 @@ nlohmann::ordered_json shown_changes(const LivePreviewReport& report);
 /// Null unless drawing was found too slow for the window.
 nlohmann::ordered_json slow_drawing(const LivePreviewReport& report);
 
+/// What became of the headset, in words and in order.
+nlohmann::ordered_json headset_changes(const LivePreviewReport& report);
+
 }  // namespace foveola

@@ -227,6 +227,7 @@ void print_json(const LivePreviewReport& report, const PreviewRun& run,
                {"changes", shown_changes(report)},
                {"slow_drawing", slow_drawing(report)},
                {"lost_monitors", report.lost_monitors},
+               {"headset_changes", headset_changes(report)},
                {"gaze_checks", gaze_checks(report)}};
   json.update(preview_json(run));
   fmt::print("{}\n", json.dump(2));

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files.h"
+#include "renderer/image/image_file.h"
+#include "tests/end_to_end/preview_command.h"
 #include "tests/end_to_end/study_run.h"
 #include "tests/openxr/scripted_headset.h"
 
@@ -41,6 +43,29 @@ std::string busy_thumbs() {
 
 std::string script(const std::string& more) {
   return fmt::format("{{{}, \"inputs\": {}{}}}", small_headset, busy_thumbs(), more);
+}
+
+class HeadsetPreview : public PreviewCommand {};
+
+TEST_F(HeadsetPreview, FollowsTheHeadAndTheEyes) {
+  const ScriptedHeadset headset(script(R"(, "head": [{"time": 0, "yaw_deg": -30, "roll_deg": 15}],
+                 "gaze": [{"time": 0, "yaw_deg": -8}],
+                 "gaze_sample_time": [{"time": 0, "policy": "true", "delay_ms": 10}])"));
+  const std::string file = folder_ / "last.png";
+  const ProgramResult result =
+      preview({"--headset", "--frames", "40", "--screenshot", file, "--fill-unsampled"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json.at("display"), "openxr");
+  EXPECT_EQ(json.at("tracker"), "openxr");
+  EXPECT_EQ(json.at("frame_count"), 40);
+  EXPECT_THAT(json.at("headset_changes"), Contains("the headset shows this"));
+  EXPECT_THAT(json.at("last_view"), HasSubstr("--head 75,")) << "the camera looks along 45";
+  const RgbImage picture = read_film_image(file).color;
+  EXPECT_EQ(picture.width, 160);
+  EXPECT_EQ(picture.height, 144);
+  EXPECT_GT(picture.at(80, 72).g, 0.02F);
+  EXPECT_EQ(headset.found_invalid(), "");
 }
 
 class HeadsetRun : public StudyRun {

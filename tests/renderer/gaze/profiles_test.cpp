@@ -101,7 +101,14 @@ TEST(TrackerProfile, TheOthersCanBeReadToo) {
 
 TEST(Profiles, AreListedByName) {
   EXPECT_THAT(tracker_profile_names(),
-              ElementsAre("fove0", "hid", "open-gaze", "pointer", "simulated"));
+              ElementsAre("fove0", "hid", "open-gaze", "openxr", "pointer", "simulated"));
+}
+
+TEST(Profiles, OfAHeadsetByOpenXrLeaveItsViewsToItsRuntime) {
+  const DisplayProfile display = read_display_profile("openxr");
+  EXPECT_EQ(display.kind, DisplayKind::openxr);
+  EXPECT_EQ(display.horizontal_fov_deg, 0.0);
+  EXPECT_EQ(read_tracker_profile("openxr").source, TrackerSource::openxr);
 }
 
 std::string error_of(const std::function<void()>& action) {
