@@ -29,11 +29,11 @@ GLXFBConfig config_of(Display* display, GLXContext context) {
 
 XrGraphicsBindingOpenGLXlibKHR current_binding() {
   Display* const display = glXGetCurrentDisplay();
-  GLXContext const context = glXGetCurrentContext();
+  GLXContext context = glXGetCurrentContext();
   if (display == nullptr || context == nullptr) {
     throw Error("headset", "the window's OpenGL is not GLX's", "use a desktop with X or Xwayland");
   }
-  GLXFBConfig const config = config_of(display, context);
+  GLXFBConfig config = config_of(display, context);
   int visual = 0;
   glXGetFBConfigAttrib(display, config, GLX_VISUAL_ID, &visual);
   return {.type = XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR,
