@@ -13,9 +13,8 @@ void add_headset_option(CLI::App& command, std::string& display, std::string& tr
             display = "openxr";
             tracker = tracker_option->empty() ? "openxr" : tracker;
           },
-          "Show it in a headset, by OpenXR, and follow the head and eyes of who wears it; the "
-          "window "
-          "shows what the left eye sees")
+          "Show it in a headset, by OpenXR, as its wearer's head and eyes move; the window shows "
+          "what the left eye sees")
       ->excludes(command.get_option("--display"));
 }
 

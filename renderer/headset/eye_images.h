@@ -1,8 +1,6 @@
 // The pictures that a headset's runtime takes for the eyes: its swapchains, to be drawn into.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include "renderer/headset/xr_instance.h"

@@ -3,11 +3,11 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "renderer/headset/eye_images.h"
 #include "renderer/headset/gaze_times.h"
+#include "renderer/headset/headset_facts.h"
 #include "renderer/headset/headset_inputs.h"
 #include "renderer/headset/headset_mirror.h"
 #include "renderer/headset/headset_motion.h"
@@ -16,20 +16,6 @@
 #include "renderer/window/frame_painter.h"
 
 namespace foveola {
-
-/// What a headset's runtime tells of it.
-struct HeadsetFacts {
-  std::string runtime;               ///< as "Monado 25.0.0"
-  std::string headset;               ///< its name
-  bool has_eye_tracker = false;      ///< one that programs may ask
-  std::array<IVec2, 2> eye_px{};     ///< of the pictures for the left eye and the right eye
-  std::array<FieldOfView, 2> eyes;   ///< what each sees
-  std::array<double, 2> cant_deg{};  ///< how far each is turned outwards in the head
-  FieldOfView both;                  ///< what holds both, in the head's axes
-  double refresh_rate_hz = 0.0;
-  /// From when the runtime asks for a frame until the middle of when it is to be seen.
-  Nanoseconds display_delay{0};
-};
 
 /// One thread uses it, whose OpenGL context must be the one that it was made with.
 class HeadsetConnection {

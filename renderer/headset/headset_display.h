@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/gaze/profiles.h"
-#include "renderer/headset/headset_connection.h"
+#include "renderer/headset/headset_facts.h"
 
 namespace foveola {
 

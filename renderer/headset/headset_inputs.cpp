@@ -84,19 +84,14 @@ const std::vector<Binding> sticks = {
     {vive, "hand/left/input/trackpad"},        {vive, "hand/right/input/trackpad"},
     {gamepad, "gamepad/input/thumbstick_left"}};
 
-template <std::size_t size>
-void put(const char* text, char (&out)[size]) {
-  out[std::string(text).copy(out, size - 1)] = '\0';
-}
-
 }  // namespace
 
 HeadsetInputs::HeadsetInputs(const XrInstanceOwner& instance, XrSession session)
     : instance_(&instance), session_(session) {
   const XrFunctions& xr = instance.xr();
   XrActionSetCreateInfo set{XR_TYPE_ACTION_SET_CREATE_INFO};
-  put("study", set.actionSetName);
-  put("Foveola", set.localizedActionSetName);
+  put_text("study", set.actionSetName);
+  put_text("Foveola", set.localizedActionSetName);
   instance.require(xr.CreateActionSet(instance.handle(), &set, &set_), "xrCreateActionSet");
   for (const ButtonDescription& button : button_descriptions()) {
     buttons_.push_back(
@@ -123,8 +118,8 @@ HeadsetInputs::HeadsetInputs(const XrInstanceOwner& instance, XrSession session)
 XrAction HeadsetInputs::make_action(const char* name, const char* shown_name,
                                     XrActionType type) const {
   XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-  put(name, info.actionName);
-  put(shown_name, info.localizedActionName);
+  put_text(name, info.actionName);
+  put_text(shown_name, info.localizedActionName);
   info.actionType = type;
   XrAction made = XR_NULL_HANDLE;
   instance_->require(instance_->xr().CreateAction(set_, &info, &made), "xrCreateAction");
@@ -134,17 +129,17 @@ XrAction HeadsetInputs::make_action(const char* name, const char* shown_name,
 /// A runtime may not know a controller: then nobody holds it.
 void HeadsetInputs::suggest_bindings() const {
   std::map<std::string, std::vector<XrActionSuggestedBinding>> bindings;
+  const auto suggest = [&](XrAction action, const std::vector<Binding>& inputs) {
+    for (const Binding& input : inputs) {
+      bindings[std::string("/interaction_profiles/") + input.profile].push_back(
+          {action, instance_->path((std::string("/user/") + input.source).c_str())});
+    }
+  };
   const std::vector<ButtonDescription> descriptions = button_descriptions();
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
-    for (const Binding& binding : descriptions[i].bindings) {
-      bindings[std::string("/interaction_profiles/") + binding.profile].push_back(
-          {buttons_[i].action, instance_->path((std::string("/user/") + binding.source).c_str())});
-    }
+    suggest(buttons_[i].action, descriptions[i].bindings);
   }
-  for (const Binding& binding : sticks) {
-    bindings[std::string("/interaction_profiles/") + binding.profile].push_back(
-        {stick_, instance_->path((std::string("/user/") + binding.source).c_str())});
-  }
+  suggest(stick_, sticks);
   if (gaze_ != XR_NULL_HANDLE) {
     bindings[eyes_profile] = {{gaze_, instance_->path("/user/eyes_ext/input/gaze_ext/pose")}};
   }

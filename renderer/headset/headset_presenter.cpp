@@ -39,10 +39,16 @@ void HeadsetPresenter::run(const std::stop_token& stop) {
 }
 
 void HeadsetPresenter::serve(FramePainter& painter, const std::stop_token& stop) {
+  bool is_lost = false;
+  const auto lose = [&] {
+    if (!std::exchange(is_lost, true)) {
+      tell(HeadsetChange::lost);
+    }
+  };
   while (!stop.stop_requested()) {
     try {
       HeadsetConnection headset;
-      if (facts_) {
+      if (std::exchange(is_lost, false)) {
         tell(HeadsetChange::found);
       }
       show_in(headset, painter, stop);
@@ -51,12 +57,17 @@ void HeadsetPresenter::serve(FramePainter& painter, const std::stop_token& stop)
         break;
       }
     } catch (const HeadsetLost&) {
-      tell(HeadsetChange::lost);
+      if (!facts_) {
+        throw Error("headset", "its runtime went away as it was to begin",
+                    "restart the headset's runtime");
+      }
+      lose();
     } catch (const Error&) {
-      // Whoever has begun without one is told why; a lost one is sought until it is there.
+      // Whoever begins without one is told why; one that fails later is sought until it is there.
       if (!facts_) {
         throw;
       }
+      lose();
     }
     serve_nobody(painter, search_interval, stop);
   }

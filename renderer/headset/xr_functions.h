@@ -54,6 +54,12 @@ struct XrFunctions {
 /// No other than that of what it is in.
 inline constexpr XrPosef same_pose = {{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
 
+/// Writes a text into a field of one of OpenXR's structures, cut to what it holds.
+template <std::size_t size>
+void put_text(const std::string& text, char (&field)[size]) {
+  field[text.copy(field, size - 1)] = '\0';
+}
+
 /// The loader writes nothing of its own, where the environment does not ask for it: what goes wrong
 /// is told by Error. To be called before there are threads.
 void silence_xr_loader();

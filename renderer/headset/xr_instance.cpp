@@ -66,11 +66,6 @@ std::vector<std::string> wanted_extensions(const XrLoader& loader) {
   return wanted;
 }
 
-template <std::size_t size>
-void put(const std::string& text, char (&out)[size]) {
-  out[text.copy(out, size - 1)] = '\0';
-}
-
 }  // namespace
 
 XrInstanceOwner::XrInstanceOwner() : extensions_(wanted_extensions(loader_)) {
@@ -96,7 +91,7 @@ void XrInstanceOwner::make_instance() {
     names.push_back(name.c_str());
   }
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
-  put("Foveola", info.applicationInfo.applicationName);
+  put_text("Foveola", info.applicationInfo.applicationName);
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
   info.enabledExtensionCount = static_cast<std::uint32_t>(names.size());
   info.enabledExtensionNames = names.data();

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "renderer/gaze/gaze_filter.h"
-#include "renderer/headset/headset_connection.h"
+#include "renderer/headset/headset_facts.h"
 #include "study/person/session_display.h"
 #include "study/protocol/texts.h"
 

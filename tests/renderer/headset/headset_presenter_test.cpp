@@ -51,6 +51,15 @@ RgbImage picture_from(const std::string& pixmap) {
   return picture;
 }
 
+/// The numbers of more frames than a test has.
+std::string first_frames() {
+  std::string numbers = "0";
+  for (int i = 1; i < 2000; ++i) {
+    numbers += "," + std::to_string(i);
+  }
+  return numbers;
+}
+
 class HeadsetPresenterTest : public ::testing::Test {
  protected:
   HeadsetPresenterTest() { test::paint_pattern(film_, workers_); }
@@ -156,13 +165,9 @@ TEST_F(HeadsetPresenterTest, TellsWhatTheRuntimeTells) {
 }
 
 TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
-  std::string frames = "0";
-  for (int i = 1; i < 2000; ++i) {
-    frames += "," + std::to_string(i);
-  }
   wear(R"(, "head": [{"time": 0, "yaw_deg": 30, "pitch_deg": 12, "roll_deg": -20}],
           "save_frames": [)" +
-       frames + "]");
+       first_frames() + "]");
   presenter().motion().face({.azimuth_rad = radians(100.0)});
   show();
   const std::int64_t shown = newest_frame();
@@ -184,12 +189,8 @@ TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
 }
 
 TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
-  std::string frames = "0";
-  for (int i = 1; i < 2000; ++i) {
-    frames += "," + std::to_string(i);
-  }
   // The right half of what each eye sees up to 45 degrees.
-  headset_.emplace(R"({"refresh_hz": 60, "save_frames": [)" + frames + R"(], "eyes": [
+  headset_.emplace(R"({"refresh_hz": 60, "save_frames": [)" + first_frames() + R"(], "eyes": [
       {"recommended_px": [120, 100], "fov_deg": {"left": -45, "right": 45, "up": 45, "down": -45},
        "mask": {"vertices": [[0, -2], [2, -2], [2, 2], [0, 2]], "indices": [0, 1, 2, 0, 2, 3]}},
       {"recommended_px": [120, 100]}]})");
@@ -321,6 +322,14 @@ TEST_F(HeadsetPresenterTest, FindsALostHeadsetAgain) {
   changes_until(HeadsetChange::found);
   const std::int64_t shown = newest_frame();
   wait_until([&] { return newest_frame() > shown; });
+  show();
+}
+
+TEST_F(HeadsetPresenterTest, IsLostWhenItsRuntimeFailsAndFoundAgain) {
+  wear(R"(, "failures": [{"function": "xrEndFrame", "result": "XR_ERROR_RUNTIME_FAILURE",
+                          "time": 0.3, "times": 1}])");
+  changes_until(HeadsetChange::lost);
+  EXPECT_EQ(changes_until(HeadsetChange::found).size(), 1U);
   show();
 }
 

@@ -1,0 +1,26 @@
+// What is known of a headset once it is there.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "renderer/base/clock.h"
+#include "renderer/view/viewport.h"
+
+namespace foveola {
+
+/// What a headset's runtime tells of it.
+struct HeadsetFacts {
+  std::string runtime;               ///< as "Monado 25.0.0"
+  std::string headset;               ///< its name
+  bool has_eye_tracker = false;      ///< one that programs may ask
+  std::array<IVec2, 2> eye_px{};     ///< of the pictures for the left eye and the right eye
+  std::array<FieldOfView, 2> eyes;   ///< what each sees
+  std::array<double, 2> cant_deg{};  ///< how far each is turned outwards in the head
+  FieldOfView both;                  ///< what holds both, in the head's axes
+  double refresh_rate_hz = 0.0;
+  /// From when the runtime asks for a frame until the middle of when it is to be seen.
+  Nanoseconds display_delay{0};
+};
+
+}  // namespace foveola
