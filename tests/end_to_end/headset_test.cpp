@@ -5,10 +5,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
+#include "tests/end_to_end/headset_run.h"
 #include "tests/end_to_end/preview_command.h"
-#include "tests/end_to_end/study_run.h"
 #include "tests/openxr/scripted_headset.h"
 
 namespace foveola::test {
@@ -67,23 +66,6 @@ TEST_F(HeadsetPreview, FollowsTheHeadAndTheEyes) {
   EXPECT_GT(picture.at(80, 72).g, 0.02F);
   EXPECT_EQ(headset.found_invalid(), "");
 }
-
-class HeadsetRun : public StudyRun {
- protected:
-  HeadsetRun() {
-    for (const char* const profile : {"displays/openxr.toml", "trackers/openxr.toml"}) {
-      const std::string data = std::string("data/") + profile;
-      participant_.folder().write("share/" + data,
-                                  read_file(std::string(TEST_DATA_DIR "/../../") + data));
-    }
-  }
-
-  nlohmann::json devices() const {
-    return nlohmann::json::parse(participant_.ask("SELECT devices FROM session").front());
-  }
-
-  std::vector<std::string> notes() const { return participant_.ask("SELECT text FROM note"); }
-};
 
 const char* const session_keys = R"(
 methods = ["vp", "fv"]

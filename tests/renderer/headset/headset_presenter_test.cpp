@@ -3,17 +3,16 @@
 
 #include <optional>
 #include <sstream>
-#include <thread>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
-#include "renderer/window/film_drawing.h"
-#include "renderer/window/head_frame.h"
 #include "tests/openxr/scripted_headset.h"
+#include "tests/renderer/headset/worn_headset.h"
 #include "tests/renderer/window/patterned_film.h"
+#include "tests/waiting.h"
 #include "tests/x_server.h"
 
 namespace foveola {
@@ -62,89 +61,30 @@ std::string first_frames() {
 
 class HeadsetPresenterTest : public ::testing::Test {
  protected:
-  HeadsetPresenterTest() { test::paint_pattern(film_, workers_); }
-
   /// A headset at 60 Hz with such a wearer.
   void wear(const std::string& script) {
     headset_.emplace("{\"refresh_hz\": 60, " + small_eyes + script + "}");
-    window_.emplace(WindowSettings{.size = {320, 240}}, events_, clock_);
-    presenter_.emplace(*window_, events_, clock_);
+    worn_.emplace();
   }
 
   void TearDown() override {
-    presenter_.reset();
+    worn_.reset();
     if (headset_ && finds_nothing_wrong_) {
       EXPECT_EQ(headset_->found_invalid(), "");
     }
   }
 
-  HeadsetPresenter& presenter() { return *presenter_; }
-
-  /// Shows the film's pattern.
-  void show() {
-    const IVec2 eye_px = presenter().facts().eye_px[0];
-    const ViewGeometry geometry{.horizontal_fov_deg = presenter().facts().both.horizontal_deg,
-                                .vertical_fov_deg = presenter().facts().both.vertical_deg,
-                                .lens = presenter().facts().both.lens,
-                                .parts = {{.origin = IVec2(0), .size = eye_px}}};
-    HeadsetHead head(presenter().motion());
-    ShownFrame frame =
-        head_frame({.framebuffer = eye_px}, geometry, head.pose(clock_.now()).orientation(), {});
-    frame.late_turn_rad = presenter().late_turn_rad();
-    drawing_.bring_up_to_date(frame);
-    presenter().draw(std::move(frame));
-    presenter().wait_until_shown();
-  }
+  HeadsetPresenter& presenter() { return worn_->presenter(); }
 
   /// The newest frame that was ended, by its number.
   std::int64_t newest_frame() const { return headset_->log("frame").back().at("frame"); }
-
-  template <typename Condition>
-  void wait_until(const Condition& condition) const {
-    const Nanoseconds end = clock_.now() + std::chrono::seconds(30);
-    while (!condition()) {
-      ASSERT_LT(clock_.now(), end) << "waited for too long";
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  }
-
-  /// So many keys that were pressed or let go.
-  std::vector<std::pair<int, bool>> keys(std::size_t count) {
-    std::vector<std::pair<int, bool>> moved;
-    wait_until([&] {
-      for (const WindowEvent& event : events_.take()) {
-        if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
-          moved.emplace_back(key->key, key->is_down);
-        }
-      }
-      return moved.size() >= count;
-    });
-    return moved;
-  }
-
-  /// What was told of the headset until `last`, whatever else happened.
-  std::vector<HeadsetChange> changes_until(HeadsetChange last) {
-    std::vector<HeadsetChange> changes;
-    wait_until([&] {
-      for (const WindowEvent& event : events_.take()) {
-        if (const auto* changed = std::get_if<HeadsetChanged>(&event.what)) {
-          changes.push_back(changed->change);
-        }
-      }
-      return !changes.empty() && changes.back() == last;
-    });
-    return changes;
+  void wait_for_frame(std::int64_t number) const {
+    test::wait_until("a frame", [&] { return newest_frame() >= number; });
   }
 
   test::XServer server_;
   std::optional<test::ScriptedHeadset> headset_;
-  SteadyClock clock_;
-  WindowEvents events_;
-  std::optional<Window> window_;
-  Workers workers_{2};
-  EquirectFilm film_{600, 300};
-  FilmDrawing drawing_{film_, FilmDrawer::graphics_card, workers_};
-  std::optional<HeadsetPresenter> presenter_;
+  std::optional<test::WornHeadset> worn_;
   bool finds_nothing_wrong_ = true;
 };
 
@@ -169,9 +109,9 @@ TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
           "save_frames": [)" +
        first_frames() + "]");
   presenter().motion().face({.azimuth_rad = radians(100.0)});
-  show();
+  worn_->show();
   const std::int64_t shown = newest_frame();
-  wait_until([&] { return newest_frame() >= shown + 3; });
+  wait_for_frame(shown + 3);
   const std::map<std::string, std::string> pictures = headset_->pictures();
   for (int eye = 0; eye < 2; ++eye) {
     SCOPED_TRACE(eye);
@@ -184,7 +124,7 @@ TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
     const ShownView view{.viewport = viewport_of(
                              head * cant, presenter().facts().eyes[static_cast<std::size_t>(eye)]),
                          .part = {.origin = IVec2(0), .size = {120, 100}}};
-    test::expect_like_the_processors(picture, view, {}, film_, workers_);
+    test::expect_like_the_processors(picture, view, {}, worn_->film(), worn_->workers());
   }
 }
 
@@ -194,11 +134,10 @@ TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
       {"recommended_px": [120, 100], "fov_deg": {"left": -45, "right": 45, "up": 45, "down": -45},
        "mask": {"vertices": [[0, -2], [2, -2], [2, 2], [0, 2]], "indices": [0, 1, 2, 0, 2, 3]}},
       {"recommended_px": [120, 100]}]})");
-  window_.emplace(WindowSettings{.size = {320, 240}}, events_, clock_);
-  presenter_.emplace(*window_, events_, clock_);
-  show();
+  worn_.emplace();
+  worn_->show();
   const std::int64_t shown = newest_frame();
-  wait_until([&] { return newest_frame() >= shown + 3; });
+  wait_for_frame(shown + 3);
   const RgbImage picture =
       picture_from(headset_->pictures().at(std::to_string(shown + 2) + "-0.ppm"));
   double seen = 0.0;
@@ -214,11 +153,11 @@ TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
 
 TEST_F(HeadsetPresenterTest, TheWindowShowsWhatTheLeftEyeSees) {
   wear("");
-  show();
+  worn_->show();
   test::XUser user(server_.display());
   double brightness = 0.0;
-  wait_until([&] {
-    show();
+  test::wait_until("what the left eye sees", [&] {
+    worn_->show();
     for (int x = 60; x < 260; x += 20) {
       brightness = std::max(brightness, user.brightness_at("Foveola", x, 120));
     }
@@ -229,9 +168,9 @@ TEST_F(HeadsetPresenterTest, TheWindowShowsWhatTheLeftEyeSees) {
 // The head turns, and whoever renders takes his time.
 TEST_F(HeadsetPresenterTest, FollowsTheHeadWithoutNewFrames) {
   wear(R"(, "head": [{"time": 0}, {"time": 100, "yaw_deg": 3000}])");
-  show();
+  worn_->show();
   const std::int64_t shown = newest_frame();
-  wait_until([&] { return newest_frame() >= shown + 10; });
+  wait_for_frame(shown + 10);
   std::optional<double> before;
   for (const nlohmann::json& frame : headset_->log("frame")) {
     if (frame.at("frame") > shown && !frame.at("layers").empty()) {
@@ -254,8 +193,8 @@ TEST_F(HeadsetPresenterTest, TellsWhereTheEyesLook) {
                                {"time": 2, "policy": "zero"}])");
   HeadsetEyes eyes(presenter().motion(), true);
   std::vector<GazeSample> samples;
-  wait_until([&] {
-    eyes.poll(clock_.now(), samples);
+  test::wait_until("gaze", [&] {
+    eyes.poll(worn_->now(), samples);
     return newest_frame() > 150;
   });
   const Vec3 looked_at =
@@ -283,7 +222,7 @@ TEST_F(HeadsetPresenterTest, PassesOnWhatIsPressed) {
   wear(R"(, "inputs": [
       {"time": 0.2, "path": "/user/hand/right/input/select/click", "pressed": true},
       {"time": 0.4, "path": "/user/hand/right/input/select/click", "pressed": false}])");
-  EXPECT_THAT(keys(2),
+  EXPECT_THAT(worn_->keys(2),
               ElementsAre(std::pair(GLFW_KEY_SPACE, true), std::pair(GLFW_KEY_SPACE, false)));
 }
 
@@ -297,7 +236,7 @@ TEST_F(HeadsetPresenterTest, PassesOnWhatAGamepadSays) {
       {"time": 0.6, "path": "/user/gamepad/input/thumbstick_left", "xy": [-0.9, 0.1]},
       {"time": 0.7, "path": "/user/gamepad/input/thumbstick_left", "xy": [0.2, 0.8]},
       {"time": 0.8, "path": "/user/gamepad/input/thumbstick_left", "xy": [0, 0]}])");
-  EXPECT_THAT(keys(8),
+  EXPECT_THAT(worn_->keys(8),
               ElementsAre(std::pair(GLFW_KEY_ENTER, true), std::pair(GLFW_KEY_ENTER, false),
                           std::pair(GLFW_KEY_DOWN, true), std::pair(GLFW_KEY_DOWN, false),
                           std::pair(GLFW_KEY_LEFT, true), std::pair(GLFW_KEY_LEFT, false),
@@ -310,33 +249,34 @@ TEST_F(HeadsetPresenterTest, TellsOfRecenteringAndOfFocus) {
                        {"time": 0.6, "event": "hidden"},
                        {"time": 0.8, "event": "focus_gained"}])");
   EXPECT_THAT(
-      changes_until(HeadsetChange::lost_focus),
+      worn_->changes_until(HeadsetChange::lost_focus),
       ElementsAre(HeadsetChange::got_focus, HeadsetChange::recentered, HeadsetChange::lost_focus));
-  EXPECT_THAT(changes_until(HeadsetChange::got_focus), ElementsAre(HeadsetChange::got_focus));
+  EXPECT_THAT(worn_->changes_until(HeadsetChange::got_focus),
+              ElementsAre(HeadsetChange::got_focus));
 }
 
 TEST_F(HeadsetPresenterTest, FindsALostHeadsetAgain) {
   wear(R"(, "events": [{"time": 0.2, "event": "session_loss", "session": 1}])");
-  changes_until(HeadsetChange::lost);
-  show();  // nobody waits for it
-  changes_until(HeadsetChange::found);
+  worn_->changes_until(HeadsetChange::lost);
+  worn_->show();  // nobody waits for it
+  worn_->changes_until(HeadsetChange::found);
   const std::int64_t shown = newest_frame();
-  wait_until([&] { return newest_frame() > shown; });
-  show();
+  wait_for_frame(shown + 1);
+  worn_->show();
 }
 
 TEST_F(HeadsetPresenterTest, IsLostWhenItsRuntimeFailsAndFoundAgain) {
   wear(R"(, "failures": [{"function": "xrEndFrame", "result": "XR_ERROR_RUNTIME_FAILURE",
                           "time": 0.3, "times": 1}])");
-  changes_until(HeadsetChange::lost);
-  EXPECT_EQ(changes_until(HeadsetChange::found).size(), 1U);
-  show();
+  worn_->changes_until(HeadsetChange::lost);
+  EXPECT_EQ(worn_->changes_until(HeadsetChange::found).size(), 1U);
+  worn_->show();
 }
 
 TEST_F(HeadsetPresenterTest, IsToldToEndByTheRuntime) {
   wear(R"(, "events": [{"time": 0.2, "event": "exit"}])");
-  changes_until(HeadsetChange::exit_wanted);
-  show();  // nobody waits for it
+  worn_->changes_until(HeadsetChange::exit_wanted);
+  worn_->show();  // nobody waits for it
 }
 
 TEST_F(HeadsetPresenterTest, SaysThatTheHeadsetIsNotThere) {
@@ -351,9 +291,7 @@ TEST_F(HeadsetPresenterTest, SaysThatTheHeadsetIsNotThere) {
 
 TEST_F(HeadsetPresenterTest, SaysThatThereIsNoRuntime) {
   ::setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-  window_.emplace(WindowSettings{}, events_, clock_);
-  EXPECT_THAT([&] { presenter_.emplace(*window_, events_, clock_); },
-              ThrowsMessage<Error>(HasSubstr("runtime")));
+  EXPECT_THAT([&] { worn_.emplace(); }, ThrowsMessage<Error>(HasSubstr("runtime")));
 }
 
 TEST_F(HeadsetPresenterTest, SaysThatTheRuntimeCannotDrawWithOpenGl) {

@@ -1,0 +1,65 @@
+#include "tests/renderer/headset/worn_headset.h"
+
+#include "renderer/window/head_frame.h"
+#include "tests/renderer/window/patterned_film.h"
+#include "tests/waiting.h"
+
+namespace foveola::test {
+
+WornHeadset::WornHeadset() { paint_pattern(film_, workers_); }
+
+ShownFrame WornHeadset::frame() {
+  const HeadsetFacts& facts = presenter_.facts();
+  const IVec2 eye_px = facts.eye_px[0];
+  const ViewGeometry geometry{.horizontal_fov_deg = facts.both.horizontal_deg,
+                              .vertical_fov_deg = facts.both.vertical_deg,
+                              .lens = facts.both.lens,
+                              .parts = {{.origin = IVec2(0), .size = eye_px}}};
+  HeadsetHead head(presenter_.motion());
+  ShownFrame frame =
+      head_frame({.framebuffer = eye_px}, geometry, head.pose(now()).orientation(), {});
+  frame.late_turn_rad = presenter_.late_turn_rad();
+  drawing_.bring_up_to_date(frame);
+  return frame;
+}
+
+void WornHeadset::show() {
+  presenter_.draw(frame());
+  presenter_.wait_until_shown();
+}
+
+RgbImage WornHeadset::shown_picture() {
+  ShownFrame asking = frame();
+  std::future<RgbImage> picture = picture_of(asking);
+  presenter_.draw(std::move(asking));
+  presenter_.wait_until_shown();
+  return picture.get();
+}
+
+std::vector<std::pair<int, bool>> WornHeadset::keys(std::size_t count) {
+  std::vector<std::pair<int, bool>> moved;
+  wait_until("keys", [&] {
+    for (const WindowEvent& event : events_.take()) {
+      if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
+        moved.emplace_back(key->key, key->is_down);
+      }
+    }
+    return moved.size() >= count;
+  });
+  return moved;
+}
+
+std::vector<HeadsetChange> WornHeadset::changes_until(HeadsetChange last) {
+  std::vector<HeadsetChange> changes;
+  wait_until("a change of the headset", [&] {
+    for (const WindowEvent& event : events_.take()) {
+      if (const auto* changed = std::get_if<HeadsetChanged>(&event.what)) {
+        changes.push_back(changed->change);
+      }
+    }
+    return !changes.empty() && changes.back() == last;
+  });
+  return changes;
+}
+
+}  // namespace foveola::test
