@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "renderer/gaze/known_duration.h"
 #include "renderer/gaze/open_gaze_records.h"
 #include "renderer/gaze/screen.h"
+#include "renderer/view/seen_part.h"
 
 namespace foveola {
 
@@ -63,6 +65,7 @@ struct DisplayProfile {
   double viewing_distance_m = 0.0;
   /// The left eye's, of a headset whose lenses are known; by OpenXR, what holds both eyes' views.
   std::optional<RadialLens> lens;
+  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of a view, by OpenXR; null: all of it
   std::optional<MeasuredDisplay> measured;
   std::optional<TimingPatch> timing_patch;
   KnownDuration scan_out;  ///< time from a frame's presentation until all of it is lit

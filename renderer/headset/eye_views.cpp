@@ -39,16 +39,32 @@ Viewport viewport_of(const XrView& eye, const Quat& world_from_room) {
   return viewport_of(world_from_room * orientation_of(eye.pose), field_of_view_of(eye.fov));
 }
 
-Vec2 straight_ahead_of(const std::array<XrView, 2>& eyes, std::size_t eye, const Quat& head,
-                       float distance_m) {
+Mat3 part_from_canvas(const std::array<XrView, 2>& eyes, std::size_t eye, const Quat& head,
+                      float distance_m) {
   const auto position_of = [](const XrView& one) {
     const XrVector3f& p = one.pose.position;
     return Vec3(p.x, p.y, p.z);
   };
+  const auto size_of = [](const Sides& sides) {
+    return Vec2(sides.right - sides.left, sides.up - sides.down);
+  };
+  // The canvas's middle is straight ahead, and its sides are as long as the left eye's picture's,
+  // seen from the middle between the eyes.
+  const Vec2 canvas_m = distance_m * size_of(sides_of(eyes[0].fov));
+  const Mat3 head_from_canvas(Vec3(canvas_m.x, 0.0F, 0.0F), Vec3(0.0F, -canvas_m.y, 0.0F),
+                              Vec3(-0.5F * canvas_m.x, 0.5F * canvas_m.y, -distance_m));
+  const Quat eye_from_room = glm::conjugate(orientation_of(eyes[eye].pose));
   const Vec3 middle = 0.5F * (position_of(eyes[0]) + position_of(eyes[1]));
-  const Vec3 point = middle + head * Vec3(0.0F, 0.0F, -distance_m);
-  const Viewport view = viewport_of(eyes[eye], Quat(1.0F, 0.0F, 0.0F, 0.0F));
-  return view.project(glm::normalize(point - position_of(eyes[eye]))).value_or(view.lens().axis);
+  Mat3 eye_from_canvas = glm::mat3_cast(eye_from_room * head) * head_from_canvas;
+  eye_from_canvas[2] += eye_from_room * (middle - position_of(eyes[eye]));
+  const Sides sides = sides_of(eyes[eye].fov);
+  const Vec2 size = size_of(sides);
+  const auto left = static_cast<float>(-sides.left);
+  const auto up = static_cast<float>(sides.up);
+  // What lies at (x, y, z) is seen at ((left + x / -z) / width, (up - y / -z) / height).
+  const Mat3 part_from_eye(Vec3(1.0F / size.x, 0.0F, 0.0F), Vec3(0.0F, -1.0F / size.y, 0.0F),
+                           Vec3(-left / size.x, -up / size.y, -1.0F));
+  return part_from_eye * eye_from_canvas;
 }
 
 FieldOfView field_of_view_of_both(const std::array<XrView, 2>& eyes, const Quat& head) {

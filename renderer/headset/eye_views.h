@@ -22,11 +22,12 @@ FieldOfView field_of_view_of(const XrFovf& fov);
 /// located in.
 Viewport viewport_of(const XrView& eye, const Quat& world_from_room);
 
-/// Where a point at so many metres straight ahead of the head (its orientation in the eyes' space)
-/// is in an eye's picture, whose top left corner is (0, 0) and whose bottom right one (1, 1): other
-/// eyes see it elsewhere, as they see whatever is near.
-Vec2 straight_ahead_of(const std::array<XrView, 2>& eyes, std::size_t eye, const Quat& head,
-                       float distance_m);
+/// How an eye sees a flat canvas that stands so many metres straight ahead of the head (its
+/// orientation in the eyes' space), and on which a degree in the middle is as large as in the left
+/// eye's picture: ShownView::part_from_canvas. Both eyes see it where it stands, wherever they are
+/// and point.
+Mat3 part_from_canvas(const std::array<XrView, 2>& eyes, std::size_t eye, const Quat& head,
+                      float distance_m);
 
 /// The field of view in the head's axes that holds both eyes', which may point outwards: at most
 /// 80 degrees to each side. head: in the same space as the eyes.

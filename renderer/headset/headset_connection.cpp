@@ -53,6 +53,8 @@ std::optional<HeadsetFacts> HeadsetConnection::facts(const XrPlannedFrame& plann
     facts.eyes[eye] = field_of_view_of((*eyes)[eye].fov);
     facts.cant_deg[eye] = eye == 0 ? -right_deg : right_deg;
   }
+  facts.both.seen =
+      seen_by_eyes(*eyes, *head, facts.both, {hidden_[0].triangles(), hidden_[1].triangles()});
   return facts;
 }
 
@@ -80,7 +82,8 @@ void HeadsetConnection::show(const XrPlannedFrame& planned, ShownFrame& shown,
     draw(eye, (*eyes)[eye].fov,
          {.viewport = viewport_of((*eyes)[eye], world_from_room),
           .part = {.origin = IVec2(0), .size = images_[eye].size_px()},
-          .straight_ahead = straight_ahead_of(*eyes, eye, *head, page_distance_m)},
+          .straight_ahead = std::nullopt,
+          .part_from_canvas = part_from_canvas(*eyes, eye, *head, page_distance_m)},
          shown, painter, mirror);
     views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
     views[eye].pose = (*eyes)[eye].pose;

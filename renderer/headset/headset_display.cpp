@@ -10,6 +10,7 @@ DisplayProfile told_by(const HeadsetFacts& facts, DisplayProfile profile) {
   profile.horizontal_fov_deg = facts.both.horizontal_deg;
   profile.vertical_fov_deg = facts.both.vertical_deg;
   profile.lens = facts.both.lens;
+  profile.seen = facts.both.seen;
   profile.scan_out = {.duration_s = seconds(facts.display_delay),
                       .provenance = Provenance::assumed};
   return profile;

@@ -17,7 +17,7 @@ struct HeadsetFacts {
   std::array<IVec2, 2> eye_px{};     ///< of the pictures for the left eye and the right eye
   std::array<FieldOfView, 2> eyes;   ///< what each sees
   std::array<double, 2> cant_deg{};  ///< how far each is turned outwards in the head
-  FieldOfView both;                  ///< what holds both, in the head's axes
+  FieldOfView both;  ///< what holds both, in the head's axes, and what of it is seen at first
   double refresh_rate_hz = 0.0;
   /// From when the runtime asks for a frame until the middle of when it is to be seen.
   Nanoseconds display_delay{0};

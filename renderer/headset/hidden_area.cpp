@@ -22,9 +22,8 @@ out vec4 color;
 void main() { color = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
 
-/// The corners of its triangles, three for each, on the plane at distance 1.
-std::vector<XrVector2f> hidden_corners(const XrInstanceOwner& instance, XrSession session,
-                                       std::size_t eye) {
+HiddenTriangles hidden_triangles(const XrInstanceOwner& instance, XrSession session,
+                                 std::size_t eye) {
   if (!instance.is_enabled(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME)) {
     return {};
   }
@@ -46,18 +45,17 @@ std::vector<XrVector2f> hidden_corners(const XrInstanceOwner& instance, XrSessio
   if (!indices.empty()) {
     ask();
   }
-  std::vector<XrVector2f> corners;
+  HiddenTriangles triangles;
   for (const std::uint32_t index : indices) {
-    corners.push_back(vertices.at(index));
+    triangles.emplace_back(vertices.at(index).x, vertices.at(index).y);
   }
-  return corners;
+  return triangles;
 }
 
 }  // namespace
 
-HiddenArea::HiddenArea(const XrInstanceOwner& instance, XrSession session, std::size_t eye) {
-  const std::vector<XrVector2f> corners = hidden_corners(instance, session, eye);
-  triangles_ = static_cast<GLsizei>(corners.size() / 3);
+HiddenArea::HiddenArea(const XrInstanceOwner& instance, XrSession session, std::size_t eye)
+    : triangles_(hidden_triangles(instance, session, eye)) {
   if (is_empty()) {
     return;
   }
@@ -66,8 +64,8 @@ HiddenArea::HiddenArea(const XrInstanceOwner& instance, XrSession session, std::
   corners_ = make_gl<GlBuffer>(glGenBuffers);
   glBindVertexArray(vertices_.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(XrVector2f)),
-               corners.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles_.size() * sizeof(Vec2)),
+               triangles_.data(), GL_STATIC_DRAW);
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   glBindVertexArray(0);
@@ -84,7 +82,7 @@ void HiddenArea::draw(const XrFovf& fov) const {
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glBindVertexArray(vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3 * triangles_);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_.size()));
   glBindVertexArray(0);
 }
 

@@ -79,7 +79,10 @@ FrameReport Preview::begin_frame(const HeadPose& head, const Vec3& gaze) {
   viewport_ = viewport_of(head.orientation(), settings_.field_of_view);
   last_gaze_ = gaze;
   render_.look_at(gaze);
-  sampler_->aim({.viewport = viewport_, .gaze = gaze, .pointer = pointer_});
+  sampler_->aim({.viewport = viewport_,
+                 .gaze = gaze,
+                 .pointer = pointer_,
+                 .seen = settings_.field_of_view.seen});
   return {.frame = next_frame_++,
           .time = head.time,
           .head = head.heading,

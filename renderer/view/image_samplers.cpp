@@ -37,22 +37,34 @@ class ViewportRectangleSampler final : public RectangleSampler {
 
 class ViewportSampler final : public ViewSampler {
  public:
-  void aim(const Aim& aim) override { viewport_ = aim.viewport; }
+  void aim(const Aim& aim) override {
+    viewport_ = aim.viewport;
+    seen_ = aim.seen;
+  }
 
   void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
     const auto direction_of = [viewport = *viewport_](const Vec2& point) {
       return viewport.direction(point);
     };
-    sample_blocks(points, point_by_point(std::identity()), direction_of, samples);
+    if (seen_) {
+      const auto place = [this](const Vec2& point) { return seen_->place(point); };
+      sample_blocks(points, point_by_point(place), direction_of, samples);
+    } else {
+      sample_blocks(points, point_by_point(std::identity()), direction_of, samples);
+    }
   }
 
   double density_per_sr(const Vec3& direction) const override {
     const std::optional<Vec2> plane = viewport_->project(direction);
-    return plane ? 1.0 / viewport_->sr_per_area(*plane) : 0.0;
+    if (!plane || (seen_ && !seen_->contains(*plane))) {
+      return 0.0;
+    }
+    return 1.0 / (viewport_->sr_per_area(*plane) * (seen_ ? seen_->share() : 1.0));
   }
 
  private:
   std::optional<Viewport> viewport_;
+  std::shared_ptr<const SeenPart> seen_;
 };
 
 }  // namespace

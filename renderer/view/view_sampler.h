@@ -25,6 +25,7 @@ struct Aim {
   Viewport viewport;
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
   std::optional<Vec3> pointer;   ///< where the user points (unit length, world); default: the gaze
+  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of the viewport's plane; null: all of it
 };
 
 /// One method of choosing directions. The virtual calls are per batch, never per sample.
@@ -47,7 +48,7 @@ const std::vector<std::string>& published_methods();
 /// with a comma or a plus in it stands in double quotes.
 ///
 /// od        uniform over the equirect image
-/// vp        uniform over the viewport's plane
+/// vp        uniform over the viewport's plane, but for what a headset's lenses never show of it
 /// vp-rect   uniform over the rectangle of the image that bounds the viewport
 /// fv        following visual acuity around the gaze: acuity=reddy (default), guenter with slope,
 ///           linear with inner, outer, least, weier1, weier2, weier3, or watson with eye=both

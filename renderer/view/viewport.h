@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/radial_lens.h"
+#include "renderer/view/seen_part.h"
 
 namespace foveola {
 
@@ -21,6 +23,7 @@ struct FieldOfView {
   double horizontal_deg = 100.0;  ///< in (0, 180), without the lens
   double vertical_deg = 100.0;    ///< in (0, 180), without the lens
   RadialLens lens;
+  std::shared_ptr<const SeenPart> seen = nullptr;  ///< null: all of it
 };
 
 /// A view, rectilinear but for its lens. Its image plane lies at distance 1 and is 2 tan(fov/2)

@@ -237,9 +237,7 @@ void LivePreview::show_in(const WindowResized& size) {
 
 void LivePreview::show_view() {
   const ViewGeometry& geometry = view_.geometry();
-  parts_.preview->set_view({.horizontal_deg = geometry.horizontal_fov_deg,
-                            .vertical_deg = geometry.vertical_fov_deg,
-                            .lens = geometry.lens});
+  parts_.preview->set_view(geometry.field_of_view());
   parts_.steering->show(geometry, area_.framebuffer, pixels_per_unit_);
   parts_.camera->show(geometry, area_.framebuffer, pixels_per_unit_);
   if (parts_.widened_eye != nullptr) {

@@ -1,5 +1,7 @@
 #include "renderer/window/text_overlay.h"
 
+#include <algorithm>
+
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
@@ -104,12 +106,27 @@ Vec2 panel_letter_px(const ScreenRect& view) {
   return scale * Vec2(letter.x, letter.y);
 }
 
-std::vector<ScreenPlace> screen_places(std::span<const ShownView> views, int framebuffer_height) {
-  std::vector<ScreenPlace> places;
-  for (const ShownView& view : views) {
-    places.push_back(screen_place(view.part, framebuffer_height, view.straight_ahead));
+ScreenPlace screen_place(const ShownView& view, int framebuffer_height) {
+  if (!view.part_from_canvas) {
+    return screen_place(view.part, framebuffer_height, view.straight_ahead);
   }
-  return places;
+  ScreenPlace canvas = screen_place(view.part, framebuffer_height, Vec2(0.5F));
+  // A ground that fills the part, too, of an eye that looks askew at it.
+  const Vec2 beyond = 0.5F * canvas.view.size();
+  canvas.view = {.low = canvas.view.low - beyond, .high = canvas.view.high + beyond};
+  return canvas;
+}
+
+/// Moves what was painted from the vertex `first` on to where an eye sees it.
+void move_to_part(ImDrawList& list, int first, const Mat3& part_from_canvas,
+                  const ScreenRect& part) {
+  constexpr float nearest = 1e-3F;  // what is beside or behind the eye is far outside its picture
+  for (int i = first; i < list.VtxBuffer.Size; ++i) {
+    ImVec2& corner = list.VtxBuffer[i].pos;
+    const Vec2 place = (Vec2(corner.x, corner.y) - part.low) / part.size();
+    const Vec3 seen = part_from_canvas * Vec3(place, 1.0F);
+    corner = im(part.low + Vec2(seen) / std::max(seen.z, nearest) * part.size());
+  }
 }
 
 void begin_frame(const IVec2& framebuffer) {
@@ -141,10 +158,8 @@ TextOverlay::~TextOverlay() {
 
 void TextOverlay::draw(const IVec2& framebuffer, std::span<const ShownView> views,
                        const Overlaid& overlaid) {
-  const std::vector<ScreenPlace> places =
-      overlaid.screen != nullptr ? screen_places(views, framebuffer.y) : std::vector<ScreenPlace>();
-  if (!places.empty()) {
-    make_letters(text_height_px(places.front()), *overlaid.screen);
+  if (overlaid.screen != nullptr && !views.empty()) {
+    make_letters(text_height_px(screen_place(views.front(), framebuffer.y)), *overlaid.screen);
   }
   begin_frame(framebuffer);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -153,11 +168,10 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const ShownView> view
       paint(list, *overlaid.marks, view, framebuffer.y);
     }
   }
-  for (const ScreenPlace& place : places) {
-    const TextWidth width_of = [this](TextFace face, std::string_view line) {
-      return fonts_->width_px(face, line);
-    };
-    paint(list, lay_out(*overlaid.screen, place, width_of), *fonts_);
+  for (const ShownView& view : views) {
+    if (overlaid.screen != nullptr) {
+      paint_screen(list, *overlaid.screen, view, framebuffer.y);
+    }
   }
   for (const ShownView& view : views) {
     const ScreenRect pane = screen_place(view.part, framebuffer.y, std::nullopt).view;
@@ -167,6 +181,19 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const ShownView> view
     }
   }
   end_frame();
+}
+
+void TextOverlay::paint_screen(ImDrawList& list, const ScreenPage& screen, const ShownView& view,
+                               int framebuffer_height) const {
+  const TextWidth width_of = [this](TextFace face, std::string_view line) {
+    return fonts_->width_px(face, line);
+  };
+  const int first = list.VtxBuffer.Size;
+  paint(list, lay_out(screen, screen_place(view, framebuffer_height), width_of), *fonts_);
+  if (view.part_from_canvas) {
+    move_to_part(list, first, *view.part_from_canvas,
+                 screen_place(view.part, framebuffer_height, std::nullopt).view);
+  }
 }
 
 void TextOverlay::make_letters(float text_px, const ScreenPage& screen) {

@@ -35,6 +35,8 @@ class TextOverlay {
   void draw(const IVec2& framebuffer, std::span<const ShownView> views, const Overlaid& overlaid);
 
  private:
+  void paint_screen(ImDrawList& list, const ScreenPage& screen, const ShownView& view,
+                    int framebuffer_height) const;
   void make_letters(float text_px, const ScreenPage& screen);
 
   std::optional<ScreenFonts> fonts_;

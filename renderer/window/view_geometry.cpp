@@ -28,6 +28,7 @@ ViewGeometry view_of_head(const DisplayProfile& display, const IVec2& framebuffe
   return {.horizontal_fov_deg = display.horizontal_fov_deg,
           .vertical_fov_deg = display.vertical_fov_deg,
           .lens = display.lens.value_or(RadialLens{}),
+          .seen = display.seen,
           .parts = {{.origin = IVec2(0), .size = framebuffer}}};
 }
 

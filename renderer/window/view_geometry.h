@@ -1,6 +1,7 @@
 // What a display shows of the sphere: by its profile and the size of the window on it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "renderer/gaze/profiles.h"
@@ -12,8 +13,17 @@ namespace foveola {
 struct ViewGeometry {
   double horizontal_fov_deg = 0.0;  ///< one view's, without the lens
   double vertical_fov_deg = 0.0;
-  RadialLens lens;                ///< before the first part
+  RadialLens lens;                                 ///< before the first part
+  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of a view; null: all of it
   std::vector<WindowPart> parts;  ///< one, or a headset's left eye's and right eye's in a window
+
+  /// The first part's.
+  FieldOfView field_of_view() const {
+    return {.horizontal_deg = horizontal_fov_deg,
+            .vertical_deg = vertical_fov_deg,
+            .lens = lens,
+            .seen = seen};
+  }
 };
 
 /// A monitor's window shows what a pane of that size would let through at the viewing distance, so

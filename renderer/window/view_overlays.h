@@ -39,6 +39,10 @@ struct ShownView {
   /// In a headset: where what is straight ahead of the head is in the part, whose top left corner
   /// is (0, 0) and whose bottom right one (1, 1). Empty on a monitor.
   std::optional<Vec2> straight_ahead;
+  /// Where pages stand in the world: maps homogeneous places on a canvas like the part, which both
+  /// eyes see, to those at which this eye sees them. Empty where pages are drawn on the part
+  /// itself.
+  std::optional<Mat3> part_from_canvas;
 };
 
 /// Paints them into the view's part of a window that is so many pixels high, in the window's

@@ -42,6 +42,8 @@ int place_of(FormKey key) {
       return GLFW_KEY_UP;
     case FormKey::down:
       return GLFW_KEY_DOWN;
+    case FormKey::step:
+      return GLFW_KEY_SPACE;
     case FormKey::erase:
       break;
   }

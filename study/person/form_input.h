@@ -8,7 +8,16 @@
 
 namespace foveola::study {
 
-enum class FormKey { enter, tab, left, right, up, down, erase };
+enum class FormKey {
+  enter,
+  tab,
+  left,
+  right,
+  up,
+  down,
+  erase,
+  step  ///< the next one, and after the last one the first: for who has a single button to choose
+};
 
 /// A key, or what was typed.
 using FormInput = std::variant<FormKey, char32_t>;

@@ -36,10 +36,7 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
            .present = [this] { return setting_.display.wait_until_shown(); }},
           setting_.display.frame_budget()),
       log_(setting_.recorder, setting_.key) {
-  const ViewGeometry& geometry = setting_.display.geometry();
-  preview_.set_view({.horizontal_deg = geometry.horizontal_fov_deg,
-                     .vertical_deg = geometry.vertical_fov_deg,
-                     .lens = geometry.lens});
+  preview_.set_view(setting_.display.geometry().field_of_view());
   preview_.restart(make_sampler(setting_.protocol, setting_.trial.method), setting_.seed);
   if (setting_.is_dark) {
     look_.exposure_stops = darkness_stops;

@@ -65,9 +65,11 @@ void PersonSession::answer(const WindowEvent& event) {
   const Phase phase = driver_.state().phase;
   if (is_form_shown(prompt_, phase)) {
     std::optional<FormInput> input = form_input(event);
-    // Who wears a headset has no letters.
+    // Who wears a headset has no letters, and maybe two buttons.
     if (is_in_headset() && input == FormInput(FormKey::enter)) {
       input = prompt_.form->key_on();
+    } else if (is_in_headset() && key == PersonKey::mark) {
+      input = FormKey::step;
     }
     if (input && prompt_.form->follow(*input)) {
       hand_in();

@@ -107,20 +107,49 @@ bool QuestionEntry::follow(const FormInput& input) {
   }
   const bool is_scale = kind_ == ScreenField::Kind::scale;
   const bool is_choice = kind_ == ScreenField::Kind::choice;
+  const bool is_number = kind_ == ScreenField::Kind::line;
   switch (std::get<FormKey>(input)) {
     case FormKey::left:
-      return is_scale && move(-1);
+      return is_number ? count(-1.0) : is_scale && move(-1);
     case FormKey::right:
-      return is_scale && move(1);
+      return is_number ? count(1.0) : is_scale && move(1);
     case FormKey::up:
       return is_choice && move(-1);
     case FormKey::down:
       return is_choice && move(1);
     case FormKey::erase:
       return erase();
+    case FormKey::step:
+      return step();
     default:
       return false;
   }
+}
+
+/// From the lowest number, or the highest one, if there is none yet.
+bool QuestionEntry::count(double by) {
+  const std::optional<double> number = number_of(typed_);
+  const double next = number ? *number + by : (by > 0.0 ? question_.minimum : question_.maximum);
+  typed_ = fmt::format("{}", std::clamp(next, question_.minimum, question_.maximum));
+  is_counted_ = true;
+  return true;
+}
+
+bool QuestionEntry::step() {
+  if (kind_ == ScreenField::Kind::line) {
+    const std::optional<double> number = number_of(typed_);
+    if (number && *number >= question_.maximum) {
+      typed_.clear();
+    }
+    return count(1.0);
+  }
+  if (!is_listed()) {
+    return false;
+  }
+  if (chosen_ && *chosen_ + 1 == labels_.size()) {
+    chosen_.reset();
+  }
+  return move(1);
 }
 
 bool QuestionEntry::move(std::ptrdiff_t by) {
@@ -144,10 +173,14 @@ bool QuestionEntry::choose_by(char32_t typed) {
 
 bool QuestionEntry::type(char32_t typed) {
   const bool is_number = kind_ == ScreenField::Kind::line;
-  const bool has_room = count_characters(typed_) < (is_number ? longest_number : longest_text);
+  const bool has_room =
+      is_counted_ || count_characters(typed_) < (is_number ? longest_number : longest_text);
   const bool is_printable = typed >= ' ' && typed != 0x7F;
   if (!has_room || (is_number ? !is_of_a_number(typed) : !is_printable)) {
     return false;
+  }
+  if (std::exchange(is_counted_, false)) {
+    typed_.clear();
   }
   append_character(typed_, typed);
   return true;
@@ -158,6 +191,7 @@ bool QuestionEntry::erase() {
     return false;
   }
   chosen_.reset();
+  is_counted_ = false;
   erase_last_character(typed_);
   return true;
 }

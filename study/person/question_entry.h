@@ -17,7 +17,8 @@ class QuestionEntry {
   explicit QuestionEntry(Question question);
 
   /// Chooses or types. Returns whether the key meant something: on a scale, left, right, digits and
-  /// erase; in a list, up, down, digits and erase; elsewhere, characters and erase.
+  /// erase; in a list, up, down, digits and erase; of a number, which they count, left and right,
+  /// characters and erase; elsewhere, characters and erase. Step is right, or down, and goes round.
   bool follow(const FormInput& input);
 
   /// The field without words on what is wrong and without focus.
@@ -38,6 +39,8 @@ class QuestionEntry {
  private:
   bool is_listed() const { return !labels_.empty(); }
   bool move(std::ptrdiff_t by);
+  bool count(double by);
+  bool step();
   bool choose_by(char32_t typed);
   bool type(char32_t typed);
   bool erase();
@@ -47,6 +50,7 @@ class QuestionEntry {
   std::vector<std::string> labels_;
   std::optional<std::size_t> chosen_;
   std::string typed_;
+  bool is_counted_ = false;  ///< by arrows: what is typed then begins anew
 };
 
 }  // namespace foveola::study

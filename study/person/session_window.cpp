@@ -44,6 +44,9 @@ nlohmann::ordered_json display_json(const SessionDisplay& display, const Display
       {"refresh_rate_hz", display.refresh().rate_hz()},
       {"refresh_is_measured", display.refresh().is_measured()},
       {"graphics", display.graphics()}};
+  if (geometry.seen) {
+    json["seen"] = geometry.seen->rows();
+  }
   if (profile.measured) {
     json["measured"] = json_of(*profile.measured);
   }

@@ -9,8 +9,10 @@
 #include "renderer/base/error.h"
 #include "study/record/database.h"
 #include "study/record/event_log.h"
+#include "study/record/json_member.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
+#include "study/record/session_devices.h"
 #include "study/record/session_programs.h"
 #include "study/record/session_rows.h"
 
@@ -32,26 +34,21 @@ KnownSession session_of(SQLite::Database& database, const fs::path& path,
   return *found;
 }
 
-std::optional<RecordedDisplay> display_from(const std::string& devices) {
-  const nlohmann::json recorded = nlohmann::json::parse(devices);
-  if (!recorded.contains("display")) {
-    return std::nullopt;
+std::optional<FieldOfView> view_from(const std::string& devices, const fs::path& path) {
+  const std::optional<FieldOfView> view = field_of_view_in(devices);
+  if (!view && member(json_in(devices), "display").is_object()) {
+    throw Error(path.string(), "does not say what view the session's display showed",
+                "compare the file with its backup");
   }
-  const nlohmann::json& display = recorded.at("display");
-  const nlohmann::json& lens = display.at("lens");
-  return RecordedDisplay{.horizontal_fov_deg = display.at("horizontal_fov_deg").get<double>(),
-                         .vertical_fov_deg = display.at("vertical_fov_deg").get<double>(),
-                         .lens = {.axis = {lens.at(0).get<float>(), lens.at(1).get<float>()},
-                                  .k1 = lens.at(2).get<float>(),
-                                  .k2 = lens.at(3).get<float>()}};
+  return view;
 }
 
-void read_facts(SQLite::Database& database, RecordedSession& session) {
+void read_facts(SQLite::Database& database, const fs::path& path, RecordedSession& session) {
   SQLite::Statement facts(database, "SELECT processor, devices FROM session WHERE id = ?");
   facts.bind(1, session.known.id);
   facts.executeStep();
   session.processor = facts.getColumn(0).getString();
-  session.display = display_from(facts.getColumn(1).getString());
+  session.view = view_from(facts.getColumn(1).getString(), path);
   session.simulation = simulation_kind_in(facts.getColumn(1).getString());
 }
 
@@ -77,7 +74,7 @@ RecordedSession read_session(const fs::path& path, const std::string& participan
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
     session.known = session_of(database, path, participant);
-    read_facts(database, session);
+    read_facts(database, path, session);
     session.plan = plan_of(database, session.known.id);
     session.procedure = recorded_procedure_of(database, session.known.id);
     session.events = events_of(database, session.known.id);

@@ -13,13 +13,6 @@
 
 namespace foveola::study {
 
-/// The properties of the display that decide what is traced.
-struct RecordedDisplay {
-  double horizontal_fov_deg = 0.0;
-  double vertical_fov_deg = 0.0;
-  RadialLens lens;
-};
-
 /// An attempt at a trial.
 struct RecordedAttempt {
   std::size_t trial = 0;  ///< index into the plan
@@ -33,7 +26,7 @@ struct RecordedSession {
   KnownSession known;
   std::vector<std::string> programs;         ///< that showed it, by programs_of()
   std::string processor;                     ///< the processor it ran on
-  std::optional<RecordedDisplay> display;    ///< only of a person's session
+  std::optional<FieldOfView> view;           ///< the display's; only of a person's session
   std::optional<SimulationKind> simulation;  ///< only of a simulated session
   Plan plan;
   Procedure procedure;

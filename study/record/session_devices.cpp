@@ -12,13 +12,17 @@ namespace {
 
 constexpr std::string_view going_on = "goes on with ";
 
-bool can_be_shown(const FieldOfView& view) {
-  try {
-    const Viewport shown(AzimuthElevation{}, view);
-  } catch (const Error&) {
-    return false;
+/// Null if all is seen. Throws Error for one that there cannot be.
+std::shared_ptr<const SeenPart> seen_part_in(const nlohmann::ordered_json& display) {
+  const nlohmann::ordered_json seen = member(display, "seen");
+  if (seen.is_null()) {
+    return nullptr;
   }
-  return true;
+  std::vector<std::string> rows;
+  for (const nlohmann::ordered_json& row : seen.is_array() ? seen : nlohmann::ordered_json()) {
+    rows.push_back(row.is_string() ? row.get<std::string>() : "");
+  }
+  return std::make_shared<const SeenPart>(std::move(rows));
 }
 
 }  // namespace
@@ -37,7 +41,13 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices) {
                  .k1 = lens[2].get<float>(),
                  .k2 = lens[3].get<float>()};
   }
-  return can_be_shown(view) ? std::optional(view) : std::nullopt;
+  try {
+    view.seen = seen_part_in(display);
+    const Viewport shown(AzimuthElevation{}, view);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return view;
 }
 
 std::string tracker_in(const std::string& devices) {

@@ -130,10 +130,8 @@ class Replay {
   PreviewSettings preview_settings(const PlannedTrial& trial, const SceneStage& stage) const {
     PreviewSettings preview =
         trial_preview_settings(protocol_, settings_of(protocol_, trial.scene, trial.method), stage);
-    if (session_.display) {
-      preview.field_of_view = {.horizontal_deg = session_.display->horizontal_fov_deg,
-                               .vertical_deg = session_.display->vertical_fov_deg,
-                               .lens = session_.display->lens};
+    if (session_.view) {
+      preview.field_of_view = *session_.view;
     }
     return preview;
   }

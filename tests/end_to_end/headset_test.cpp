@@ -21,10 +21,14 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// Small pictures at 30 Hz, for a machine that draws with its processor.
+/// Small pictures at 30 Hz, for a machine that draws with its processor, whose lenses show no upper
+/// left corner.
 const char* const small_headset = R"(
     "refresh_hz": 30, "interaction_profiles": ["/interaction_profiles/microsoft/xbox_controller"],
-    "eyes": [{"recommended_px": [160, 144]}, {"recommended_px": [160, 144]}])";
+    "eyes": [{"recommended_px": [160, 144],
+              "mask": {"vertices": [[-2, 2], [-2, -0.2], [0.2, 2]], "indices": [0, 1, 2]}},
+             {"recommended_px": [160, 144],
+              "mask": {"vertices": [[-2, 2], [-2, -0.2], [0.2, 2]], "indices": [0, 1, 2]}}])";
 
 /// Somebody who presses one button after the other, four times a second: what goes on, what marks,
 /// and what chooses.
@@ -98,6 +102,8 @@ TEST_F(HeadsetRun, AWholeSessionNeedsNoKeyboard) {
   EXPECT_EQ(found.at("display").at("profile"), "openxr");
   EXPECT_EQ(found.at("tracker").at("profile"), "openxr");
   EXPECT_EQ(found.at("headset").at("eyes").size(), 2U);
+  EXPECT_EQ(found.at("display").at("seen").front().get<std::string>().front(), '0')
+      << "the upper left corner";
   const ProgramResult replayed = participant_.replay();
   EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
   EXPECT_THAT(replayed.output, AllOf(ContainsRegex("hall, vp.*the same, bit for bit"),

@@ -2,14 +2,13 @@
 #include "renderer/headset/headset_presenter.h"
 
 #include <optional>
-#include <sstream>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
-#include "tests/openxr/scripted_headset.h"
+#include "tests/renderer/headset/saved_pictures.h"
 #include "tests/renderer/headset/worn_headset.h"
 #include "tests/renderer/window/patterned_film.h"
 #include "tests/waiting.h"
@@ -32,33 +31,6 @@ const std::string small_eyes = R"("eyes": [
     {"recommended_px": [120, 100], "cant_deg": -5,
      "fov_deg": {"left": -40, "right": 50, "up": 42, "down": -46}}])";
 
-/// sRGB in [0, 1], of a portable pixmap.
-RgbImage picture_from(const std::string& pixmap) {
-  std::istringstream header(pixmap);
-  std::string kind;
-  int width = 0;
-  int height = 0;
-  int most = 0;
-  header >> kind >> width >> height >> most;
-  header.get();
-  const auto* bytes = reinterpret_cast<const unsigned char*>(pixmap.data() + header.tellg());
-  RgbImage picture(width, height);
-  for (Rgb& pixel : picture.pixels) {
-    pixel = Rgb(bytes[0], bytes[1], bytes[2]) / 255.0F;
-    bytes += 3;
-  }
-  return picture;
-}
-
-/// The numbers of more frames than a test has.
-std::string first_frames() {
-  std::string numbers = "0";
-  for (int i = 1; i < 2000; ++i) {
-    numbers += "," + std::to_string(i);
-  }
-  return numbers;
-}
-
 class HeadsetPresenterTest : public ::testing::Test {
  protected:
   /// A headset at 60 Hz with such a wearer.
@@ -76,11 +48,8 @@ class HeadsetPresenterTest : public ::testing::Test {
 
   HeadsetPresenter& presenter() { return worn_->presenter(); }
 
-  /// The newest frame that was ended, by its number.
-  std::int64_t newest_frame() const { return headset_->log("frame").back().at("frame"); }
-  void wait_for_frame(std::int64_t number) const {
-    test::wait_until("a frame", [&] { return newest_frame() >= number; });
-  }
+  std::int64_t newest_frame() const { return test::newest_frame(*headset_); }
+  void wait_for_frame(std::int64_t number) const { test::wait_for_frame(*headset_, number); }
 
   test::XServer server_;
   std::optional<test::ScriptedHeadset> headset_;
@@ -106,17 +75,15 @@ TEST_F(HeadsetPresenterTest, TellsWhatTheRuntimeTells) {
 
 TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
   wear(R"(, "head": [{"time": 0, "yaw_deg": 30, "pitch_deg": 12, "roll_deg": -20}],
-          "save_frames": [)" +
-       first_frames() + "]");
+          "save_frames": )" +
+       test::all_frames());
   presenter().motion().face({.azimuth_rad = radians(100.0)});
   worn_->show();
   const std::int64_t shown = newest_frame();
   wait_for_frame(shown + 3);
-  const std::map<std::string, std::string> pictures = headset_->pictures();
   for (int eye = 0; eye < 2; ++eye) {
     SCOPED_TRACE(eye);
-    const RgbImage picture =
-        picture_from(pictures.at(std::to_string(shown + 2) + "-" + std::to_string(eye) + ".ppm"));
+    const RgbImage picture = test::saved_picture(*headset_, shown + 2, eye);
     const Quat head = head_orientation(
         {.azimuth_rad = radians(100.0 - 30.0), .elevation_rad = radians(12.0)}, radians(20.0));
     const double outwards_deg = eye == 0 ? -5.0 : 5.0;
@@ -130,7 +97,7 @@ TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
 
 TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
   // The right half of what each eye sees up to 45 degrees.
-  headset_.emplace(R"({"refresh_hz": 60, "save_frames": [)" + first_frames() + R"(], "eyes": [
+  headset_.emplace(R"({"refresh_hz": 60, "save_frames": )" + test::all_frames() + R"(, "eyes": [
       {"recommended_px": [120, 100], "fov_deg": {"left": -45, "right": 45, "up": 45, "down": -45},
        "mask": {"vertices": [[0, -2], [2, -2], [2, 2], [0, 2]], "indices": [0, 1, 2, 0, 2, 3]}},
       {"recommended_px": [120, 100]}]})");
@@ -138,8 +105,7 @@ TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
   worn_->show();
   const std::int64_t shown = newest_frame();
   wait_for_frame(shown + 3);
-  const RgbImage picture =
-      picture_from(headset_->pictures().at(std::to_string(shown + 2) + "-0.ppm"));
+  const RgbImage picture = test::saved_picture(*headset_, shown + 2, 0);
   double seen = 0.0;
   double hidden = 0.0;
   for (int y = 0; y < picture.height; ++y) {
@@ -254,6 +220,14 @@ TEST_F(HeadsetPresenterTest, TellsOfRecenteringAndOfFocus) {
   EXPECT_THAT(worn_->changes_until(HeadsetChange::got_focus),
               ElementsAre(HeadsetChange::got_focus));
 }
+
+#ifdef XR_EXT_user_presence
+TEST_F(HeadsetPresenterTest, TellsThatItIsTakenOffAndPutOn) {
+  wear(R"(, "events": [{"time": 0.2, "event": "taken_off"}, {"time": 0.6, "event": "put_on"}])");
+  EXPECT_THAT(worn_->changes_until(HeadsetChange::taken_off), Contains(HeadsetChange::taken_off));
+  EXPECT_THAT(worn_->changes_until(HeadsetChange::put_on), Contains(HeadsetChange::put_on));
+}
+#endif
 
 TEST_F(HeadsetPresenterTest, FindsALostHeadsetAgain) {
   wear(R"(, "events": [{"time": 0.2, "event": "session_loss", "session": 1}])");

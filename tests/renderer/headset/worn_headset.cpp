@@ -23,8 +23,10 @@ ShownFrame WornHeadset::frame() {
   return frame;
 }
 
-void WornHeadset::show() {
-  presenter_.draw(frame());
+void WornHeadset::show(const std::optional<ScreenPage>& page) {
+  ShownFrame shown = frame();
+  shown.screen = page;
+  presenter_.draw(std::move(shown));
   presenter_.wait_until_shown();
 }
 

@@ -1,7 +1,7 @@
 // A headset in which a film's pattern is shown, whatever runtime it has.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,8 +21,8 @@ class WornHeadset {
   const Workers& workers() const { return workers_; }
   Nanoseconds now() const { return clock_.now(); }
 
-  /// Shows the film's pattern where the head looks, once.
-  void show();
+  /// Shows the film's pattern where the head looks, or a page, once.
+  void show(const std::optional<ScreenPage>& page = {});
   /// As show(), and returns what the left eye's picture was, read back before the runtime got it.
   RgbImage shown_picture();
 

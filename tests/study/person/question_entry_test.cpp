@@ -58,6 +58,38 @@ TEST(QuestionEntryTest, AScaleShowsItsNumbersAndWords) {
               ElementsAre("-1\na", "0\nb", "1\nc"));
 }
 
+TEST(QuestionEntryTest, ASingleButtonGoesRound) {
+  QuestionEntry scale(test::experience());
+  press(scale, {FormKey::step, FormKey::step});
+  EXPECT_THAT(scale.value(), VariantWith<double>(2.0));
+  press(scale, {FormKey::step, FormKey::step, FormKey::step, FormKey::step});
+  EXPECT_THAT(scale.value(), VariantWith<double>(1.0));
+  QuestionEntry list(test::gender());
+  press(list, {FormKey::step, FormKey::step, FormKey::step, FormKey::step});
+  EXPECT_EQ(list.shown_value(), "female");
+  QuestionEntry words(Question{.id = "words", .kind = QuestionKind::text});
+  EXPECT_FALSE(press(words, {FormKey::step}));
+}
+
+TEST(QuestionEntryTest, ANumberIsCountedByArrowsAsWell) {
+  QuestionEntry age(
+      Question{.id = "age", .kind = QuestionKind::number, .minimum = 18.0, .maximum = 20.0});
+  press(age, {FormKey::right});
+  EXPECT_THAT(age.value(), VariantWith<double>(18.0));
+  press(age, {FormKey::right, FormKey::right, FormKey::right});
+  EXPECT_THAT(age.value(), VariantWith<double>(20.0));
+  press(age, {FormKey::left});
+  EXPECT_EQ(age.shown_value(), "19");
+  press(age, {FormKey::step, FormKey::step});
+  EXPECT_THAT(age.value(), VariantWith<double>(18.0)) << "after the last one the first";
+  type(age, U"20");
+  EXPECT_THAT(age.value(), VariantWith<double>(20.0)) << "what is typed begins anew";
+  QuestionEntry from_above(
+      Question{.id = "age", .kind = QuestionKind::number, .minimum = 18.0, .maximum = 20.0});
+  press(from_above, {FormKey::left});
+  EXPECT_THAT(from_above.value(), VariantWith<double>(20.0));
+}
+
 TEST(QuestionEntryTest, AScaleOfManyPointsIsTyped) {
   Question question = test::experience();
   question.maximum = 100.0;

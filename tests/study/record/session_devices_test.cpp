@@ -21,6 +21,15 @@ TEST(SessionDevices, AViewWithoutALensIsFlat) {
   const FieldOfView view =
       field_of_view_in(R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30}})").value();
   EXPECT_EQ(view.lens, RadialLens{});
+  EXPECT_EQ(view.seen, nullptr) << "all of it";
+}
+
+TEST(SessionDevices, SayWhatIsSeenOfAView) {
+  const FieldOfView view =
+      field_of_view_in(
+          R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":["7e","ff"]}})")
+          .value();
+  EXPECT_EQ(view.seen->rows(), (std::vector<std::string>{"7e", "ff"}));
 }
 
 TEST(SessionDevices, WhatIsNotSaidIsNotGuessed) {
@@ -30,6 +39,9 @@ TEST(SessionDevices, WhatIsNotSaidIsNotGuessed) {
         R"({"display":{"horizontal_fov_deg":0,"vertical_fov_deg":30}})",
         R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":180}})",
         R"({"display":{"horizontal_fov_deg":90,"vertical_fov_deg":90,"lens":[0.5,0.5,-9,0]}})",
+        R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":["7e",3]}})",
+        R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":"7e"}})",
+        R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":[]}})",
         R"({"tracker":{"profile":7}})"}) {
     EXPECT_FALSE(field_of_view_in(devices)) << devices;
     EXPECT_EQ(tracker_in(devices), "") << devices;
