@@ -7,9 +7,9 @@ namespace foveola {
 std::string slow_drawing_line(const SlowDrawing& slow) {
   constexpr double ms_per_s = 1e3;
   return fmt::format(
-      "Drawing takes long in this window: {:.1f} ms for {}x{} pixels ({}), where the display "
+      "Drawing takes long here: {:.1f} ms for {}x{} pixels ({}), where the display "
       "refreshes every {:.1f} ms. So that most of the time is left for tracing, frames stay for "
-      "more than one refresh; a smaller window or a graphics card makes them faster.",
+      "more than one refresh; smaller pictures or a graphics card make them faster.",
       ms_per_s * seconds(slow.drawing), slow.framebuffer.x, slow.framebuffer.y, slow.graphics,
       ms_per_s * seconds(slow.interval));
 }

@@ -148,6 +148,14 @@ void paint_disc(ImDrawList& list, const Vec3& middle, float radius_rad, const Pa
   list.AddConvexPolyFilled(rim.data(), static_cast<int>(rim.size()), color);
 }
 
+/// The same few pixels everywhere.
+void paint_point(ImDrawList& list, const Vec3& direction, const Pane& pane, ImU32 color) {
+  constexpr float radius_px = 5.0F;
+  if (const std::optional<ImVec2> middle = pane.project(direction)) {
+    list.AddCircleFilled(*middle, radius_px, color);
+  }
+}
+
 /// Between the middles of four cells colours go over into each other; beyond the outermost middles
 /// they stay.
 void paint_densities(ImDrawList& list, const DensityMap& map, const Pane& pane) {
@@ -262,7 +270,7 @@ void paint(ImDrawList& list, const ViewOverlays& overlays, const ShownView& view
     }
   }
   if (overlays.shows_gaze) {
-    paint_disc(list, overlays.gaze, 5.0F * pane.pixel_rad(), pane, im(Rgb(1.0F, 0.1F, 0.2F), 0.9F));
+    paint_point(list, overlays.gaze, pane, im(Rgb(1.0F, 0.1F, 0.2F), 0.9F));
   }
   if (overlays.target) {
     paint_target(list, *overlays.target, overlays.least_target_px, pane);

@@ -1,7 +1,6 @@
 #include "renderer/window/view_renderer.h"
 
 #include <cmath>
-#include <vector>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -43,12 +42,13 @@ void ViewRenderer::set_film(const FilmTexture& film, const ViewLook& look) {
   bind(film_unit, film.name());
   glUniform1i(uniform("atlas"), film_unit);
   const std::vector<PyramidAtlas::Level>& levels = film.atlas().levels();
-  std::vector<GLint> places;
+  level_places_.clear();
   for (const PyramidAtlas::Level& level : levels) {
-    places.insert(places.end(), {level.origin.x, level.origin.y, level.size.x, level.size.y});
+    level_places_.insert(level_places_.end(),
+                         {level.origin.x, level.origin.y, level.size.x, level.size.y});
   }
   glUniform1i(uniform("levels"), static_cast<GLint>(levels.size()));
-  glUniform4iv(uniform("level_places"), static_cast<GLsizei>(levels.size()), places.data());
+  glUniform4iv(uniform("level_places"), static_cast<GLsizei>(levels.size()), level_places_.data());
   const IVec2& size = levels.front().size;
   glUniform2f(uniform("film_size"), static_cast<float>(size.x), static_cast<float>(size.y));
   glUniform1i(uniform("fill_unsampled"), look.fill_unsampled ? 1 : 0);

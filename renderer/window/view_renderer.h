@@ -1,6 +1,8 @@
 // Draws what the display shows of a film on the graphics card.
 #pragma once
 
+#include <vector>
+
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/film_texture.h"
@@ -36,6 +38,7 @@ class ViewRenderer {
 
   GlProgram program_;
   GlVertexArray no_vertices_;
+  std::vector<GLint> level_places_;  ///< kept so that no frame takes new memory
 };
 
 }  // namespace foveola

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-constexpr FieldOfView usual{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
+const FieldOfView usual{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
 
 Scene boxes_at(const std::vector<float>& places) {
   Scene scene;

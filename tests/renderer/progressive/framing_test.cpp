@@ -11,7 +11,7 @@ namespace foveola::test {
 namespace {
 
 constexpr AzimuthElevation askew{.azimuth_rad = -0.5, .elevation_rad = -0.35};
-constexpr FieldOfView wide{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
+const FieldOfView wide{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
 
 /// The part of the picture, each way, that the points take up around its middle; above 1 if some
 /// are outside.

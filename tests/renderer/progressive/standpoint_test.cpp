@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr FieldOfView picture{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
+const FieldOfView picture{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
 
 Scene scene_of(std::vector<Mesh> meshes) {
   Scene scene;
