@@ -59,10 +59,16 @@ void XrSessionOwner::follow_events(std::vector<HeadsetChange>& changes) {
 #ifdef XR_EXT_user_presence
     if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT) {
       const auto& change = reinterpret_cast<const XrEventDataUserPresenceChangedEXT&>(event);
-      changes.push_back(change.isUserPresent != XR_FALSE ? HeadsetChange::put_on
-                                                         : HeadsetChange::taken_off);
+      follow_presence(change.isUserPresent != XR_FALSE, changes);
     }
 #endif
+  }
+}
+
+/// A runtime tells it at first, too.
+void XrSessionOwner::follow_presence(bool is_worn, std::vector<HeadsetChange>& changes) {
+  if (is_worn != std::exchange(is_worn_, is_worn)) {
+    changes.push_back(is_worn ? HeadsetChange::put_on : HeadsetChange::taken_off);
   }
 }
 

@@ -62,6 +62,7 @@ class XrSessionOwner {
   void make_spaces();
   XrSpace make_space(XrReferenceSpaceType type) const;
   void follow_state(XrSessionState state, std::vector<HeadsetChange>& changes);
+  void follow_presence(bool is_worn, std::vector<HeadsetChange>& changes);
   void begin();
 
   const XrInstanceOwner* instance_;
@@ -71,6 +72,7 @@ class XrSessionOwner {
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool is_running_ = false;
   bool has_mask_changed_ = false;
+  bool is_worn_ = true;  ///< as far as the runtime tells it
 };
 
 }  // namespace foveola

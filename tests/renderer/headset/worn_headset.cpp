@@ -1,5 +1,8 @@
 #include "tests/renderer/headset/worn_headset.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "renderer/window/head_frame.h"
 #include "tests/renderer/window/patterned_film.h"
 #include "tests/waiting.h"
@@ -38,15 +41,29 @@ RgbImage WornHeadset::shown_picture() {
   return picture.get();
 }
 
+std::optional<WindowEvent> WornHeadset::next_event() {
+  std::ranges::move(events_.take(), std::back_inserter(unseen_events_));
+  if (unseen_events_.empty()) {
+    return std::nullopt;
+  }
+  WindowEvent event = std::move(unseen_events_.front());
+  unseen_events_.pop_front();
+  return event;
+}
+
 std::vector<std::pair<int, bool>> WornHeadset::keys(std::size_t count) {
   std::vector<std::pair<int, bool>> moved;
   wait_until("keys", [&] {
-    for (const WindowEvent& event : events_.take()) {
-      if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
+    while (moved.size() < count) {
+      const std::optional<WindowEvent> event = next_event();
+      if (!event) {
+        return false;
+      }
+      if (const auto* key = std::get_if<KeyMoved>(&event->what)) {
         moved.emplace_back(key->key, key->is_down);
       }
     }
-    return moved.size() >= count;
+    return true;
   });
   return moved;
 }
@@ -54,12 +71,15 @@ std::vector<std::pair<int, bool>> WornHeadset::keys(std::size_t count) {
 std::vector<HeadsetChange> WornHeadset::changes_until(HeadsetChange last) {
   std::vector<HeadsetChange> changes;
   wait_until("a change of the headset", [&] {
-    for (const WindowEvent& event : events_.take()) {
-      if (const auto* changed = std::get_if<HeadsetChanged>(&event.what)) {
+    while (const std::optional<WindowEvent> event = next_event()) {
+      if (const auto* changed = std::get_if<HeadsetChanged>(&event->what)) {
         changes.push_back(changed->change);
+        if (changed->change == last) {
+          return true;
+        }
       }
     }
-    return !changes.empty() && changes.back() == last;
+    return false;
   });
   return changes;
 }

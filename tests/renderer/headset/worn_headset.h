@@ -1,6 +1,7 @@
 // A headset in which a film's pattern is shown, whatever runtime it has.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,14 +29,18 @@ class WornHeadset {
 
   /// So many keys that were pressed or let go since the last call.
   std::vector<std::pair<int, bool>> keys(std::size_t count);
-  /// What was told of the headset until `last`, whatever else happened.
+  /// What was told of the headset until `last`, whatever else happened; what came after that is for
+  /// the next call.
   std::vector<HeadsetChange> changes_until(HeadsetChange last);
 
  private:
   ShownFrame frame();
+  /// The next event that was not looked at yet, if there is one.
+  std::optional<WindowEvent> next_event();
 
   SteadyClock clock_;
   WindowEvents events_;
+  std::deque<WindowEvent> unseen_events_;
   Window window_{WindowSettings{.size = {320, 240}}, events_, clock_};
   Workers workers_{2};
   EquirectFilm film_{600, 300};
