@@ -1,4 +1,4 @@
-// The part of an eye's picture that its lens never shows: nothing is resampled or traced there.
+// The part of an eye's picture that its lens never shows: nothing is resampled there.
 #pragma once
 
 #include "renderer/headset/seen_by_eyes.h"

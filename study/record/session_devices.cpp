@@ -36,7 +36,10 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices) {
   }
   FieldOfView view{.horizontal_deg = horizontal.get<double>(),
                    .vertical_deg = vertical.get<double>()};
-  if (const auto lens = member(display, "lens"); has_numbers(lens, 4)) {
+  if (const auto lens = member(display, "lens"); !lens.is_null()) {
+    if (!has_numbers(lens, 4)) {
+      return std::nullopt;
+    }
     view.lens = {.axis = {lens[0].get<float>(), lens[1].get<float>()},
                  .k1 = lens[2].get<float>(),
                  .k2 = lens[3].get<float>()};

@@ -8,7 +8,6 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "tests/end_to_end/headset_run.h"

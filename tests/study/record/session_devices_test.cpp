@@ -39,6 +39,7 @@ TEST(SessionDevices, WhatIsNotSaidIsNotGuessed) {
         R"({"display":{"horizontal_fov_deg":0,"vertical_fov_deg":30}})",
         R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":180}})",
         R"({"display":{"horizontal_fov_deg":90,"vertical_fov_deg":90,"lens":[0.5,0.5,-9,0]}})",
+        R"({"display":{"horizontal_fov_deg":90,"vertical_fov_deg":90,"lens":[0.5,0.5]}})",
         R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":["7e",3]}})",
         R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":"7e"}})",
         R"({"display":{"horizontal_fov_deg":50,"vertical_fov_deg":30,"seen":[]}})",
