@@ -9,7 +9,7 @@ namespace foveola {
 
 LiveDisplay::LiveDisplay(Window& window, WindowEvents& events, const DisplayProfile& profile,
                          const IVec2& framebuffer, const Clock& clock)
-    : profile_(profile), picture_px_(framebuffer) {
+    : profile_(profile), picture_px_(framebuffer), window_px_(framebuffer) {
   if (profile.kind != DisplayKind::openxr) {
     presenter_ = std::make_unique<WindowPresenter>(window, clock);
     return;

@@ -23,12 +23,15 @@ class LiveDisplay {
   const DisplayProfile& profile() const { return profile_; }
   /// The size of the picture, in pixels: the window's, or that for one eye.
   const IVec2& picture_px() const { return picture_px_; }
+  /// The window's size to begin with, in pixels.
+  const IVec2& window_px() const { return window_px_; }
 
  private:
   std::unique_ptr<Presenter> presenter_;
   HeadsetPresenter* headset_ = nullptr;
   DisplayProfile profile_;
   IVec2 picture_px_;
+  IVec2 window_px_;
 };
 
 /// The tracker of whoever looks at `display`, which must outlive it. Throws Error as

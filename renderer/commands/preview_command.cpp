@@ -142,6 +142,7 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
       .choices = request.choices,
       .seed = request.render.trace.seed,
       .framebuffer = framebuffer,
+      .window_px = shown_in.display.window_px(),
       .keeps_last_picture = !arguments.screenshot.empty(),
       .corrects_gaze = arguments.correct_gaze,
       .notify = print_notice,

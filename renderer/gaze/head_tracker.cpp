@@ -37,11 +37,12 @@ HeadPose ScriptedHeadTracker::pose(Nanoseconds now) {
   const HeadPose& from = *std::prev(next);
   const double done = seconds(now - from.time) / seconds(next->time - from.time);
   const double turn_rad = wrapped_angle(next->heading.azimuth_rad - from.heading.azimuth_rad);
+  const double tilt_rad = wrapped_angle(next->roll_rad - from.roll_rad);
   return {.time = now,
           .heading = {.azimuth_rad = wrapped_angle(from.heading.azimuth_rad + done * turn_rad),
                       .elevation_rad =
                           std::lerp(from.heading.elevation_rad, next->heading.elevation_rad, done)},
-          .roll_rad = std::lerp(from.roll_rad, next->roll_rad, done)};
+          .roll_rad = wrapped_angle(from.roll_rad + done * tilt_rad)};
 }
 
 }  // namespace foveola

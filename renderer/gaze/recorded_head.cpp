@@ -8,8 +8,10 @@
 namespace foveola {
 namespace {
 
-constexpr RecordingFormat head_format{.name = "head recording",
-                                      .header = "time_ns,azimuth_rad,elevation_rad"};
+constexpr RecordingFormat head_format{
+    .name = "head recording",
+    .header = "time_ns,azimuth_rad,elevation_rad",
+    .longer_header = "time_ns,azimuth_rad,elevation_rad,roll_rad"};
 constexpr double largest_azimuth_rad = 1000.0;
 constexpr double largest_elevation_rad = 0.5 * std::numbers::pi;
 
@@ -17,6 +19,9 @@ HeadPose pose_from(const RecordedLine& line) {
   HeadPose pose{.time = line.time(), .heading = {}};
   pose.heading.azimuth_rad = line.value(1, -largest_azimuth_rad, largest_azimuth_rad);
   pose.heading.elevation_rad = line.value(2, -largest_elevation_rad, largest_elevation_rad);
+  if (line.field_count() > 3) {
+    pose.roll_rad = line.value(3, -std::numbers::pi, std::numbers::pi);
+  }
   return pose;
 }
 

@@ -2,7 +2,8 @@
 //
 // The first line is "time_ns,azimuth_rad,elevation_rad". Each further line is a pose: its time in
 // whole nanoseconds from 0 on, later than the one before, and where the head points in the world,
-// the elevation in [-pi/2, pi/2]. The azimuth may go round several times:
+// the elevation in [-pi/2, pi/2]. The azimuth may go round several times. A file may have a fourth
+// field, roll_rad: how far the head is tilted to the right, in [-pi, pi].
 //
 //   time_ns,azimuth_rad,elevation_rad
 //   0,1.361356816555577,0
@@ -17,8 +18,9 @@
 
 namespace foveola {
 
-/// At least one pose, bit for bit as written; azimuths of at most 1000 either way. Throws Error
-/// with file:line for anything else than the above; lines may end with \r\n.
+/// At least one pose, bit for bit as written; azimuths of at most 1000 either way, and no roll
+/// where the file has none. Throws Error with file:line for anything else than the above; lines may
+/// end with \r\n.
 std::vector<HeadPose> read_head_file(const std::filesystem::path& file);
 
 /// Replays poses: one of time t is taken at start + t. poses: at least one, times ascending. Throws

@@ -20,10 +20,23 @@ std::size_t count_fields(std::string_view header) {
   return static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
 }
 
+/// The header that a file's first row is. Throws Error if it is none.
+std::string_view header_of(const CsvRow& first, const std::string& file,
+                           const RecordingFormat& format) {
+  const std::string found = fmt::format("{}", fmt::join(first, ","));
+  for (const std::string_view header : {format.header, format.longer_header}) {
+    if (!header.empty() && found == header) {
+      return header;
+    }
+  }
+  throw Error(file + ":1", fmt::format("is not the first line of a {}", format.name),
+              fmt::format("write {}", format.header));
+}
+
 }  // namespace
 
-RecordedLine::RecordedLine(CsvRow fields, std::string where, const RecordingFormat& format)
-    : where_(std::move(where)), header_(format.header), fields_(std::move(fields)) {
+RecordedLine::RecordedLine(CsvRow fields, std::string where, std::string_view header)
+    : where_(std::move(where)), header_(header), fields_(std::move(fields)) {
   if (const std::size_t expected = count_fields(header_); fields_.size() != expected) {
     fail(fmt::format("has {} fields instead of {}", fields_.size(), expected),
          fmt::format("write {}", header_));
@@ -55,13 +68,11 @@ void RecordedLine::fail(const std::string& what, const std::string& remedy) cons
 void read_recording(const std::filesystem::path& file, const RecordingFormat& format,
                     const std::function<void(const RecordedLine&)>& take) {
   std::vector<CsvRow> rows = parse_csv(read_file(file), file.string());
-  if (rows.empty() || fmt::format("{}", fmt::join(rows.front(), ",")) != format.header) {
-    throw Error(file.string() + ":1", fmt::format("is not the first line of a {}", format.name),
-                fmt::format("write {}", format.header));
-  }
+  const std::string_view header =
+      header_of(rows.empty() ? CsvRow() : rows.front(), file.string(), format);
   std::optional<Nanoseconds> last_time;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const RecordedLine line(std::move(rows[i]), fmt::format("{}:{}", file.string(), i + 1), format);
+    const RecordedLine line(std::move(rows[i]), fmt::format("{}:{}", file.string(), i + 1), header);
     if (last_time && line.time() <= *last_time) {
       line.fail("is not later than the line before", "put the lines in the order of time");
     }

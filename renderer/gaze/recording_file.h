@@ -22,16 +22,19 @@ inline constexpr Nanoseconds longest_recording{1'000'000'000'000'000'000};
 struct RecordingFormat {
   std::string_view name;    ///< "gaze recording", for errors
   std::string_view header;  ///< the fields' names: "time_ns,x,y"
+  /// The same with more fields, for files that have those, too; empty: there are none.
+  std::string_view longer_header = {};
 };
 
 /// A line after the first.
 class RecordedLine {
  public:
-  /// where: "FILE:LINE". Throws Error if there are other than the format's fields, or the first is
-  /// no time.
-  RecordedLine(CsvRow fields, std::string where, const RecordingFormat& format);
+  /// where: "FILE:LINE". header: must outlive it. Throws Error if there are other fields than its,
+  /// or the first is no time.
+  RecordedLine(CsvRow fields, std::string where, std::string_view header);
 
   Nanoseconds time() const { return time_; }
+  std::size_t field_count() const { return fields_.size(); }
   /// The field's text; the time is number 0.
   std::string_view field(std::size_t number) const { return fields_[number]; }
   /// The field as a number. Throws Error if it is none from `minimum` to `maximum`. Value: float,

@@ -48,10 +48,8 @@ std::optional<HeadsetFacts> HeadsetConnection::facts(const XrPlannedFrame& plann
                      .refresh_rate_hz = 1.0 / seconds(planned.interval),
                      .display_delay = instance_.steady_time(planned.display_time) - asked};
   for (std::size_t eye = 0; eye < eyes->size(); ++eye) {
-    const Vec3 ahead = glm::conjugate(*head) * orientation_of((*eyes)[eye].pose) * Vec3(0, 0, -1);
-    const double right_deg = degrees(azimuth_elevation(ahead).azimuth_rad);
     facts.eyes[eye] = field_of_view_of((*eyes)[eye].fov);
-    facts.cant_deg[eye] = eye == 0 ? -right_deg : right_deg;
+    facts.head_from_eyes[eye] = glm::conjugate(*head) * orientation_of((*eyes)[eye].pose);
   }
   facts.both.seen =
       seen_by_eyes(*eyes, *head, facts.both, {hidden_[0].triangles(), hidden_[1].triangles()});

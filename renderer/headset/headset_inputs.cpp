@@ -47,7 +47,7 @@ std::vector<ButtonDescription> button_descriptions() {
             {vive, "hand/right/input/trigger/click"},
             {gamepad, "gamepad/input/a/click"}}},
           {"answer",
-           "Answer, go on",
+           "Go on",
            GLFW_KEY_ENTER,
            {{simple, "hand/left/input/menu/click"},
             {simple, "hand/right/input/menu/click"},

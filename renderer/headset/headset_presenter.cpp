@@ -25,6 +25,16 @@ HeadsetPresenter::HeadsetPresenter(Window& window, WindowEvents& events, const C
 
 HeadsetPresenter::~HeadsetPresenter() = default;
 
+ViewGeometry HeadsetPresenter::in_window(const ViewGeometry& /*shown*/,
+                                         const IVec2& window_px) const {
+  const FieldOfView& left = facts_->eyes.front();
+  return {.horizontal_fov_deg = left.horizontal_deg,
+          .vertical_fov_deg = left.vertical_deg,
+          .lens = left.lens,
+          .turned = facts_->head_from_eyes.front(),
+          .parts = {largest_part(window_px, facts_->eye_px.front())}};
+}
+
 void HeadsetPresenter::run(const std::stop_token& stop) {
   try {
     window_->make_current(0);

@@ -36,6 +36,8 @@ class HeadsetPresenter final : public Presenter {
   FilmDrawer film_drawer() const override { return FilmDrawer::graphics_card; }
   /// Heads turn by up to a few hundred degrees a second.
   double late_turn_rad() const override { return radians(15.0); }
+  /// What the left eye sees.
+  ViewGeometry in_window(const ViewGeometry& shown, const IVec2& window_px) const override;
 
   const HeadsetFacts& facts() const { return *facts_; }
   HeadsetMotion& motion() { return motion_; }

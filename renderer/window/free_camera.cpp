@@ -218,7 +218,7 @@ bool FreeCamera::can_turn() {
 
 void FreeCamera::look_at(Nanoseconds time, const DVec2& place_px) {
   const Standing now = standing(time);
-  const Vec3 direction = glm::normalize(head_orientation(now.heading) *
+  const Vec3 direction = glm::normalize(head_->pose(time).orientation() *
                                         direction_below(geometry_, place_px, framebuffer_.y));
   const std::optional<Sighted> seen = surroundings_.look(now.position, direction);
   picked_ = seen ? seen : picked_;

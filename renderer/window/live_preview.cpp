@@ -29,10 +29,12 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
     : settings_(settings),
       parts_(parts),
       choices_(settings.choices),
+      area_{.framebuffer = settings.framebuffer},
+      window_{.framebuffer = settings.window_px, .window = settings.window_px},
       view_(settings.display, settings.larger_fov_deg, settings.framebuffer),
       start_(parts.clock->now()),
       drawing_(parts.preview->film(), parts.presenter->film_drawer(), *parts.workers) {
-  show_in({.framebuffer = settings.framebuffer, .window = settings.framebuffer});
+  show_view();
   restart();
 }
 
@@ -154,7 +156,12 @@ void LivePreview::answer(HeadsetChange change) {
 /// What a headset shows does not depend on the window that shows it too.
 void LivePreview::follow_size(const WindowResized& size) {
   if (!is_in_headset()) {
-    show_in(size);
+    area_.framebuffer = size.framebuffer;
+  }
+  if (WindowArea{.framebuffer = size.framebuffer}.has_room()) {
+    window_ = size;
+    view_.resize(area_.framebuffer);
+    show_view();
   }
 }
 
@@ -225,21 +232,14 @@ void LivePreview::restart() {
   report_.methods.push_back(method);
 }
 
-void LivePreview::show_in(const WindowResized& size) {
-  area_.framebuffer = size.framebuffer;
-  if (!area_.has_room()) {
-    return;
-  }
-  pixels_per_unit_ = static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x);
-  view_.resize(size.framebuffer);
-  show_view();
-}
-
 void LivePreview::show_view() {
   const ViewGeometry& geometry = view_.geometry();
   parts_.preview->set_view(geometry.field_of_view());
-  parts_.steering->show(geometry, area_.framebuffer, pixels_per_unit_);
-  parts_.camera->show(geometry, area_.framebuffer, pixels_per_unit_);
+  const ViewGeometry in_window = parts_.presenter->in_window(geometry, window_.framebuffer);
+  const double pixels_per_unit =
+      static_cast<double>(window_.framebuffer.x) / std::max(1, window_.window.x);
+  parts_.steering->show(in_window, window_.framebuffer, pixels_per_unit);
+  parts_.camera->show(in_window, window_.framebuffer, pixels_per_unit);
   if (parts_.widened_eye != nullptr) {
     parts_.widened_eye->widen(view_.times_true());
   }

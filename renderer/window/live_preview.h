@@ -54,7 +54,8 @@ struct LivePreviewSettings {
   TrackerProfile tracker;
   PreviewChoices choices;  ///< the choices to begin with
   std::uint32_t seed = 0;
-  IVec2 framebuffer{0};  ///< the window's size, in pixels
+  IVec2 framebuffer{0};  ///< the picture's size, in pixels: the window's, or that for one eye
+  IVec2 window_px{0};    ///< the window's
   /// The field of view to begin with across the larger side of a monitor's window; empty: true
   /// angles.
   std::optional<double> larger_fov_deg;
@@ -131,7 +132,6 @@ class LivePreview {
   void move_camera();
   void follow_change();
   void note_change_shown(const LiveFrame& frame);
-  void show_in(const WindowResized& size);
   void show_view();
   void zoom(double steps);
   void print(const std::string& line) const;
@@ -153,7 +153,7 @@ class LivePreview {
   Parts parts_;
   PreviewChoices choices_;
   WindowArea area_;
-  double pixels_per_unit_ = 1.0;  ///< of the window's coordinates
+  WindowResized window_;  ///< its size as long as it had room
   WindowView view_;
   Nanoseconds start_;
   FilmDrawing drawing_;

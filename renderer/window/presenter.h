@@ -10,6 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/image/image.h"
 #include "renderer/window/text_overlay.h"
+#include "renderer/window/view_geometry.h"
 #include "renderer/window/view_overlays.h"
 #include "renderer/window/view_renderer.h"
 
@@ -67,6 +68,11 @@ class Presenter {
   /// How far the head may turn until a frame is seen that shows it as it is turned then; 0 where it
   /// is shown as it was when the frame began.
   virtual double late_turn_rad() const { return 0.0; }
+  /// What a window of so many pixels, of which it has some, shows of the sphere while it draws
+  /// frames of `shown`: where the mouse points there.
+  virtual ViewGeometry in_window(const ViewGeometry& shown, const IVec2& /*window_px*/) const {
+    return shown;
+  }
 };
 
 }  // namespace foveola

@@ -71,7 +71,7 @@ double widening(const ViewGeometry& geometry, const ViewGeometry& true_angles) {
 std::vector<Viewport> viewports_of(const ViewGeometry& geometry, const Quat& head) {
   std::vector<Viewport> viewports;
   for (std::size_t i = 0; i < geometry.parts.size(); ++i) {
-    viewports.emplace_back(head, radians(geometry.horizontal_fov_deg),
+    viewports.emplace_back(head * geometry.turned, radians(geometry.horizontal_fov_deg),
                            radians(geometry.vertical_fov_deg),
                            i == 0 ? geometry.lens : mirrored(geometry.lens));
   }

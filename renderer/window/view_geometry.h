@@ -14,6 +14,7 @@ struct ViewGeometry {
   double horizontal_fov_deg = 0.0;  ///< one view's, without the lens
   double vertical_fov_deg = 0.0;
   RadialLens lens;                                 ///< before the first part
+  Quat turned{1.0F, 0.0F, 0.0F, 0.0F};             ///< how the views are turned in the head
   std::shared_ptr<const SeenPart> seen = nullptr;  ///< of a view; null: all of it
   std::vector<WindowPart> parts;  ///< one, or a headset's left eye's and right eye's in a window
 

@@ -54,7 +54,7 @@ void PersonSession::answer_window() {
 void PersonSession::answer(const WindowEvent& event) {
   answer_window_itself(event);
   viewer_.follow(event, is_picture_shown());
-  const std::optional<PersonKey> key = person_key(event);
+  std::optional<PersonKey> key = person_key(event);
   if (key == PersonKey::pause) {
     pause_or_leave();
     return;
@@ -75,6 +75,9 @@ void PersonSession::answer(const WindowEvent& event) {
       hand_in();
       return;
     }
+  }
+  if (is_in_headset() && key == PersonKey::mark && phase == Phase::choosing_object) {
+    key = PersonKey::next;
   }
   if (!key) {
     return;

@@ -117,6 +117,7 @@ class PersonRun {
       profile_ = shown_on.profile();
       found_display_.refresh_rate_hz = profile_.refresh_rate_hz;
       worn_.emplace(shown_on.headset()->motion());
+      protocol_.texts = texts_in_headset(std::move(protocol_.texts));
     }
     SessionDisplay display(shown_on.presenter(), shown_on.profile(), shown_on.picture_px(), clock);
     display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
@@ -293,7 +294,7 @@ class PersonRun {
   }
 
   const RunSettings& settings_;
-  const Protocol& protocol_;
+  Protocol protocol_;  ///< with the words that are shown
   const SceneFinderBeside& find_scene_;
   const std::vector<SceneSource>& sources_;
   DisplayProfile profile_;

@@ -64,7 +64,7 @@ nlohmann::ordered_json headset_json(const HeadsetFacts& facts) {
                     {"horizontal_fov_deg", seen.horizontal_deg},
                     {"vertical_fov_deg", seen.vertical_deg},
                     {"axis", {seen.lens.axis.x, seen.lens.axis.y}},
-                    {"outwards_deg", facts.cant_deg[eye]}});
+                    {"outwards_deg", facts.cant_deg(eye)}});
   }
   return {{"name", facts.headset},
           {"runtime", facts.runtime},

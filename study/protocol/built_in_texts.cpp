@@ -128,8 +128,50 @@ constexpr std::array built_in{
     BuiltInText{"goodbye_keys", ""},
 };
 
+constexpr std::array in_headset{
+    BuiltInText{"form_scale_keys", "[←] [→] or [mark]: choose    [go on] next"},
+    BuiltInText{"form_choice_keys", "[↑] [↓] or [mark]: choose    [go on] next"},
+    BuiltInText{"form_typing_keys", "numbers: [←] [→] or [mark]    [go on] next"},
+    BuiltInText{"form_reading_keys", "[go on] next"},
+    BuiltInText{"form_confirm_keys", "[go on] hand in"},
+    BuiltInText{
+        "welcome",
+        "Each page says which buttons of a controller or a gamepad do what.\n\n"
+        "[mark] is the trigger, or A of a gamepad. [go on] is A or X, or B of a gamepad; without "
+        "letters, the pad or the menu button.\n\n"
+        "You may pause at any time, and stop for good without giving a reason: tell the "
+        "experimenter."},
+    BuiltInText{"welcome_keys", "[go on] begin"},
+    BuiltInText{"consent_keys", "[go on] I agree    If you do not, tell the experimenter."},
+    BuiltInText{"validation_keys", "[go on] begin"},
+    BuiltInText{"validation_again_keys", "[go on] begin"},
+    BuiltInText{"reaction",
+                "The view will turn bright {presses} times, each time after another wait. Press "
+                "[mark] as soon as it does."},
+    BuiltInText{"reaction_early", "Too early: wait until the view turns bright."},
+    BuiltInText{"reaction_keys", "[go on] begin"},
+    BuiltInText{"reaction_now_keys", "[mark]"},
+    BuiltInText{"practice_keys", "[go on]"},
+    BuiltInText{"first_trial_keys", "[go on]"},
+    BuiltInText{"next_scene_keys", "[go on]"},
+    BuiltInText{"choosing_keys",
+                "[mark] another one    [go on] choose it    turn your head: look around"},
+    BuiltInText{"ready", "Press [mark], at a similar quality every time:"},
+    BuiltInText{"ready_keys", "[mark] start"},
+    BuiltInText{"no_gaze",
+                "It is not seen yet where you look; the picture comes as soon as it is. Look "
+                "straight ahead; if it does not come, tell the experimenter."},
+    BuiltInText{"no_gaze_keys", ""},
+    BuiltInText{"look_around_keys", "[go on] answer    A time went wrong: tell the experimenter."},
+    BuiltInText{"rating_keys", "[go on] yes, that is it"},
+    BuiltInText{"retiming", "It starts again as noise, and you press [mark] at each moment anew."},
+    BuiltInText{"pause_keys", "[go on]"},
+};
+
 }  // namespace
 
 std::span<const BuiltInText> built_in_texts() { return built_in; }
+
+std::span<const BuiltInText> built_in_texts_in_headset() { return in_headset; }
 
 }  // namespace foveola::study

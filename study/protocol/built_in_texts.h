@@ -13,4 +13,8 @@ struct BuiltInText {
 
 std::span<const BuiltInText> built_in_texts();
 
+/// What takes the place of some of them for who wears a headset and holds its controllers: buttons
+/// by the names of the headset's actions.
+std::span<const BuiltInText> built_in_texts_in_headset();
+
 }  // namespace foveola::study

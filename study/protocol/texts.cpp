@@ -36,6 +36,13 @@ std::string text_of(const Texts& texts, std::string_view id) {
   return std::string(known->english);
 }
 
+Texts texts_in_headset(Texts texts) {
+  for (const BuiltInText& text : built_in_texts_in_headset()) {
+    texts.try_emplace(std::string(text.id), text.english);
+  }
+  return texts;
+}
+
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> names;
   for (std::size_t open = text.find('{'); open != std::string_view::npos;

@@ -19,6 +19,10 @@ using Texts = std::map<std::string, std::string>;
 /// The words of `id`, which must be known: those of `texts`, else the built-in ones.
 std::string text_of(const Texts& texts, std::string_view id);
 
+/// The same words for a participant in a headset: what `texts` leaves to the built-in ones names
+/// the headset's buttons instead of keys.
+Texts texts_in_headset(Texts texts);
+
 /// The names in braces in a text, in their order.
 std::vector<std::string> names_in(std::string_view text);
 

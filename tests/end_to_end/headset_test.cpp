@@ -1,10 +1,12 @@
 // A preview and a person's whole session in a headset that follows a script.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/gaze/calibration_routine.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/headset_run.h"
 #include "tests/end_to_end/preview_command.h"
@@ -68,6 +70,35 @@ TEST_F(HeadsetPreview, FollowsTheHeadAndTheEyes) {
   EXPECT_EQ(picture.width, 160);
   EXPECT_EQ(picture.height, 144);
   EXPECT_GT(picture.at(80, 72).g, 0.02F);
+  EXPECT_EQ(headset.found_invalid(), "");
+}
+
+// The eyes look 6 degrees to the left all the while.
+TEST_F(HeadsetPreview, ChecksTheTrackerInTheHeadset) {
+  const char* const eye =
+      R"({"recommended_px": [160, 144], "fov_deg": {"left": -40, "right": 40, "up": 40, "down": -40}})";
+  const ScriptedHeadset headset(fmt::format(
+      R"({{"refresh_hz": 30, "eyes": [{0}, {0}], "gaze": [{{"time": 0, "yaw_deg": 6}}]}})", eye));
+  const auto json = preview_while(
+      [this](XUser& user) {
+        user.type("c");
+        wait_for_target(user, 100, 80);
+        wait_for_target(user, 100, 80, false);
+        wait_until("the end of the check", [&] {
+          return std::abs(user.brightness_at(title_, 30, 100) - 0.5) > 0.01 ||
+                 std::abs(user.brightness_at(title_, 170, 100) - 0.5) > 0.01;
+        });
+        user.type("q");
+      },
+      {"--headset"});
+  ASSERT_EQ(json.at("gaze_checks").size(), 1U);
+  const Vec3 gaze = direction_from({.azimuth_rad = radians(-6.0)});
+  double mean_deg = 0.0;
+  for (const Vec3& target : calibration_targets(5, 80.0, 80.0)) {
+    mean_deg += degrees(angle_between(gaze, target)) / 5.0;
+  }
+  const auto& check = json.at("gaze_checks").at(0);
+  EXPECT_NEAR(check.at("accuracy_deg").get<double>(), mean_deg, 0.1);
   EXPECT_EQ(headset.found_invalid(), "");
 }
 

@@ -112,8 +112,8 @@ TEST_F(MonadoPresenter, ShowsTheEyeWhatTheProcessorDraws) {
   monado.play(wearer);
   WornHeadset worn;
   const HeadsetFacts& facts = worn.presenter().facts();
-  EXPECT_NEAR(facts.cant_deg[0], 5.0, 0.01);
-  EXPECT_NEAR(facts.cant_deg[1], 5.0, 0.01);
+  EXPECT_NEAR(facts.cant_deg(0), 5.0, 0.01);
+  EXPECT_NEAR(facts.cant_deg(1), 5.0, 0.01);
   worn.presenter().motion().face({.azimuth_rad = radians(100.0)});
   worn.show();
   const RgbImage picture = worn.shown_picture();

@@ -53,6 +53,12 @@ TEST(ScriptedHeadTracker, TiltsAtConstantSpeed) {
   EXPECT_NEAR(degrees(tracker.pose(milliseconds(500)).roll_rad), -30.0, 1e-9);
 }
 
+TEST(ScriptedHeadTracker, TiltsTheShortWayUpsideDown) {
+  ScriptedHeadTracker tracker({{.time = Nanoseconds(0), .roll_rad = radians(170.0)},
+                               {.time = milliseconds(100), .roll_rad = radians(-170.0)}});
+  EXPECT_NEAR(degrees(tracker.pose(milliseconds(25)).roll_rad), 175.0, 1e-9);
+}
+
 TEST(HeadPose, OfAnOrientationLooksAndTiltsAsItDoes) {
   for (const double roll_deg : {-170.0, -20.0, 0.0, 33.0, 179.0}) {
     const AzimuthElevation heading{.azimuth_rad = -2.0, .elevation_rad = 0.6};

@@ -47,6 +47,17 @@ TEST(HeadFile, IsReadAsItIsDescribed) {
   EXPECT_EQ(poses[2].heading.elevation_rad, 0.5 * std::numbers::pi);
 }
 
+TEST(HeadFile, MayHaveRoll) {
+  const auto poses = read_head("time_ns,azimuth_rad,elevation_rad,roll_rad\n0,1.5,0,-0.25\n");
+  ASSERT_EQ(poses.size(), 1U);
+  EXPECT_EQ(poses[0].heading.azimuth_rad, 1.5);
+  EXPECT_EQ(poses[0].roll_rad, -0.25);
+  EXPECT_THAT(head_error_of("time_ns,azimuth_rad,elevation_rad,roll_rad\n0,0,0\n"),
+              HasSubstr("has 3 fields instead of 4"));
+  EXPECT_THAT(head_error_of("time_ns,azimuth_rad,elevation_rad,roll_rad\n0,0,0,3.2\n"),
+              HasSubstr("\"3.2\" is no number from -3.14"));
+}
+
 TEST(HeadFile, BringsPosesBackBitForBit) {
   Pcg32 random(3);
   std::vector<HeadPose> poses;

@@ -65,8 +65,8 @@ TEST_F(HeadsetPresenterTest, TellsWhatTheRuntimeTells) {
   EXPECT_TRUE(facts.has_eye_tracker);
   EXPECT_EQ(facts.eye_px[1], IVec2(120, 100));
   EXPECT_NEAR(facts.refresh_rate_hz, 60.0, 0.01);
-  EXPECT_NEAR(facts.cant_deg[0], 5.0, 1e-3);
-  EXPECT_NEAR(facts.cant_deg[1], 5.0, 1e-3);
+  EXPECT_NEAR(facts.cant_deg(0), 5.0, 1e-3);
+  EXPECT_NEAR(facts.cant_deg(1), 5.0, 1e-3);
   EXPECT_GT(facts.eyes[0].lens.axis.x, 0.5F) << "it sees farther to the left";
   EXPECT_LT(facts.eyes[1].lens.axis.x, 0.5F);
   EXPECT_GT(facts.both.horizontal_deg, 108.0);
@@ -130,6 +130,21 @@ TEST_F(HeadsetPresenterTest, TheWindowShowsWhatTheLeftEyeSees) {
     }
     return brightness > 0.2;
   });
+}
+
+// In 320x240 pixels there is room for 288x240 of a picture of 120x100.
+TEST_F(HeadsetPresenterTest, TheMousePointsAtWhatTheWindowShows) {
+  wear("");
+  const ViewGeometry geometry = presenter().in_window({}, {320, 240});
+  const double horizon_px =
+      240.0 * std::tan(radians(42.0)) / (std::tan(radians(42.0)) + std::tan(radians(46.0)));
+  const auto azimuth_deg = [&](double x_px) {
+    const Vec3 pointed_at = direction_below(geometry, {x_px, horizon_px}, 240);
+    EXPECT_NEAR(pointed_at.y, 0.0F, 1e-4F);
+    return degrees(azimuth_elevation(pointed_at).azimuth_rad);
+  };
+  EXPECT_NEAR(azimuth_deg(16.0), -50.0 - 5.0, 0.01) << "canted outwards";
+  EXPECT_NEAR(azimuth_deg(16.0 + 288.0), 40.0 - 5.0, 0.01);
 }
 
 // The head turns, and whoever renders takes his time.

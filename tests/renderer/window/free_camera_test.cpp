@@ -221,6 +221,27 @@ TEST_F(ReplayedHeadTest, WalksAndPicksAsItLooks) {
   EXPECT_THAT(replayed_.take_note(), HasSubstr("'Wall'"));
 }
 
+TEST_F(FreeCameraTest, PicksAsATiltedHeadSees) {
+  ScriptedHeadTracker tilted(std::vector{HeadPose{.roll_rad = radians(90.0)}});
+  Vec3 looked_along(0.0F);
+  FreeCamera camera({.look =
+                         [&](const Vec3& /*from*/, const Vec3& direction) {
+                           looked_along = direction;
+                           return std::optional<Sighted>();
+                         }},
+                    tilted, "a headset");
+  camera.show(geometry_, {1000, 500}, 1.0);
+  const auto follow = [&](decltype(WindowEvent::what) what) {
+    camera.follow({.time = milliseconds(0), .what = std::move(what)});
+  };
+  follow(PointerMoved{.is_inside = true, .position = {500.0, 0.0}});
+  follow(MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = true});
+  follow(MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = false});
+  EXPECT_NEAR(degrees(azimuth_elevation(looked_along).azimuth_rad), 0.5 * 53.13, 0.01)
+      << "the top of what is seen lies to the right";
+  EXPECT_NEAR(looked_along.y, 0.0F, 1e-5F);
+}
+
 TEST_F(ReplayedHeadTest, IsNotTurnedAndSaysSo) {
   const auto expect_told = [&](const char* how) {
     EXPECT_THAT(replayed_.take_note(), HasSubstr("a recording turns the head")) << how;

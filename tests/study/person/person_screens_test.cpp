@@ -48,9 +48,9 @@ const NamedObject lamp{.name = "the floor lamp"};
 const NamedObject unseen_lamp{.name = "the floor lamp", .is_in_view = false};
 
 /// Of the published study's protocol and of the ready questionnaires, which are in English.
-std::vector<NamedScreen> screens_of_a_session() {
+std::vector<NamedScreen> screens_of_a_session(bool in_headset) {
   const Protocol protocol = load_protocol(find_protocol("koskela2018"));
-  const Texts& texts = protocol.texts;
+  const Texts texts = in_headset ? texts_in_headset(protocol.texts) : protocol.texts;
   std::vector<NamedScreen> screens = {
       {"reaction", reaction_screen(10, texts)},
       {"reaction-wait", reaction_wait_screen(texts)},
@@ -91,12 +91,18 @@ std::vector<NamedScreen> screens_of_a_session() {
   return screens;
 }
 
+std::vector<NamedScreen> screens_of_sessions() {
+  std::vector<NamedScreen> screens = screens_of_a_session(false);
+  append(screens, screens_of_a_session(true));
+  return screens;
+}
+
 class PersonScreensFit : public ::testing::TestWithParam<foveola::test::PlaceCase> {};
 
 TEST_P(PersonScreensFit, WithoutOverlapAndWithoutLeavingAnythingOut) {
   const ScreenPlace& place = GetParam().place;
   const foveola::test::ScreenLetters letters(text_height_px(place));
-  for (const auto& [name, screen] : screens_of_a_session()) {
+  for (const auto& [name, screen] : screens_of_sessions()) {
     SCOPED_TRACE(name);
     const ScreenLayout layout = lay_out(screen, place, letters.width());
     for (const PlacedShape& shape : layout.shapes) {
@@ -118,7 +124,7 @@ TEST_P(PersonScreensFit, WordsOverAPictureLeaveItsMiddleFree) {
   const ScreenRect& page = place.page;
   const float middle_px = 0.5F * (page.low.y + page.high.y);
   const float free_px = 0.05F * page.size().y;
-  for (const auto& [name, screen] : screens_of_a_session()) {
+  for (const auto& [name, screen] : screens_of_sessions()) {
     if (screen.covers_picture || !screen.fields.empty()) {
       continue;
     }
@@ -141,7 +147,7 @@ TEST_P(PersonScreensDrawn, InsideTheWindow) {
     GTEST_SKIP() << "takes minutes where the processor draws: only for FOVEOLA_SCREENS";
   }
   foveola::test::ScreenCapture screens(GetParam());
-  for (const auto& [name, screen] : screens_of_a_session()) {
+  for (const auto& [name, screen] : screens_of_a_session(false)) {
     const RgbImage picture = screens.capture(screen);
     foveola::test::keep_for_people(fmt::format("study-{}-{}", GetParam().name, name), picture);
     if (screen.covers_picture) {

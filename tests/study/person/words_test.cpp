@@ -146,6 +146,26 @@ TEST(WordsTest, EveryTextIsShownSomewhere) {
   }
 }
 
+// But for the letters of what is only asked once somebody at the keyboard wants it.
+TEST(WordsTest, InAHeadsetNoKeysAreNamed) {
+  const Texts texts = texts_in_headset({});
+  std::vector<ScreenPage> screens = plain_screens(texts);
+  for (Form form :
+       {consent_form(texts), rating_form({test::experience()}, texts),
+        questionnaire_form({.title = "t", .intro = "i", .questions = {test::gender()}}, texts)}) {
+    screens.push_back(form.screen());
+    press(form, {FormKey::enter});
+    screens.push_back(form.screen());
+  }
+  for (const ScreenPage& screen : screens) {
+    EXPECT_THAT(words_on(screen),
+                Each(Not(AnyOf(HasSubstr("Enter"), HasSubstr("Space"), HasSubstr("[Tab]"),
+                               HasSubstr("arrow key"), HasSubstr("Escape"), HasSubstr("digit"),
+                               HasSubstr("keyboard"), HasSubstr("mouse")))))
+        << screen.title;
+  }
+}
+
 TEST(WordsTest, ParagraphsArePartedByEmptyLines) {
   const Texts texts = {{"pause", "One\nline.\n\nAnother.\n\n\n"}};
   EXPECT_THAT(notice_screen(Notice::pause, texts).paragraphs, ElementsAre("One line.", "Another."));

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "study/protocol/built_in_texts.h"
+
 namespace foveola::study {
 namespace {
 
@@ -20,6 +22,20 @@ TEST(Texts, AreTheProtocolsOverTheBuiltInOnes) {
 TEST(Texts, HaveNoIdTwice) {
   const std::vector<std::string> ids = known_text_ids();
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
+}
+
+TEST(Texts, OfAHeadsetTakeThePlaceOfBuiltInOnesAlone) {
+  const Texts texts = texts_in_headset({{"ready_keys", "[Laukaisin]"}});
+  EXPECT_EQ(text_of(texts, "ready_keys"), "[Laukaisin]") << "the protocol's";
+  EXPECT_EQ(text_of(texts, "reaction_now_keys"), "[mark]");
+  EXPECT_EQ(text_of(texts, "welcome_title"), "Welcome");
+}
+
+TEST(Texts, OfAHeadsetFillInTheSameNames) {
+  for (const BuiltInText& text : built_in_texts_in_headset()) {
+    EXPECT_EQ(names_in(text.english), names_in(text_of({}, text.id))) << text.id;
+    EXPECT_NE(text.english, text_of({}, text.id));
+  }
 }
 
 TEST(NamesIn, AreThoseInBraces) {
