@@ -38,7 +38,10 @@ class VirtualClock final : public Clock {
   Nanoseconds now_{0};
 };
 
-/// The wall clock as ISO 8601 in UTC with milliseconds: "2026-11-21T09:30:00.123Z".
+/// A time since 1970 began as ISO 8601 in UTC with milliseconds: "2026-11-21T09:30:00.123Z".
+std::string utc_text(Nanoseconds since_1970);
+
+/// The wall clock's.
 std::string utc_now();
 
 }  // namespace foveola

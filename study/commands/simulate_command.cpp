@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/former_option.h"
 #include "study/commands/command_line.h"
@@ -23,6 +24,7 @@ struct SimulateArguments {
   std::uint64_t seed = 0;
   std::string people = "adults";
   std::string injected = "none";
+  std::string shard;  ///< empty: all participants
   int threads = 0;
   int jobs = 1;
   double scale = 1.0;
@@ -37,6 +39,7 @@ struct SimulateArguments {
 nlohmann::json json_report(const SimulateArguments& arguments, const SimulateReport& report) {
   return {{"database", arguments.database},
           {"seed", arguments.seed},
+          {"shard", arguments.shard.empty() ? nlohmann::json() : nlohmann::json(arguments.shard)},
           {"sessions_before", report.sessions_before},
           {"sessions_completed", report.sessions_completed},
           {"sessions_refused", report.sessions_refused},
@@ -53,26 +56,35 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"non_finite", report.non_finite}};
 }
 
+std::optional<Shard> shard_of(const SimulateArguments& arguments) {
+  return arguments.shard.empty() ? std::nullopt
+                                 : std::optional(parse_shard("--shard", arguments.shard));
+}
+
 void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop) {
   if (!arguments.report.empty()) {
+    if (!arguments.shard.empty()) {
+      throw UsageError("--report", "is of a whole study; leave --shard out, or this");
+    }
     reporter.check(arguments.report);
   }
-  const SimulateReport report = simulate_study({.protocol = find_protocol(arguments.protocol),
-                                                .database = arguments.database,
-                                                .participants = arguments.participants,
-                                                .seed = arguments.seed,
-                                                .people = arguments.people,
-                                                .injected = arguments.injected,
-                                                .threads = arguments.threads,
-                                                .jobs = arguments.jobs,
-                                                .scale = arguments.scale,
-                                                .samples_per_second = arguments.samples_per_second,
-                                                .predicted = arguments.predicted,
-                                                .real_time = arguments.real_time,
-                                                .resume = arguments.resume,
-                                                .warns = true},
-                                               find_scene, stop);
+  const SimulateSettings settings{.protocol = find_protocol(arguments.protocol),
+                                  .database = arguments.database,
+                                  .participants = arguments.participants,
+                                  .shard = shard_of(arguments),
+                                  .seed = arguments.seed,
+                                  .people = arguments.people,
+                                  .injected = arguments.injected,
+                                  .threads = arguments.threads,
+                                  .jobs = arguments.jobs,
+                                  .scale = arguments.scale,
+                                  .samples_per_second = arguments.samples_per_second,
+                                  .predicted = arguments.predicted,
+                                  .real_time = arguments.real_time,
+                                  .resume = arguments.resume,
+                                  .warns = true};
+  const SimulateReport report = simulate_study(settings, find_scene, stop);
   const bool is_reported = !arguments.report.empty() && !stop.stop_requested();
   const std::string about_report =
       is_reported ? reporter.write(arguments.database, arguments.report) : "";
@@ -81,8 +93,8 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& f
     return;
   }
   fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of {} time)\n",
-             arguments.database, report.sessions_completed, arguments.participants, report.trials,
-             human_duration(report.wall_s), human_duration(report.simulated_s),
+             arguments.database, report.sessions_completed, settings.participants_in_file(),
+             report.trials, human_duration(report.wall_s), human_duration(report.simulated_s),
              arguments.real_time ? "real" : "virtual");
   if (report.sessions_before > 0) {
     fmt::print("{} sessions were over before\n", report.sessions_before);
@@ -115,6 +127,10 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
       ->required();
   add_participants_and_seed(command, arguments->participants, arguments->seed);
   add_threads(command, arguments->threads);
+  command->add_option("--shard", arguments->shard,
+                      "Only the Kth of N parts of the participants, as K/N, in a file of its own: "
+                      "foveola study merge makes one study of all of them, as if they had been "
+                      "simulated together");
   command->add_option(
       "--jobs", arguments->jobs,
       "The number of sessions side by side; with more than one, a session reaches the "

@@ -101,9 +101,10 @@ void require_regular_file(const fs::path& path) {
   require_single_name(path);
 }
 
-void insert_study(SQLite::Database& database, const Protocol& protocol) {
+void insert_study(SQLite::Database& database, const Protocol& protocol,
+                  const std::string& created_utc) {
   SQLite::Statement study(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?)");
-  SQLite::bind(study, protocol.name, protocol.title, protocol.text, protocol.sha256, utc_now());
+  SQLite::bind(study, protocol.name, protocol.title, protocol.text, protocol.sha256, created_utc);
   study.exec();
   for (std::size_t i = 0; i < protocol.scenes.size(); ++i) {
     SQLite::Statement scene(database, "INSERT INTO study_scene VALUES (?, ?)");
@@ -138,12 +139,13 @@ void insert_study(SQLite::Database& database, const Protocol& protocol) {
   }
 }
 
-void write_new_study(const fs::path& path, const Protocol& protocol) {
+void write_new_study(const fs::path& path, const Protocol& protocol,
+                     const std::string& created_utc) {
   SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
   SQLite::Transaction transaction(database);
   database.exec(study_schema());
-  insert_study(database, protocol);
+  insert_study(database, protocol, created_utc);
   transaction.commit();
   database.exec("PRAGMA journal_mode = WAL");
 }
@@ -196,9 +198,9 @@ SQLite::Database open_study_to_read(const fs::path& path) {
   return database;
 }
 
-void create_study(const fs::path& path, const Protocol& protocol) {
+void create_study(const fs::path& path, const Protocol& protocol, const std::string& created_utc) {
   const TemporaryDatabase temporary(path);
-  write_new_study(temporary.path(), protocol);
+  write_new_study(temporary.path(), protocol, created_utc);
   temporary.take_free_name();
 }
 

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 
+#include "renderer/base/clock.h"
 #include "study/protocol/protocol.h"
 
 namespace SQLite {
@@ -35,8 +37,9 @@ SQLite::Database open_as_it_is(const std::filesystem::path& path);
 SQLite::Database open_study_to_read(const std::filesystem::path& path);
 
 /// Makes the study of `protocol` at `path` in one step: it is there whole or not at all. A file
-/// that another program puts there at the same time stays.
-void create_study(const std::filesystem::path& path, const Protocol& protocol);
+/// that another program puts there at the same time stays. created_utc: when that is.
+void create_study(const std::filesystem::path& path, const Protocol& protocol,
+                  const std::string& created_utc = utc_now());
 
 /// Throws Error if the file at `path`, which exists, must not be written.
 void require_writable_file(const std::filesystem::path& path);

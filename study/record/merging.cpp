@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -9,6 +11,8 @@
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
 #include "study/record/schema.h"
+#include "study/record/session_rows.h"
+#include "study/record/simulation_kind.h"
 #include "study/record/table_rows.h"
 #include "study/record/temporary_database.h"
 
@@ -42,6 +46,12 @@ std::optional<std::int64_t> session_where(SQLite::Database& study, const char* c
   return found.executeStep() ? std::optional(found.getColumn(0).getInt64()) : std::nullopt;
 }
 
+/// Which program simulated a session, and by which instructions, as far as it is known.
+std::string words_for(const BuildInfo& build) {
+  return program_name(build) +
+         (build.instruction_set.empty() ? "" : " with " + build.instruction_set);
+}
+
 /// All of a session, by whatever number it has in its file.
 std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
   std::string digests = digest_of_rows(study, "session", fmt::format("id = {}", session), {"id"});
@@ -71,71 +81,146 @@ void copy_session(SQLite::Database& source, std::int64_t session, SQLite::Databa
   copy(measured_tables);
 }
 
-/// Puts sessions of several files into one.
+/// A session of one of the files.
+struct SourceSession {
+  std::size_t source = 0;  ///< the file's place in their order
+  std::int64_t id = 0;
+  std::string uuid;
+  std::string participant;
+  std::string started_utc;
+  std::int64_t design_row = 0;
+};
+
+/// Puts sessions of several files into one, in the order in which they were begun. Those that were
+/// begun at the same time, as in virtual time all are, come in the order of the design: so that it
+/// does not matter which file they came from.
 class Merging {
  public:
-  Merging(SQLite::Database& target, fs::path first) : target_(target), first_(std::move(first)) {}
+  Merging(SQLite::Database& target, const std::vector<fs::path>& sources)
+      : target_(target), sources_(sources) {}
 
-  void add_study(const fs::path& path) {
-    SQLite::Database source = open_study_to_read(path);
-    if (path == first_) {
+  Merge run() {
+    std::vector<SourceSession> sessions;
+    for (std::size_t source = 0; source < sources_.size(); ++source) {
+      with_clear_errors(sources_[source], [&] { look_at(source, sessions); });
+    }
+    std::ranges::stable_sort(sessions, {}, [](const SourceSession& session) {
+      return std::tie(session.started_utc, session.design_row);
+    });
+    for (const SourceSession& session : sessions) {
+      with_clear_errors(path_of(session), [&] { add(session); });
+    }
+    return result_;
+  }
+
+ private:
+  const fs::path& path_of(const SourceSession& session) const { return sources_[session.source]; }
+
+  void look_at(std::size_t source, std::vector<SourceSession>& sessions) {
+    const fs::path& path = sources_[source];
+    SQLite::Database study = open_study_to_read(path);
+    if (source == 0) {
       for (const char* table : study_tables) {
-        copy_rows(source, target_, table);
+        copy_rows(study, target_, table);
       }
     }
-    require_same_study(source, path);
-    SQLite::Statement sessions(source, "SELECT id, uuid, participant FROM session ORDER BY id");
-    while (sessions.executeStep()) {
-      add_session(source, path, sessions);
+    require_same_study(study, path);
+    require_same_simulation(study, path);
+    SQLite::Statement rows(study,
+                           "SELECT id, uuid, participant, started_utc, coalesce(design_row, 0)"
+                           " AS design_row FROM session ORDER BY id");
+    while (rows.executeStep()) {
+      sessions.push_back({.source = source,
+                          .id = rows.getColumn("id").getInt64(),
+                          .uuid = rows.getColumn("uuid").getString(),
+                          .participant = rows.getColumn("participant").getString(),
+                          .started_utc = rows.getColumn("started_utc").getString(),
+                          .design_row = rows.getColumn("design_row").getInt64()});
     }
   }
 
-  const Merge& result() const { return result_; }
+  void add(const SourceSession& session) {
+    if (open_source_ != session.source || !open_) {
+      open_.emplace(open_study_to_read(path_of(session)));
+      open_source_ = session.source;
+    }
+    add_session(*open_, session);
+  }
 
- private:
   void require_same_study(SQLite::Database& source, const fs::path& path) {
     const std::set<std::string> but_not_when_it_was_made = {"created_utc"};
     for (const char* table : study_tables) {
       if (digest_of_rows(source, table, "true", but_not_when_it_was_made) !=
           digest_of_rows(target_, table, "true", but_not_when_it_was_made)) {
         throw Error(path.string(),
-                    fmt::format("is another study than {}: its {} differs", first_.string(), table),
+                    fmt::format("is another study than {}: its {} differs",
+                                sources_.front().string(), table),
                     "merge files of one protocol only");
       }
     }
   }
 
-  void add_session(SQLite::Database& source, const fs::path& path, SQLite::Statement& row) {
-    const std::int64_t session = row.getColumn("id").getInt64();
-    const std::string participant = row.getColumn("participant").getString();
-    if (const auto known = session_where(target_, "uuid", row.getColumn("uuid").getString())) {
-      require_same_session(source, path, session, *known, participant);
+  /// Results of two programs, or of two ways to simulate, would be taken for one.
+  void require_same_simulation(SQLite::Database& study, const fs::path& path) {
+    for (const KnownSession& session : sessions_of(study)) {
+      const std::optional<SimulationKind> kind = simulation_kind_in(session.devices);
+      if (session.kind != SessionKind::simulated || !kind) {
+        continue;
+      }
+      if (!simulation_) {
+        simulation_ = {.kind = *kind, .renderer = words_for(session.build), .path = path};
+      }
+      require_same_kind(path.string(), {session}, simulation_->kind);
+      if (const std::string renderer = words_for(session.build);
+          !kind->real_time && renderer != simulation_->renderer) {
+        throw Error(
+            path.string(),
+            fmt::format("{} was simulated by {}, and {} has sessions by {}", session.participant,
+                        renderer, simulation_->path.string(), simulation_->renderer),
+            "simulate all with one program and instruction set");
+      }
+    }
+  }
+
+  void add_session(SQLite::Database& source, const SourceSession& session) {
+    if (const auto known = session_where(target_, "uuid", session.uuid)) {
+      require_same_session(source, session, *known);
       ++result_.sessions_known;
       return;
     }
-    if (session_where(target_, "participant", participant)) {
-      throw Error(
-          path.string(),
-          fmt::format("its participant {} is another person than in a file before it", participant),
-          "give each site codes of its own");
+    if (session_where(target_, "participant", session.participant)) {
+      throw Error(path_of(session).string(),
+                  fmt::format("its participant {} is another person than in another file",
+                              session.participant),
+                  "give each site codes of its own");
     }
-    copy_session(source, session, target_);
+    copy_session(source, session.id, target_);
     ++result_.sessions_added;
   }
 
-  void require_same_session(SQLite::Database& source, const fs::path& path, std::int64_t session,
-                            std::int64_t known, const std::string& participant) {
-    if (digest_of_session(source, session) != digest_of_session(target_, known)) {
-      throw Error(path.string(),
+  void require_same_session(SQLite::Database& source, const SourceSession& session,
+                            std::int64_t known) {
+    if (digest_of_session(source, session.id) != digest_of_session(target_, known)) {
+      throw Error(path_of(session).string(),
                   fmt::format("its session of participant {} differs from the same one in a file"
                               " before it",
-                              participant),
+                              session.participant),
                   "leave out the older file");
     }
   }
 
+  /// How the first simulated session was simulated.
+  struct Simulation {
+    SimulationKind kind;
+    std::string renderer;
+    fs::path path;
+  };
+
   SQLite::Database& target_;
-  fs::path first_;
+  const std::vector<fs::path>& sources_;
+  std::optional<Simulation> simulation_;
+  std::optional<SQLite::Database> open_;  ///< the file of the session that is added
+  std::size_t open_source_ = 0;
   Merge result_;
 };
 
@@ -144,12 +229,9 @@ Merge merge_into(const std::vector<fs::path>& sources, const fs::path& path) {
   target.exec("PRAGMA foreign_keys = ON");
   SQLite::Transaction transaction(target);
   target.exec(study_schema());
-  Merging merging(target, sources.front());
-  for (const fs::path& source : sources) {
-    with_clear_errors(source, [&] { merging.add_study(source); });
-  }
+  const Merge merge = Merging(target, sources).run();
   transaction.commit();
-  return merging.result();
+  return merge;
 }
 
 }  // namespace

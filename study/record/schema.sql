@@ -1,7 +1,8 @@
 -- The file of a study, schema version 4.
 --
 -- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
--- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. Positions are places in an order
+-- with milliseconds, in virtual time, which simulated sessions have, by a clock with which the study
+-- and each of its sessions begin in 1970. Hashes are SHA-256 in lower-case hexadecimal. Positions are places in an order
 -- of the protocol's. What was measured is only ever added: triggers refuse to change or remove it.
 --
 -- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
@@ -78,7 +79,7 @@ CREATE TABLE study_rating (
 -- the protocol's design which the plan was made of. program_version, compiler and build_type are of
 -- the program that began the session: another that goes on with it says so in a note. devices is
 -- what the display and the eye tracker turned out to be, of a simulated session how it was
--- simulated, and what traced the rays. migrated_from is the schema that the session was recorded in,
+-- simulated, and what traced the rays by which instructions. migrated_from is the schema that the session was recorded in,
 -- if it was another; such a session has no design_row. state is the phase that the session is in, or
 -- ended in.
 CREATE TABLE session (

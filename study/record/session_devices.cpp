@@ -58,17 +58,24 @@ std::string tracker_in(const std::string& devices) {
   return profile.is_string() ? profile.get<std::string>() : "";
 }
 
-std::string ray_tracer_in(const std::string& devices) {
-  const nlohmann::ordered_json name = member(member(json_in(devices), "renderer"), "ray_tracer");
-  return name.is_string() ? name.get<std::string>() : "";
+RecordedRenderer renderer_in(const std::string& devices) {
+  const nlohmann::ordered_json renderer = member(json_in(devices), "renderer");
+  const auto text = [&](const char* key) {
+    const nlohmann::ordered_json value = member(renderer, key);
+    return value.is_string() ? value.get<std::string>() : "";
+  };
+  return {.ray_tracer = text("ray_tracer"), .instruction_set = text("instruction_set")};
 }
 
-std::string with_ray_tracer(const std::string& devices, const std::string& ray_tracer) {
-  if (ray_tracer.empty()) {
-    return devices;
-  }
+std::string with_renderer(const std::string& devices, const RecordedRenderer& renderer) {
   nlohmann::ordered_json json = json_in(devices);
-  json["renderer"] = {{"ray_tracer", ray_tracer}};
+  const auto add = [&](const char* key, const std::string& value) {
+    if (!value.empty()) {
+      json["renderer"][key] = value;
+    }
+  };
+  add("ray_tracer", renderer.ray_tracer);
+  add("instruction_set", renderer.instruction_set);
   return json.dump();
 }
 

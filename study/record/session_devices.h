@@ -16,11 +16,16 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices);
 /// The name of the eye tracker's profile in it; empty if it says none.
 std::string tracker_in(const std::string& devices);
 
-/// What traced the rays, as BuildInfo has it; empty if it says nothing.
-std::string ray_tracer_in(const std::string& devices);
+/// What traced the rays and by which instructions, as BuildInfo has them; empty where it says
+/// nothing.
+struct RecordedRenderer {
+  std::string ray_tracer;
+  std::string instruction_set;
+};
+RecordedRenderer renderer_in(const std::string& devices);
 
-/// `devices`, a JSON object, with what traces the rays; as it is if that is not known.
-std::string with_ray_tracer(const std::string& devices, const std::string& ray_tracer);
+/// `devices`, a JSON object, with what is known of the renderer.
+std::string with_renderer(const std::string& devices, const RecordedRenderer& renderer);
 
 /// The note of a session that goes on with these devices.
 std::string note_of_devices(const std::string& devices);

@@ -11,6 +11,7 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "study/record/question_json.h"
 #include "study/record/session_devices.h"
@@ -72,7 +73,9 @@ std::int64_t insert_facts(SQLite::Database& database, const SessionFacts& facts,
                std::to_string(facts.seed), origin.started_utc, facts.build.version,
                facts.build.compiler, facts.build.build_type, facts.machine.processor,
                facts.machine.cores, facts.machine.system,
-               with_ray_tracer(facts.devices, facts.build.ray_tracer), facts.design_row);
+               with_renderer(facts.devices, {.ray_tracer = facts.build.ray_tracer,
+                                             .instruction_set = facts.build.instruction_set}),
+               facts.design_row);
   session.exec();
   return database.getLastInsertRowid();
 }
@@ -216,12 +219,21 @@ std::string random_uuid() {
                      words[2] & 0xFFFFU, words[3]);
 }
 
+std::string uuid_of(const std::string& words) {
+  const std::string hash = sha256(std::string_view(words));
+  constexpr std::string_view variant_1 = "89ab";
+  const char variant = variant_1[static_cast<std::size_t>(hash[16]) % variant_1.size()];
+  return fmt::format("{}-{}-8{}-{}{}-{}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(13, 3),
+                     variant, hash.substr(17, 3), hash.substr(20, 12));
+}
+
 BuildInfo build_of(SQLite::Statement& session) {
+  const RecordedRenderer renderer = renderer_in(session.getColumn("devices").getString());
   return {.version = session.getColumn("program_version").getString(),
           .compiler = session.getColumn("compiler").getString(),
           .build_type = session.getColumn("build_type").getString(),
-          .ray_tracer = ray_tracer_in(session.getColumn("devices").getString()),
-          .instruction_set = {}};
+          .ray_tracer = renderer.ray_tracer,
+          .instruction_set = renderer.instruction_set};
 }
 
 std::int64_t insert_session(SQLite::Database& database, const SessionFacts& facts,

@@ -27,13 +27,16 @@ struct SessionOrigin {
 /// A random UUID (RFC 4122, section 4.4), so that the records of several sites can be merged.
 std::string random_uuid();
 
+/// The UUID of what these words describe (RFC 9562, section 5.8: by their SHA-256).
+std::string uuid_of(const std::string& words);
+
 /// Writes a session in which nothing has happened yet. Returns its row id. Call it inside a
 /// transaction. Throws what SQLite throws.
 std::int64_t insert_session(SQLite::Database& database, const SessionFacts& facts,
                             const SessionOrigin& origin, const Plan& plan, const Agenda& agenda);
 
 /// The program that began the session at which `session`, a row of its table with all columns,
-/// stands; without instruction_set, which the record does not keep.
+/// stands.
 BuildInfo build_of(SQLite::Statement& session);
 
 bool has_session_of(SQLite::Database& database, const std::string& participant);

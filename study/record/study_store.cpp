@@ -27,11 +27,24 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
+/// The date of what happens at `time`, by the session's clock.
+std::string utc_at(Nanoseconds time, RecordDates dates) {
+  return dates == RecordDates::wall_clock ? utc_now() : utc_text(time);
+}
+
+SessionOrigin origin_of(const SessionFacts& facts, const Protocol& protocol, RecordDates dates) {
+  return {.uuid = dates == RecordDates::wall_clock
+                      ? random_uuid()
+                      : uuid_of(fmt::format("{}\n{}\n{}\n{}\n{}", protocol.sha256, facts.devices,
+                                            facts.seed, facts.design_row, facts.participant)),
+          .started_utc = utc_at({}, dates)};
+}
+
 /// Makes the study at `path` if there is none; otherwise it must be the protocol's.
 std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& protocol,
-                                       OtherProtocol other) {
+                                       OtherProtocol other, RecordDates dates) {
   if (!fs::exists(path)) {
-    create_study(path, protocol);
+    create_study(path, protocol, utc_at({}, dates));
   }
   SQLite::Database checked = open_study_to_read(path);
   require_only_own_effects(checked, path);
@@ -71,10 +84,12 @@ fs::path usable(const fs::path& path) {
 }  // namespace
 
 struct StudyStore::Implementation {
-  Implementation(const fs::path& path_in, const Protocol& protocol_in, OtherProtocol other)
+  Implementation(const fs::path& path_in, const Protocol& protocol_in, OtherProtocol other,
+                 RecordDates dates_in)
       : path(usable(path_in)),
+        dates(dates_in),
         lock(path),
-        amendment(make_or_check(path, protocol_in, other)),
+        amendment(make_or_check(path, protocol_in, other, dates)),
         identity(identity_of(path)),
         database(open_study_to_write(path)),
         statements(database),
@@ -119,8 +134,9 @@ struct StudyStore::Implementation {
   }
 
   void insert(std::int64_t session, const EventEntry& entry) {
-    const std::int64_t sequence = append_to_log(
-        statements, session, {.time = entry.time, .event = entry.event, .utc = utc_now()});
+    const std::int64_t sequence =
+        append_to_log(statements, session,
+                      {.time = entry.time, .event = entry.event, .utc = utc_at(entry.time, dates)});
     insert_what_follows(statements, session, procedure_of_session(session), sequence, entry.event,
                         entry.before, entry.after);
   }
@@ -156,6 +172,7 @@ struct StudyStore::Implementation {
   }
 
   fs::path path;
+  RecordDates dates;
   ControllerLock lock;
   std::optional<Amendment> amendment;
   FileIdentity identity;
@@ -166,9 +183,11 @@ struct StudyStore::Implementation {
   bool is_together = false;  ///< what is recorded belongs to one commit
 };
 
-StudyStore::StudyStore(const fs::path& path, const Protocol& protocol, OtherProtocol other) {
-  with_clear_errors(
-      path, [&] { implementation_ = std::make_unique<Implementation>(path, protocol, other); });
+StudyStore::StudyStore(const fs::path& path, const Protocol& protocol, OtherProtocol other,
+                       RecordDates dates) {
+  with_clear_errors(path, [&] {
+    implementation_ = std::make_unique<Implementation>(path, protocol, other, dates);
+  });
 }
 
 StudyStore::~StudyStore() {
@@ -215,8 +234,9 @@ std::int64_t StudyStore::begin_session(const SessionFacts& facts, const Plan& pl
                   fmt::format("participant {} already has a session", facts.participant),
                   "choose another code");
     }
-    session = insert_session(database, facts, {.uuid = random_uuid(), .started_utc = utc_now()},
-                             plan, agenda_of(implementation_->protocol, plan));
+    const Protocol& protocol = implementation_->protocol;
+    session = insert_session(database, facts, origin_of(facts, protocol, implementation_->dates),
+                             plan, agenda_of(protocol, plan));
   });
   return session;
 }

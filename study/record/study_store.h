@@ -38,7 +38,7 @@ struct SessionFacts {
   MachineInfo machine;
   /// A JSON object: of a person's session what the display turned out to be (its size, refresh
   /// rate, whether that was measured, graphics card) and the eye tracker; of a simulated one how it
-  /// was simulated. The record adds what traces the rays, by `build`.
+  /// was simulated. The record adds what traces the rays and by which instructions, by `build`.
   std::string devices = "{}";
   std::vector<ShownScene> scenes;
 };
@@ -51,7 +51,7 @@ struct KnownSession {
   std::uint64_t seed = 0;
   int design_row = 0;
   Phase phase = Phase::created;
-  BuildInfo build;      ///< the program that began it; without instruction_set
+  BuildInfo build;      ///< the program that began it, as far as it was recorded
   std::string devices;  ///< as SessionFacts', with what traced the rays
   std::vector<ShownScene> scenes;
 };
@@ -60,6 +60,15 @@ struct LoggedEvent {
   Nanoseconds time{0};  ///< session clock
   Event event;
   std::string utc;
+};
+
+/// What the dates in a record are, and the identifiers of its sessions.
+enum class RecordDates {
+  wall_clock,  ///< as it is; identifiers are random
+  /// Virtual: a study and all of its sessions begin with 1970. With identifiers that follow from
+  /// the protocol, the seed, the row of the design and how it is simulated, the same session is the
+  /// same record, wherever and whenever it is simulated.
+  virtual_time
 };
 
 /// A study's file, open for writing. Every function that returns has committed with
@@ -73,7 +82,8 @@ class StudyStore {
   /// or changed. An amended protocol may be taken, too: the study keeps its own, and every session
   /// by the other is to have a note of it.
   StudyStore(const std::filesystem::path& path, const Protocol& protocol,
-             OtherProtocol other = OtherProtocol::refuse);
+             OtherProtocol other = OtherProtocol::refuse,
+             RecordDates dates = RecordDates::wall_clock);
   /// Leaves one self-contained file (the write-ahead log is folded in).
   ~StudyStore();
   StudyStore(const StudyStore&) = delete;

@@ -38,25 +38,32 @@ std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   return sessions;
 }
 
-/// Throws Error unless this program with this seed can go on with `session`.
+/// Throws Error unless this program with this seed can go on with `session`, or beside it.
 void require_resumable(const SimulateSettings& settings, const KnownSession& session) {
   const auto refused = [&](const std::string& what, const std::string& remedy) {
-    return Error(
-        settings.database.string(),
-        fmt::format("the unfinished session of {} was begun with {}", session.participant, what),
-        remedy);
+    return Error(settings.database.string(),
+                 fmt::format("the {}session of {} was begun with {}",
+                             has_ended(session) ? "" : "unfinished ", session.participant, what),
+                 remedy);
   };
   if (session.seed != settings.seed) {
     throw refused(fmt::format("seed {}, not {}", session.seed, settings.seed),
                   fmt::format("finish it with --seed {}", session.seed));
   }
-  const std::string then = program_name(session.build);
-  const std::string now = program_name(build_info());
-  if (then != now) {
-    throw refused(fmt::format("{}, and this is {}", then, now),
-                  fmt::format("finish it with that program, or take it out (foveola study forget) "
-                              "and simulate {} again",
-                              session.participant));
+  const std::string remedy = fmt::format(
+      "finish it with that program, or take it out (foveola study forget) and simulate "
+      "{} again",
+      session.participant);
+  const BuildInfo now = build_info();
+  if (program_name(session.build) != program_name(now)) {
+    throw refused(fmt::format("{}, and this is {}", program_name(session.build), program_name(now)),
+                  remedy);
+  }
+  const std::string& instructions = session.build.instruction_set;
+  if (!instructions.empty() && instructions != now.instruction_set) {
+    throw refused(fmt::format("the instructions {}, and this program has {}", instructions,
+                              now.instruction_set),
+                  remedy);
   }
 }
 
@@ -67,11 +74,16 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol,
   if (!fs::exists(settings.database)) {
     return;
   }
+  if (settings.shard && !settings.resume) {
+    throw Error(settings.database.string(), "exists already, and a shard has a file of its own",
+                "name a new file, or go on with this one with --resume");
+  }
   const StudyStore checked(settings.database, protocol);
   const std::vector<KnownSession> sessions = simulated_sessions(checked);
   require_same_kind(settings.database.string(), sessions, kind);
   for (const KnownSession& session : sessions) {
-    if (settings.resume && !has_ended(session)) {
+    // A shard is one piece: the same on whichever machine it was gone on with.
+    if (settings.resume && (!has_ended(session) || settings.shard)) {
       require_resumable(settings, session);
     }
   }
@@ -83,6 +95,16 @@ void require_options(const SimulateSettings& settings) {
   }
   if (settings.jobs < 1) {
     throw UsageError("--jobs", "must be at least 1");
+  }
+  if (settings.shard && settings.real_time) {
+    throw UsageError("--shard",
+                     "is for virtual time, which is the same on every machine; leave "
+                     "--real-time out, or this");
+  }
+  if (settings.shard && settings.shard->count > settings.participants) {
+    throw UsageError("--shard", fmt::format("there are more shards than participants; write at "
+                                            "most {} of them",
+                                            settings.participants));
   }
   if (settings.real_time && settings.samples_per_second) {
     throw UsageError("--samples-per-second",

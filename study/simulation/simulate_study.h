@@ -8,13 +8,16 @@
 #include <string>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/base/shard.h"
 
 namespace foveola::study {
 
 struct SimulateSettings {
   std::filesystem::path protocol;
   std::filesystem::path database;  ///< must not exist yet, or be a study of the same protocol
-  int participants = 0;
+  int participants = 0;            ///< of all shards together
+  /// Only this part of the participants, in a file of their own; empty: all.
+  std::optional<Shard> shard{};
   std::uint64_t seed = 0;
   std::string people = "adults";               ///< see read_people
   std::string injected = "none";               ///< see parse_injected_effect
@@ -28,6 +31,11 @@ struct SimulateSettings {
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;
   bool warns = false;  ///< says on standard error what the protocol should call otherwise
+
+  /// How many participants are to be in the file.
+  int participants_in_file() const {
+    return static_cast<int>(part_of(shard.value_or(Shard{}), participants).size());
+  }
 };
 
 struct SimulateReport {
@@ -45,14 +53,14 @@ struct SimulateReport {
 
 /// Runs the participants, each through a real session, and shows progress with the time left. In
 /// virtual time: same settings, same results, on any number of threads and jobs, also of a study
-/// that was stopped or killed and resumed. In real time it has to be called by the program's first
-/// thread, whose is the window; what is drawn for a participant is the same, when marks come is up
-/// to the machine. When `stop` is requested, a session that runs alone is
-/// recorded as interrupted, those that run side by side or are predicted are left out, and the
-/// report says how many were completed. Throws UsageError for settings that exclude one another,
-/// and Error, before anything is rendered, if the protocol asks for what its analysis or simulated
-/// participants cannot do, if a session to be resumed is of another seed or program, or if the file
-/// has sessions that were simulated in another way.
+/// that was stopped or killed and resumed, and of shards that are merged. In real time it has to be
+/// called by the program's first thread, whose is the window; what is drawn for a participant is
+/// the same, when marks come is up to the machine. When `stop` is requested, a session that runs
+/// alone is recorded as interrupted, those that run side by side or are predicted are left out, and
+/// the report says how many were completed. Throws UsageError for settings that exclude one
+/// another, and Error, before anything is rendered, if the protocol asks for what its analysis or
+/// simulated participants cannot do, if a session to be resumed is of another seed or program, or
+/// if the file has sessions that were simulated in another way.
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinderBeside& find_scene,
                               std::stop_token stop);
 

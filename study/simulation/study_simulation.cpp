@@ -14,6 +14,10 @@ namespace foveola::study {
 
 namespace {
 
+int first_row(const SimulateSettings& settings) {
+  return static_cast<int>(part_of(settings.shard.value_or(Shard{}), settings.participants).begin);
+}
+
 SessionsAhead ahead_of(const SimulateSettings& settings, const StudyStore& store) {
   SessionsAhead ahead;
   for (const KnownSession& session : store.sessions()) {
@@ -27,8 +31,8 @@ SessionsAhead ahead_of(const SimulateSettings& settings, const StudyStore& store
       ahead.begun.push_back(session);
     }
   }
-  const auto rows = settings.participants - ahead.over - std::ssize(ahead.begun);
-  for (int row = 0; std::ssize(ahead.new_rows) < rows; ++row) {
+  const auto rows = settings.participants_in_file() - ahead.over - std::ssize(ahead.begun);
+  for (int row = first_row(settings); std::ssize(ahead.new_rows) < rows; ++row) {
     if (!store.has_participant(participant_code(row))) {
       ahead.new_rows.push_back(row);
     }
@@ -43,8 +47,8 @@ SessionsAhead sessions_ahead(const SimulateSettings& settings, const Protocol& p
     return ahead_of(settings, StudyStore(settings.database, protocol));
   }
   SessionsAhead ahead;
-  ahead.new_rows.resize(static_cast<std::size_t>(settings.participants));
-  std::iota(ahead.new_rows.begin(), ahead.new_rows.end(), 0);
+  ahead.new_rows.resize(static_cast<std::size_t>(settings.participants_in_file()));
+  std::iota(ahead.new_rows.begin(), ahead.new_rows.end(), first_row(settings));
   return ahead;
 }
 
@@ -56,7 +60,8 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
     : study_(study),
       trials_in_session_(
           static_cast<double>(make_plan(study.protocol, study.settings.seed, 0).size())),
-      store_(study.settings.database, study.protocol) {}
+      store_(study.settings.database, study.protocol, OtherProtocol::refuse,
+             study.settings.real_time ? RecordDates::wall_clock : RecordDates::virtual_time) {}
 
 SimulateReport StudySimulation::run(const std::stop_token& stop) {
   const SteadyClock clock;
@@ -167,7 +172,7 @@ SessionFacts StudySimulation::facts_of(int design_row) const {
 void StudySimulation::show(const std::string& scene) {
   const std::lock_guard hold(progress_mutex_);
   const double sessions = report_.sessions_before + trials_begun_ / trials_in_session_;
-  const double all = study_.settings.participants;
+  const double all = study_.settings.participants_in_file();
   trials_begun_ += 1.0;
   progress_.update(std::min(1.0, sessions / all),
                    fmt::format("participant {:.0f} of {:.0f}, {}",

@@ -61,8 +61,9 @@ struct SimulatedStudy {
 };
 
 /// Runs sessions of full rendering one after the other, each event on the disk before it has its
-/// effects; with several jobs, and predicted ones, side by side, each session on the disk whole
-/// when it is over, in the participants' order.
+/// effects; with several jobs, predicted ones, and those of a shard, side by side, each session on
+/// the disk whole when it is over, in the participants' order: so a shard that was killed and goes
+/// on has the same record as one that was not.
 class StudySimulation {
  public:
   explicit StudySimulation(const SimulatedStudy& study);
@@ -92,7 +93,9 @@ class StudySimulation {
   std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
   SessionFacts facts_of(int design_row) const;
   /// Whether sessions reach the disk as whole ones.
-  bool is_buffered() const { return study_.settings.predicted || study_.settings.jobs > 1; }
+  bool is_buffered() const {
+    return study_.settings.predicted || study_.settings.jobs > 1 || study_.settings.shard;
+  }
   void show(const std::string& scene);
   void add(const SessionOutcome& outcome);
 

@@ -29,14 +29,15 @@ using testing::MatchesRegex;
 /// Two sites' files of the study of the hall, as the program wrote them.
 struct Sites {
   Sites() {
-    north = simulated("north.sqlite", "2");
-    south = simulated("south.sqlite", "3");
+    north = simulated("north.sqlite", "2", "0");
+    south = simulated("south.sqlite", "3", "1");
   }
 
-  std::string simulated(const std::string& name, const std::string& participants) const {
+  std::string simulated(const std::string& name, const std::string& participants,
+                        const std::string& seed) const {
     const ProgramResult result =
         hall.run({"study", "simulate", "hall", "--db", (hall.folder / name).string(),
-                  "--participants", participants});
+                  "--participants", participants, "--seed", seed});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return read_file(hall.folder / name);
   }

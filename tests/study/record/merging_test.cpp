@@ -3,6 +3,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "study/record/simulation_kind.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
 
@@ -103,6 +104,45 @@ TEST_F(Merging, RefusesAnotherStudy) {
   }
   EXPECT_THAT(refusal([&] { merge_studies({a_, d}, all_); }),
               HasSubstr("its study_profile differs"));
+}
+
+class MergingShards : public Merging {
+ protected:
+  /// A study with one session, simulated in this way by this program.
+  fs::path simulated(const std::string& participant, int design_row, const SimulationKind& kind,
+                     const std::string& instructions) const {
+    const fs::path path = folder_ / (participant + ".sqlite");
+    StudyStore store(path, small_protocol(), OtherProtocol::refuse, RecordDates::virtual_time);
+    SessionFacts facts = facts_of(participant);
+    facts.design_row = design_row;
+    facts.devices = devices_of(kind);
+    facts.build.instruction_set = instructions;
+    PlayedSession(store, facts, small_plan()).begin();
+    return path;
+  }
+};
+
+TEST_F(MergingShards, OrdersThemByTheirDesign) {
+  const fs::path second = simulated("P01", 1, {}, "x86-64-v3");
+  const fs::path first = simulated("P10", 0, {}, "x86-64-v3");
+  merge_studies({second, first}, all_);
+  EXPECT_THAT(query_column(all_, "SELECT participant FROM session ORDER BY id"),
+              ElementsAre("P10", "P01"));
+  EXPECT_THAT(verify_study(all_).warnings, IsEmpty());
+  EXPECT_EQ(query(all_, "SELECT started_utc FROM session WHERE id = 1"),
+            "1970-01-01T00:00:00.000Z");
+}
+
+TEST_F(MergingShards, RefusesOnesOfAnotherProgramOrAnotherKind) {
+  const fs::path usual = simulated("P01", 0, {}, "x86-64-v3");
+  const fs::path wider = simulated("P02", 1, {}, "x86-64-v4");
+  EXPECT_THAT(refusal([&] { merge_studies({usual, wider}, all_); }),
+              AllOf(StartsWith(wider.string()), HasSubstr("P02 was simulated by "),
+                    HasSubstr("with x86-64-v4, and "), HasSubstr("one program")));
+  const fs::path smaller = simulated("P03", 2, {.scale = 4.0}, "x86-64-v3");
+  EXPECT_THAT(refusal([&] { merge_studies({usual, smaller}, all_); }),
+              AllOf(StartsWith(smaller.string()), HasSubstr("simulated in another way")));
+  EXPECT_FALSE(fs::exists(all_));
 }
 
 TEST_F(Merging, RefusesADamagedSource) {

@@ -49,6 +49,17 @@ TEST(SessionDevices, WhatIsNotSaidIsNotGuessed) {
   }
 }
 
+TEST(SessionDevices, SayWhatTracedTheRays) {
+  const std::string devices =
+      with_renderer(R"({"keys":{}})", {.ray_tracer = "Embree 9", .instruction_set = "x86-64-v3"});
+  EXPECT_EQ(devices,
+            R"({"keys":{},"renderer":{"ray_tracer":"Embree 9","instruction_set":"x86-64-v3"}})");
+  EXPECT_EQ(renderer_in(devices).ray_tracer, "Embree 9");
+  EXPECT_EQ(renderer_in(devices).instruction_set, "x86-64-v3");
+  EXPECT_EQ(with_renderer("{}", {}), "{}");
+  EXPECT_EQ(renderer_in("{}").instruction_set, "");
+}
+
 TEST(SessionDevices, AreInTheNoteOfASessionThatGoesOn) {
   EXPECT_EQ(note_of_devices("{}"), "goes on with {}");
   EXPECT_EQ(devices_in_note(note_of_devices(headset)), headset);

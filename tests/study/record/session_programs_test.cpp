@@ -83,7 +83,8 @@ TEST_F(ProgramsOfAStudy, StandInTheRecord) {
               ElementsAre(FieldsAre(former, ElementsAre("P01", "P03")),
                           FieldsAre(later, ElementsAre("P02", "P03"))));
   EXPECT_EQ(query(path_, "SELECT devices FROM session WHERE participant = 'P02'"),
-            R"({"keys":{"time_source":"X server"},"renderer":{"ray_tracer":"Embree 4.3.3"}})");
+            R"({"keys":{"time_source":"X server"},"renderer":)"
+            R"({"ray_tracer":"Embree 4.3.3","instruction_set":"x86-64-v4"}})");
 }
 
 TEST_F(ProgramsOfAStudy, AreKnownToWhoeverGoesOn) {

@@ -5,10 +5,13 @@
 #include <numeric>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "study/record/maintenance.h"
 #include "study/simulation/prediction_agreement.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/small_study.h"
@@ -113,6 +116,84 @@ TEST_F(SimulateStudyTest, APredictedStudyIsTheSameOnAnyNumberOfJobs) {
   EXPECT_EQ(simulate(three).sessions_completed, 12);
   EXPECT_EQ(content("three.sqlite"), content("one.sqlite"));
   EXPECT_EQ(query(folder_ / "one.sqlite", "SELECT count(*) FROM frame_chunk"), "0");
+}
+
+class SimulatedShards : public SimulateStudyTest, public testing::WithParamInterface<bool> {
+ protected:
+  SimulateSettings settings_of(const std::string& database) const {
+    SimulateSettings some = settings(database);
+    some.predicted = GetParam();
+    some.participants = 5;
+    return some;
+  }
+
+  SimulateSettings shard(std::int64_t number, std::int64_t count) const {
+    SimulateSettings some = settings_of(fmt::format("{}-of-{}.sqlite", number, count));
+    some.shard = {.number = number, .count = count};
+    return some;
+  }
+
+  /// The bytes of one study made of those files.
+  std::string merged(const std::vector<std::string>& databases) const {
+    std::vector<fs::path> sources;
+    for (const std::string& database : databases) {
+      sources.push_back(folder_ / database);
+    }
+    const fs::path all = folder_ / "merged.sqlite";
+    fs::remove(all);
+    merge_studies(sources, all);
+    return read_file(all);
+  }
+};
+
+TEST_P(SimulatedShards, MergedAreTheWholeStudyByteForByte) {
+  simulate(settings_of("whole.sqlite"));
+  for (const auto& [number, count] :
+       std::vector<std::pair<int, int>>{{1, 2}, {2, 2}, {1, 3}, {2, 3}, {3, 3}}) {
+    simulate(shard(number, count));
+  }
+  const std::string whole = merged({"whole.sqlite"});
+  EXPECT_EQ(merged({"1-of-2.sqlite", "2-of-2.sqlite"}), whole);
+  EXPECT_EQ(merged({"2-of-3.sqlite", "3-of-3.sqlite", "1-of-3.sqlite"}), whole);
+  EXPECT_EQ(merged({"2-of-3.sqlite", "1-of-2.sqlite", "3-of-3.sqlite"}), whole)
+      << "one of them is in two files";
+  EXPECT_EQ(content("merged.sqlite"), content("whole.sqlite"));
+  const char* const hashes = "SELECT hash FROM event ORDER BY session, sequence";
+  EXPECT_EQ(query_column(folder_ / "merged.sqlite", hashes),
+            query_column(folder_ / "whole.sqlite", hashes))
+      << "of dates and identifiers, too";
+}
+
+TEST_P(SimulatedShards, StoppedAndRunAgainAreTheSameFile) {
+  simulate(shard(2, 2));
+  const std::string once = merged({"2-of-2.sqlite"});
+  fs::remove(folder_ / "2-of-2.sqlite");
+  SimulateSettings some = shard(2, 2);
+  some.participants = 4;  // of which the shard has the last two
+  some.shard = {.number = 3, .count = 4};
+  simulate(some);  // the third
+  some.participants = 5;
+  some.shard = {.number = 2, .count = 2};
+  EXPECT_THAT([&] { simulate(some); },
+              testing::ThrowsMessage<Error>(HasSubstr("a shard has a file of its own")));
+  some.resume = true;
+  simulate(some);
+  EXPECT_EQ(merged({"2-of-2.sqlite"}), once);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rendered, SimulatedShards, testing::Values(false));
+INSTANTIATE_TEST_SUITE_P(Predicted, SimulatedShards, testing::Values(true));
+
+TEST_F(SimulateStudyTest, ShardsAreOfVirtualTimeAndHaveParticipants) {
+  SimulateSettings some = settings("some.sqlite");
+  some.shard = {.number = 1, .count = 4};
+  EXPECT_THAT([&] { simulate(some); },
+              testing::ThrowsMessage<UsageError>(HasSubstr("more shards than participants")));
+  some.shard = {.number = 1, .count = 2};
+  some.real_time = true;
+  EXPECT_THAT([&] { simulate(some); },
+              testing::ThrowsMessage<UsageError>(HasSubstr("is for virtual time")));
+  EXPECT_FALSE(fs::exists(folder_ / "some.sqlite"));
 }
 
 TEST_F(SimulateStudyTest, WhatWasMissingIsAddedAsIfNothingHadBeen) {
