@@ -50,6 +50,15 @@ constexpr const char* instruction_set() {
 #endif
 }
 
+/// Embree would take the widest instructions that the processor has.
+const char* ray_instructions() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") != 0 ? "avx2" : "sse4.2";
+#else
+  return "";
+#endif
+}
+
 }  // namespace
 
 BuildInfo build_info() {
@@ -57,7 +66,8 @@ BuildInfo build_info() {
           .compiler = FOVEOLA_COMPILER,
           .build_type = FOVEOLA_BUILD_TYPE,
           .ray_tracer = FOVEOLA_RAY_TRACER,
-          .instruction_set = instruction_set()};
+          .instruction_set = instruction_set(),
+          .ray_instructions = ray_instructions()};
 }
 
 std::string program_name(const BuildInfo& build) {
@@ -68,6 +78,17 @@ std::string program_name(const BuildInfo& build) {
     }
   }
   return "Foveola " + build.version + (parts.empty() ? "" : " (" + parts + ")");
+}
+
+std::string exact_name(const BuildInfo& build) {
+  std::string name = program_name(build);
+  if (!build.instruction_set.empty()) {
+    name += " with " + build.instruction_set;
+  }
+  if (!build.ray_instructions.empty()) {
+    name += " and rays by " + build.ray_instructions;
+  }
+  return name;
 }
 
 MachineInfo machine_info() {

@@ -12,12 +12,19 @@ struct BuildInfo {
   std::string build_type;
   std::string ray_tracer;       ///< what traces the rays: "Embree 3.13.5"
   std::string instruction_set;  ///< what the loaded numeric libraries use: "x86-64-v3"
+  /// What rays are traced with: "avx2", or "sse4.2" on processors without it. The last bits of what
+  /// they meet depend on it, and on nothing else of a processor.
+  std::string ray_instructions;
 };
 BuildInfo build_info();
 
 /// What pictures and times depend on, whatever machine the program runs on: "Foveola 0.1.0 (GNU
 /// 12.2.0, Release, Embree 3.13.5)". What is not known, and so empty, is left out.
 std::string program_name(const BuildInfo& build);
+
+/// The same with its instructions: what the last bits of pictures depend on. "Foveola 0.1.0 (GNU
+/// 12.2.0, Release, Embree 3.13.5) with x86-64-v3 and rays by avx2".
+std::string exact_name(const BuildInfo& build);
 
 struct MachineInfo {
   std::string processor;  ///< as the kernel names it: "AMD EPYC (family 23, model 1)"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/commands/merge_images.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/image/image_file.h"
 #include "renderer/measure/error_metrics.h"
@@ -62,6 +63,7 @@ void add_compare(CLI::App& app) {
 
 void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
   add_render(app, find_scene, stop);
+  add_merge_images(app);
   add_compare(app);
 }
 

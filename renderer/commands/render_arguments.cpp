@@ -170,6 +170,42 @@ void add_budget_options(CLI::App& command, RenderArguments& arguments) {
   budget->require_option(0, 1);
 }
 
+std::optional<RenderPart> part_from(const RenderArguments& arguments) {
+  if (arguments.shard.empty()) {
+    return std::nullopt;
+  }
+  require(!arguments.seconds, "--shard",
+          "needs --spp or --samples: seconds differ between machines");
+  require(arguments.adaptive_contrast == 0.0, "--shard",
+          "does not go with --adaptive, which looks at the whole film");
+  require(arguments.view.empty(), "--shard", "has no --view: that is of the whole film");
+  return RenderPart{
+      .shard = parse_shard("--shard", arguments.shard),
+      .by = arguments.split == "seeds" ? RenderPart::By::seeds : RenderPart::By::tiles};
+}
+
+void add_part_options(CLI::App& command, RenderArguments& arguments) {
+  CLI::Option* const shard = command.add_option(
+      "--shard", arguments.shard,
+      "Render only the Kth of N parts, as K/N, into a .film; foveola merge-images puts all parts "
+      "together");
+  shard->group("Parts");
+  command
+      .add_option("--split", arguments.split,
+                  "What parts are: tiles, each of which draws all directions and traces those of "
+                  "its own, so that together they are the whole image bit for bit; or seeds, each "
+                  "of which takes a part of the samples, from random numbers of its own")
+      ->needs(shard)
+      ->check(CLI::IsMember({"tiles", "seeds"}))
+      ->capture_default_str()
+      ->group("Parts");
+  command
+      .add_flag("--resume", arguments.resume,
+                "Go on with the .film of this command, where it was stopped or killed; begin it if "
+                "there is none")
+      ->group("Parts");
+}
+
 void add_tracing_options(CLI::App& command, RenderArguments& arguments) {
   command.add_flag("--variance", arguments.settings.progressive.keep_variances,
                    "Add to the .exr the variance of the luminance of each pixel's samples");
@@ -224,6 +260,7 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
     progressive.adaptive = VisibleNoise{.contrast = arguments.adaptive_contrast};
   }
   progressive.trace.largest_radiance = static_cast<float>(arguments.largest_radiance);
+  settings.part = part_from(arguments);
   return settings;
 }
 
@@ -231,7 +268,8 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
   command.add_option("-o,--output", arguments.output,
-                     "The image to write, as .exr (R, G, B, samples) or .png");
+                     "The image to write, as .exr (R, G, B, samples) or .png; or a .film, which "
+                     "--resume goes on with and merge-images makes an image of");
   command.add_option(
       "--size", arguments.size,
       fmt::format("Size of the image in pixels, WIDTHxHEIGHT (default: {}, cut to the "
@@ -250,6 +288,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
   add_budget_options(command, arguments);
   add_tracing_options(command, arguments);
   add_panorama_options(command, arguments);
+  add_part_options(command, arguments);
   command.add_option(
       "--replay", arguments.replay,
       "Instead of rendering, trace one path of this render again and print its vertices: "

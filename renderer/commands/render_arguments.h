@@ -34,6 +34,9 @@ struct RenderArguments {
   double largest_radiance = settings.progressive.trace.largest_radiance;
   double adaptive_contrast = 0.0;
   std::string replay;
+  std::string shard;  ///< empty: all of it
+  std::string split = "tiles";
+  bool resume = false;
   bool json = false;
 };
 

@@ -9,6 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/commands/film_parts.h"
 #include "renderer/commands/picture_faults.h"
 #include "renderer/commands/render_arguments.h"
 #include "renderer/commands/render_report.h"
@@ -32,14 +33,17 @@ void run_replay(const RenderArguments& arguments, const RenderSettings& settings
 }
 
 /// Whether a file is written as a display shows it.
-bool is_shown(const std::string& file) { return !file.empty() && !holds_radiance(file); }
+bool is_shown(const std::string& file) {
+  return !file.empty() && !holds_radiance(file) && !is_film(file);
+}
 
-/// Radiances have no exposure, and neither has a single path, unless adaptive sampling asks what is
-/// seen of them.
+/// What a film is shown with is chosen when it is rendered. Radiances have no exposure, and neither
+/// has a single path, unless adaptive sampling asks what is seen of them.
 bool needs_exposure(const RenderArguments& arguments, const RenderSettings& settings) {
   const bool is_replay = !arguments.replay.empty();
   return settings.progressive.adaptive ||
-         (!is_replay && (is_shown(arguments.output) || is_shown(arguments.view)));
+         (!is_replay &&
+          (is_shown(arguments.output) || is_shown(arguments.view) || is_film(arguments.output)));
 }
 
 void require_writable_image(const std::string& file) {
@@ -59,6 +63,44 @@ void write(const Rendering& rendering, const RenderSettings& settings,
   }
 }
 
+/// Throws UsageError for what does not go with the kind of file that is written.
+void require_kind_of_output(const RenderArguments& arguments) {
+  if (!is_film(arguments.output)) {
+    require_writable_image(arguments.output);
+    require(arguments.shard.empty(), "--shard", "needs a .film as its --output");
+    require(!arguments.resume, "--resume", "needs a .film as its --output");
+    return;
+  }
+  require_writable(arguments.output);
+  require(arguments.adaptive_contrast == 0.0, "--adaptive", "cannot be gone on with in a .film");
+  require(!arguments.seconds, "--seconds", "cannot be gone on with in a .film; use --spp");
+}
+
+/// Renders into a film, from where an earlier run came to, and keeps it from time to time.
+Rendering render_film(const SceneSource& source, RenderSettings settings,
+                      const RenderArguments& arguments, const std::stop_token& stop) {
+  std::optional<FilmOrigin> so_far;
+  if (arguments.resume && std::filesystem::exists(arguments.output)) {
+    so_far = read_film(arguments.output);
+    settings.so_far = &so_far->progress;
+  }
+  const auto identity = [&](const RenderReport& report) {
+    ImageFacts facts = facts_of(report, settings, arguments.scene);
+    facts.merge(light_facts(arguments.look));
+    return identity_of(report, settings, std::move(facts), tone_curve(arguments.look));
+  };
+  settings.begin = [&](const RenderReport& report) {
+    if (so_far) {
+      require_same_render(arguments.output, *so_far, identity(report), settings.part);
+    }
+  };
+  settings.save = [&](const RenderReport& report, const RenderProgress& progress) {
+    write_film(arguments.output,
+               {.identity = identity(report), .part = settings.part, .progress = progress});
+  };
+  return render(source, settings, stop);
+}
+
 void run_render(const CLI::App& command, const RenderArguments& arguments,
                 const SceneFinder& find_scene, const std::stop_token& stop) {
   RenderSettings settings = settings_from(command, arguments);
@@ -70,17 +112,20 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
     return;
   }
   require(!arguments.output.empty(), "--output", "is required");
-  require_writable_image(arguments.output);
+  require_kind_of_output(arguments);
   if (!arguments.view.empty()) {
     require_writable_image(arguments.view);
   }
-  Rendering rendering =
-      render(lit_scene(arguments.scene, arguments.look, find_scene), settings, stop);
+  const SceneSource source = lit_scene(arguments.scene, arguments.look, find_scene);
+  Rendering rendering = is_film(arguments.output) ? render_film(source, settings, arguments, stop)
+                                                  : render(source, settings, stop);
   RenderReport& report = rendering.report;
   if (report.samples == 0) {
     return;
   }
-  write(rendering, settings, arguments);
+  if (!is_film(arguments.output)) {
+    write(rendering, settings, arguments);
+  }
   if (is_shown(arguments.output) && report.is_lit) {
     const std::vector<std::string> faults =
         picture_faults(rendering.image, report.exposure.stops, report.is_enclosed);

@@ -46,6 +46,24 @@ double samples_per_pixel(const RenderReport& report) {
   return static_cast<double>(report.samples) / (static_cast<double>(report.size.x) * report.size.y);
 }
 
+/// The options that say which part it is, where its paths are others than the whole render's.
+std::string part_options(const RenderSettings& settings) {
+  return settings.part && settings.part->by == RenderPart::By::seeds
+             ? fmt::format("--shard {} --split seeds ", text_of(settings.part->shard))
+             : "";
+}
+
+/// How many parts by tiles there may be until each takes longer to draw directions than to trace;
+/// empty if there are none, or that is not known.
+std::optional<double> parts_worth_it(const RenderReport& report, const RenderSettings& settings) {
+  if (!settings.part || settings.part->by != RenderPart::By::tiles ||
+      !(report.draw_seconds > 0.0 && report.trace_seconds > 0.0)) {
+    return std::nullopt;
+  }
+  return report.trace_seconds * static_cast<double>(settings.part->shard.count) /
+         report.draw_seconds;
+}
+
 std::string text_of(const Vec3& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
@@ -82,6 +100,9 @@ nlohmann::json json_report(const RenderReport& report, const RenderSettings& set
           {"exposure_is_automatic", report.exposure.is_automatic},
           {"samples", report.samples},
           {"seconds", report.seconds},
+          {"trace_seconds", report.trace_seconds},
+          {"draw_seconds", report.draw_seconds},
+          {"shard", settings.part ? nlohmann::json(text_of(settings.part->shard)) : nullptr},
           {"samples_per_pixel", samples_per_pixel(report)},
           {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
           {"rays", report.rays},
@@ -103,11 +124,20 @@ void print_report(const RenderReport& report, const RenderSettings& settings,
   if (!report.non_finite.empty()) {
     const DroppedSample& first = report.non_finite.front();
     const auto width = static_cast<unsigned>(report.size.x);
-    fmt::print(stderr,
-               "foveola: warning: {} samples were not finite and were dropped; --seed {} --replay "
-               "{},{},{} traces the first of them again, --json lists more\n",
-               report.non_finite.size(), settings.progressive.trace.seed, first.pixel % width,
-               first.pixel / width, first.sample_number);
+    fmt::print(
+        stderr,
+        "foveola: warning: {} samples were not finite and were dropped; --seed {} {}--replay "
+        "{},{},{} traces the first of them again, --json lists more\n",
+        report.non_finite.size(), settings.progressive.trace.seed, part_options(settings),
+        first.pixel % width, first.pixel / width, first.sample_number);
+  }
+  if (const std::optional<double> most = parts_worth_it(report, settings)) {
+    fmt::print(
+        stderr,
+        "foveola: note: every part draws all directions, which took {:.2g} s of {:.2g} s "
+        "here: above about {:.0f} parts that takes longer than tracing; --split seeds has no "
+        "such limit\n",
+        report.draw_seconds, report.draw_seconds + report.trace_seconds, *most);
   }
   fmt::print(
       "{}: {} of {}x{}, {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}, {:.3g} "

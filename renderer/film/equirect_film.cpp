@@ -12,8 +12,6 @@
 namespace foveola {
 namespace {
 
-constexpr int largest_side = 65536;
-
 /// Tiles that one task numbers or adds to.
 constexpr std::size_t tile_block = 64;
 
@@ -31,9 +29,10 @@ int tiles_along(int side) { return (side + EquirectFilm::tile_size - 1) / Equire
 
 /// Throws Error unless a film may have this size.
 int checked(int width, int height) {
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side) {
+  if (width < 1 || height < 1 || width > EquirectFilm::largest_side ||
+      height > EquirectFilm::largest_side) {
     throw Error("film size", fmt::format("{}x{} pixels cannot be made", width, height),
-                fmt::format("choose sides from 1 to {}", largest_side));
+                fmt::format("choose sides from 1 to {}", EquirectFilm::largest_side));
   }
   return width;
 }
@@ -242,6 +241,51 @@ void EquirectFilm::clear() {
   coarse_.clear(living_tiles_);
   living_tiles_.clear();
   total_samples_ = 0;
+}
+
+void EquirectFilm::restore(std::span<const PixelState> states, const Workers& workers) {
+  const auto width = static_cast<std::uint32_t>(width_);
+  std::vector<ViewSample> samples(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Vec2 place(states[i].pixel % width, states[i].pixel / width);
+    samples[i].image = (place + 0.5F) / Vec2(width_, height_);
+  }
+  NumberedBatch batch;
+  number(samples, batch, workers);
+  ++revision_;
+  for (const NumberedBatch::TileRange& range : batch.tiles) {
+    FilmTile::Touched touched;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const PixelState& state = states[sorting_.order[i]];
+      const FilmTile::Place at = batch.places[i];
+      batch.slots[i].pixel(at) = {
+          .sum = state.sum, .count = state.count, .numbered = state.numbered};
+      if (with_squares_) {
+        batch.slots[i].squares(at) = state.squares;
+      }
+      if (state.count > 0) {
+        touched.add(at);
+      }
+      total_samples_ += state.count;
+    }
+    coarse_.finest(range.tile) = tiles_[range.tile].tile->refresh(touched, revision_);
+    tiles_[range.tile].changed_at = revision_;
+  }
+  coarse_.refresh(numbers_of(batch.tiles));
+}
+
+std::optional<PixelState> EquirectFilm::pixel_state(int x, int y) const {
+  const FilmTile::Pixel* const found = find_pixel(x, y);
+  if (found == nullptr || found->numbered == 0) {
+    return std::nullopt;
+  }
+  return PixelState{
+      .pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) +
+               static_cast<std::uint32_t>(x),
+      .count = found->count,
+      .numbered = found->numbered,
+      .sum = found->sum,
+      .squares = with_squares_ ? find_tile(tile_of(x, y))->squares(place(x, y)) : 0.0};
 }
 
 FilmPixel EquirectFilm::pixel(int x, int y) const {

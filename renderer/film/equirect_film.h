@@ -44,6 +44,15 @@ struct FilmPixel {
   std::uint32_t samples = 0;  ///< how many samples the mean is of
 };
 
+/// All that a film holds of a pixel, bit for bit.
+struct PixelState {
+  std::uint32_t pixel = 0;     ///< y * width + x
+  std::uint32_t count = 0;     ///< samples in the sums
+  std::uint32_t numbered = 0;  ///< samples that were given a number
+  DVec3 sum{0.0};              ///< of their radiance
+  double squares = 0.0;        ///< of their squared luminance; 0 if the film keeps only means
+};
+
 /// What a film keeps of each pixel: variances cost a third more memory and time.
 enum class FilmStatistics { mean, mean_and_variance };
 
@@ -53,12 +62,16 @@ enum class FilmStatistics { mean, mean_and_variance };
 class EquirectFilm {
  public:
   static constexpr int tile_size = FilmTile::size;
+  static constexpr int largest_side = 65536;  ///< pixels
 
-  /// width and height in pixels, each in [1, 65536]. Throws Error otherwise.
+  /// width and height in pixels, each in [1, largest_side]. Throws Error otherwise.
   EquirectFilm(int width, int height, FilmStatistics statistics = FilmStatistics::mean);
 
   int width() const { return width_; }
   int height() const { return height_; }
+  FilmStatistics statistics() const {
+    return with_squares_ ? FilmStatistics::mean_and_variance : FilmStatistics::mean;
+  }
 
   /// Sorts samples by tile, stably, and gives each its pixel and that pixel's next sample number.
   void number(std::span<const ViewSample> samples, NumberedBatch& batch, const Workers& workers);
@@ -70,6 +83,10 @@ class EquirectFilm {
 
   /// Forgets everything; the next samples are numbered from 0.
   void clear();
+
+  /// Takes over what another film of this size held: each pixel once, of those that have nothing
+  /// here yet. Goes on as that would.
+  void restore(std::span<const PixelState> states, const Workers& workers);
 
   /// The pixel that holds an image position.
   IVec2 pixel_at(const Vec2& image) const {
@@ -120,6 +137,9 @@ class EquirectFilm {
   /// higher levels have pixels in many tiles: they must be copied whenever the film changed.
   template <typename Visit>
   void for_each_changed_cell(std::uint32_t tile, FilmRevision since, const Visit& visit) const;
+
+  /// The state of a pixel; empty where nothing was numbered.
+  std::optional<PixelState> pixel_state(int x, int y) const;
 
   /// Calls visit(IVec2(x, y), pixel) for each pixel with samples, a const FilmTile::Pixel: row by
   /// row from the top, each from the left.

@@ -87,6 +87,9 @@ void write_file(const std::string& path, const EncodableImage& image) {
   spec.channelnames = image.channel_names;
   if (has_bytes) {
     spec.attribute("oiio:ColorSpace", "sRGB");
+  } else {
+    // The same image is the same file, whenever it is made.
+    spec.attribute("DateTime", "");
   }
   for (const auto& [name, value] : image.attributes) {
     spec.attribute(name, value);

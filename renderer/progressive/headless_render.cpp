@@ -10,6 +10,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/base/random.h"
+#include "renderer/film/film_state.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/view/picture_sampler.h"
 
@@ -73,6 +75,60 @@ Shot shot_of(const RenderSettings& settings, const LoadedScene& loaded) {
           .sampler = make_view_sampler(settings.method)};
 }
 
+/// Samples of each part that is split by seeds.
+std::uint64_t samples_in_part(const Shard& shard, std::uint64_t samples) {
+  const std::int64_t part = part_of(shard, static_cast<std::int64_t>(samples)).size();
+  if (part == 0) {
+    throw Error("a part", "has no samples, since there are more parts than samples",
+                "split it into fewer");
+  }
+  return static_cast<std::uint64_t>(part);
+}
+
+/// With the samples counted in all, or in the part.
+RenderBudget counted(const RenderSettings& settings, const IVec2& size) {
+  RenderBudget budget = settings.budget;
+  if (budget.samples_per_pixel > 0.0) {
+    const double samples = budget.samples_per_pixel * size.x * size.y;
+    budget.samples = static_cast<std::uint64_t>(std::max(1.0, std::round(samples)));
+  }
+  if (settings.part && settings.part->by == RenderPart::By::seeds) {
+    budget.samples = samples_in_part(settings.part->shard, budget.samples);
+  }
+  return budget;
+}
+
+/// Keeps the random numbers of parts apart.
+constexpr std::uint32_t part_stream = 0x70617274U;
+
+std::uint32_t seed_of(const RenderSettings& settings) {
+  const std::uint32_t seed = settings.progressive.trace.seed;
+  return settings.part && settings.part->by == RenderPart::By::seeds
+             ? mix(mix(seed, part_stream), static_cast<std::uint32_t>(settings.part->shard.number))
+             : seed;
+}
+
+/// Throws Error for what does not go with parts.
+void require_splittable(const RenderSettings& settings) {
+  if ((settings.part || settings.so_far != nullptr) && settings.progressive.adaptive) {
+    throw Error("adaptive sampling", "looks at the whole film, which is not in one place",
+                "render it in one piece, or without it");
+  }
+  if (settings.part && settings.budget.seconds > 0.0) {
+    throw Error("a time", "is not the same on two machines", "give a part a number of samples");
+  }
+}
+
+/// Leaves what falls in every so manieth tile. film: must outlive it.
+SamplePass::Adjust tiles_of(const Shard& shard, const EquirectFilm& film) {
+  return [shard, &film](std::vector<ViewSample>& samples) {
+    std::erase_if(samples, [&](const ViewSample& sample) {
+      const IVec2 pixel = film.pixel_at(sample.image);
+      return film.tile_of(pixel.x, pixel.y) % shard.count != shard.number - 1;
+    });
+  };
+}
+
 Exposure exposure_of(const RenderSettings& settings, const LoadedScene& loaded,
                      const Viewport& viewport, const Workers& workers) {
   if (settings.exposure) {
@@ -91,19 +147,11 @@ ProgressiveSettings progressive_of(const RenderSettings& settings, const LoadedS
   ProgressiveSettings progressive = loaded.rendered_with(settings.progressive);
   progressive.film_size = shot.size;
   progressive.pixel_angle_rad = shot.pixel_angle_rad;
+  progressive.trace.seed = seed_of(settings);
   if (progressive.adaptive) {
     progressive.adaptive->exposure_stops = exposure.stops;
   }
   return progressive;
-}
-
-/// With the samples of `budget` counted in all.
-RenderBudget counted(RenderBudget budget, const IVec2& size) {
-  if (budget.samples_per_pixel > 0.0) {
-    const double samples = budget.samples_per_pixel * size.x * size.y;
-    budget.samples = static_cast<std::uint64_t>(std::max(1.0, std::round(samples)));
-  }
-  return budget;
 }
 
 /// A loaded scene, and a render of it that is aimed.
@@ -120,9 +168,12 @@ struct StillRender {
         loaded(source, workers, choices_of(settings)),
         shot(shot_of(settings, loaded)),
         exposure(exposure_of(settings, loaded, shot.aim.viewport, workers)),
-        budget(counted(settings.budget, shot.size)),
+        budget(counted(settings, shot.size)),
         render(loaded.tracer, progressive_of(settings, loaded, shot, exposure), workers) {
     shot.sampler->aim(shot.aim);
+    if (settings.part && settings.part->by == RenderPart::By::tiles) {
+      render.filter_samples(tiles_of(settings.part->shard, render.film()));
+    }
   }
 };
 
@@ -159,6 +210,7 @@ RenderReport report_on(const StillRender& still, const RenderSettings& settings)
   report.load_seconds = loaded.load_seconds;
   report.build_seconds = loaded.build_seconds;
   report.triangles = loaded.scene.triangle_count();
+  report.scene_sha256 = loaded.scene.sha256;
   report.warnings = loaded.warnings;
   report.camera = DVec3(loaded.camera.position) + loaded.scene.origin;
   report.head = loaded.camera.heading;
@@ -170,7 +222,35 @@ RenderReport report_on(const StillRender& still, const RenderSettings& settings)
   report.field_of_view = still.shot.field_of_view;
   report.exposure = still.exposure;
   report.threads = still.workers.threads();
+  if (settings.so_far != nullptr) {
+    report.samples = settings.so_far->samples;
+    report.rays = settings.so_far->rays;
+    report.seconds = settings.so_far->seconds;
+  }
   return report;
+}
+
+/// Throws Error for what was kept of a film of another kind.
+void go_on_from(const RenderProgress& so_far, ProgressiveRender& render) {
+  const EquirectFilm& film = render.film();
+  if (so_far.film_size != IVec2(film.width(), film.height()) ||
+      so_far.statistics != film.statistics()) {
+    throw Error("the film that was kept", "has another size, or keeps other figures",
+                "give the options that it was begun with");
+  }
+  render.go_on_from(so_far.pixels, so_far.points_drawn, so_far.non_finite);
+}
+
+RenderProgress progress_of(const StillRender& still, const RenderReport& report) {
+  return {.points_drawn = still.render.points_drawn(),
+          .points = still.budget.samples,
+          .samples = report.samples,
+          .rays = report.rays,
+          .seconds = report.seconds,
+          .non_finite = still.render.dropped(),
+          .film_size = still.shot.size,
+          .statistics = still.render.film().statistics(),
+          .pixels = state_of(still.render.film())};
 }
 
 }  // namespace
@@ -180,15 +260,24 @@ AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& load
 }
 
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
+  require_splittable(settings);
   StillRender still(source, settings);
   RenderReport report = report_on(still, settings);
+  if (settings.begin) {
+    settings.begin(report);
+  }
+  if (settings.so_far != nullptr) {
+    go_on_from(*settings.so_far, still.render);
+  }
   const double pixels = static_cast<double>(report.size.x) * report.size.y;
   const bool is_adaptive = settings.progressive.adaptive.has_value();
 
   const SteadyClock clock;
   Progress progress("rendering");
+  const double seconds_before = report.seconds;
   const Nanoseconds start = clock.now();
-  double fraction = 0.0;
+  Nanoseconds saved = start;
+  double fraction = fraction_done(still.budget, still.render.points_drawn(), report.seconds);
   while (fraction < 1.0 && !stop.stop_requested()) {
     // With adaptive sampling fewer are traced than are drawn.
     const std::uint64_t drawn = still.render.points_drawn();
@@ -197,13 +286,23 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
         *still.shot.sampler, next_batch(still.budget, is_adaptive, drawn, report.seconds));
     report.samples += traced.samples;
     report.rays += traced.rays.total();
-    report.seconds = seconds(clock.now() - start);
+    report.trace_seconds += traced.trace_seconds;
+    const double elapsed_s = seconds(clock.now() - start);
+    report.draw_seconds = elapsed_s - report.trace_seconds;
+    report.seconds = seconds_before + elapsed_s;
     fraction = fraction_done(still.budget, still.render.points_drawn(), report.seconds);
     progress.update(fraction, fmt::format("{:.3g} samples per pixel",
                                           static_cast<double>(report.samples) / pixels));
+    if (settings.save && clock.now() - saved > settings.save_interval && fraction < 1.0) {
+      settings.save(report, progress_of(still, report));
+      saved = clock.now();
+    }
   }
   report.stopped = fraction < 1.0;
   report.non_finite = still.render.dropped();
+  if (settings.save) {
+    settings.save(report, progress_of(still, report));
+  }
   RgbImage view;
   if (settings.view) {
     view = viewport_image(still.render.film(), still.shot.aim.viewport, settings.view->x,

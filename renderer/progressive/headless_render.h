@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "renderer/base/clock.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/base/shard.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
@@ -25,6 +28,36 @@ struct RenderBudget {
   double seconds = 0.0;            ///< seconds of tracing; 0: no limit
 };
 
+/// A part of a render, whose rest is rendered elsewhere.
+struct RenderPart {
+  enum class By {
+    /// Every so manieth tile of the film, of which all directions are drawn and its own are traced:
+    /// the parts are the whole render, bit for bit.
+    tiles,
+    /// A part of the samples, all over the film, from random numbers of its own.
+    seeds
+  };
+  Shard shard;
+  By by = By::tiles;
+};
+
+/// How far a render has come, and all that going on with it takes.
+struct RenderProgress {
+  std::uint64_t points_drawn = 0;  ///< of the directions' pattern
+  std::uint64_t points = 0;        ///< to be drawn in all; 0: until a time is over
+  std::uint64_t samples = 0;       ///< traced
+  std::uint64_t rays = 0;
+  double seconds = 0.0;  ///< as RenderReport's
+  std::vector<DroppedSample> non_finite;
+  IVec2 film_size{0};
+  FilmStatistics statistics = FilmStatistics::mean;
+  std::vector<PixelState> pixels;
+
+  bool is_complete() const { return points > 0 && points_drawn >= points; }
+};
+
+struct RenderReport;
+
 struct RenderSettings {
   /// An ordinary picture instead of a 360-degree image. Method, gaze, fields of view, film size and
   /// the display's image are then of no account, and adaptive sampling is refused.
@@ -40,16 +73,30 @@ struct RenderSettings {
   UnsampledPixels unsampled = UnsampledPixels::black;  ///< in that image
   RenderBudget budget;
   int threads = 0;  ///< 0: every core
+  /// Only a part of it; not with adaptive sampling, which looks at the whole film.
+  std::optional<RenderPart> part;
+  /// Where the same render broke off, to go on with; null: it begins. Not with adaptive sampling.
+  const RenderProgress* so_far = nullptr;
+  /// Called once the scene is loaded, before anything is rendered; may throw, and may be empty.
+  std::function<void(const RenderReport& report)> begin;
+  /// Called now and then with how far it has come, and at its end; may be empty.
+  std::function<void(const RenderReport& report, const RenderProgress& progress)> save;
+  Nanoseconds save_interval = std::chrono::minutes(5);
 };
 
 struct RenderReport {
   std::uint64_t samples = 0;
   double seconds = 0.0;  ///< seconds of sampling, tracing and filming, without loading and building
+  /// What of them tracing took, and what drawing directions and the film did, as far as it was
+  /// rendered now.
+  double trace_seconds = 0.0;
+  double draw_seconds = 0.0;
   std::uint64_t rays = 0;
   std::vector<DroppedSample> non_finite;
   double load_seconds = 0.0;
   double build_seconds = 0.0;
   std::size_t triangles = 0;
+  std::string scene_sha256;   ///< of the scene's file
   IVec2 size{0};              ///< of the image, in pixels
   FieldOfView field_of_view;  ///< of the picture, or of the viewport
   Exposure exposure;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/base/clock.h"
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
 
@@ -59,6 +60,13 @@ void ProgressiveRender::begin_pattern(std::uint32_t seed) {
   next_point_ = 0;
 }
 
+void ProgressiveRender::go_on_from(std::span<const PixelState> pixels, std::uint64_t points_drawn,
+                                   std::vector<DroppedSample> dropped) {
+  film_.restore(pixels, *workers_);
+  next_point_ = points_drawn;
+  dropped_ = std::move(dropped);
+}
+
 void ProgressiveRender::look_at(const Vec3& gaze) {
   gaze_ = gaze;
   ++looks_;
@@ -67,7 +75,10 @@ void ProgressiveRender::look_at(const Vec3& gaze) {
 TracedSamples ProgressiveRender::advance(const ViewSampler& sampler, std::uint64_t points) {
   TracedSamples traced;
   draw(sampler, points, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    const SteadyClock clock;
+    const Nanoseconds start = clock.now();
     traced = {.samples = jobs.size(), .rays = trace(jobs, radiance)};
+    traced.trace_seconds = seconds(clock.now() - start);
     if (observe_) {
       observe_(jobs, radiance);
     }

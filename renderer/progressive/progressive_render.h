@@ -33,6 +33,7 @@ struct ProgressiveSettings {
 struct TracedSamples {
   std::uint64_t samples = 0;
   RayCounts rays;
+  double trace_seconds = 0.0;  ///< without drawing directions and without the film
 };
 
 /// Samples after which adaptive sampling looks again at what is done, where no frame says when.
@@ -63,6 +64,11 @@ class ProgressiveRender {
   /// Adaptive sampling judges noise as an eye does that looks along `gaze` (unit length, world).
   /// After each look it draws other random numbers.
   void look_at(const Vec3& gaze);
+
+  /// Takes over what a render with the same settings had come to when it had drawn so many points
+  /// of its pattern. Without adaptive sampling it goes on as that would.
+  void go_on_from(std::span<const PixelState> pixels, std::uint64_t points_drawn,
+                  std::vector<DroppedSample> dropped);
 
   /// Traces only what `filter` leaves of the samples that were drawn.
   void filter_samples(SamplePass::Adjust filter) { filter_ = std::move(filter); }

@@ -21,19 +21,15 @@ bool count_bytes(void* total, ssize_t bytes, bool /*is_done*/) {
   return true;
 }
 
-/// Embree takes the widest instructions that the machine has, and what it computes differs with
-/// them in the last bits. With those that the rest of the program is compiled for, pictures are the
-/// same on every machine that runs it.
-const char* device_configuration() {
-  const std::string instructions = build_info().instruction_set;
-  return instructions == "x86-64-v3"   ? "isa=avx2"
-         : instructions == "x86-64-v2" ? "isa=sse4.2"
-                                       : nullptr;
+/// The same on every processor that has them, so that pictures are, too.
+std::string device_configuration() {
+  const std::string instructions = build_info().ray_instructions;
+  return instructions.empty() ? "" : "isa=" + instructions;
 }
 
 }  // namespace
 
-EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_configuration())) {
+EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_configuration().c_str())) {
   if (!device_) {
     throw Error("ray tracing (Embree)", "cannot start on this machine");
   }

@@ -46,12 +46,6 @@ std::optional<std::int64_t> session_where(SQLite::Database& study, const char* c
   return found.executeStep() ? std::optional(found.getColumn(0).getInt64()) : std::nullopt;
 }
 
-/// Which program simulated a session, and by which instructions, as far as it is known.
-std::string words_for(const BuildInfo& build) {
-  return program_name(build) +
-         (build.instruction_set.empty() ? "" : " with " + build.instruction_set);
-}
-
 /// All of a session, by whatever number it has in its file.
 std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
   std::string digests = digest_of_rows(study, "session", fmt::format("id = {}", session), {"id"});
@@ -168,16 +162,16 @@ class Merging {
         continue;
       }
       if (!simulation_) {
-        simulation_ = {.kind = *kind, .renderer = words_for(session.build), .path = path};
+        simulation_ = {.kind = *kind, .renderer = exact_name(session.build), .path = path};
       }
       require_same_kind(path.string(), {session}, simulation_->kind);
-      if (const std::string renderer = words_for(session.build);
+      if (const std::string renderer = exact_name(session.build);
           !kind->real_time && renderer != simulation_->renderer) {
         throw Error(
             path.string(),
             fmt::format("{} was simulated by {}, and {} has sessions by {}", session.participant,
                         renderer, simulation_->path.string(), simulation_->renderer),
-            "simulate all with one program and instruction set");
+            "simulate all with one program, on processors that know the same instructions");
       }
     }
   }

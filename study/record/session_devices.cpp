@@ -1,5 +1,6 @@
 #include "study/record/session_devices.h"
 
+#include <array>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,16 @@ namespace foveola::study {
 namespace {
 
 constexpr std::string_view going_on = "goes on with ";
+
+struct RendererField {
+  const char* key;
+  std::string BuildInfo::* text;
+};
+constexpr std::array renderer_fields{
+    RendererField{"ray_tracer", &BuildInfo::ray_tracer},
+    RendererField{"instruction_set", &BuildInfo::instruction_set},
+    RendererField{"ray_instructions", &BuildInfo::ray_instructions},
+};
 
 /// Null if all is seen. Throws Error for one that there cannot be.
 std::shared_ptr<const SeenPart> seen_part_in(const nlohmann::ordered_json& display) {
@@ -58,24 +69,22 @@ std::string tracker_in(const std::string& devices) {
   return profile.is_string() ? profile.get<std::string>() : "";
 }
 
-RecordedRenderer renderer_in(const std::string& devices) {
+BuildInfo with_renderer_in(const std::string& devices, BuildInfo build) {
   const nlohmann::ordered_json renderer = member(json_in(devices), "renderer");
-  const auto text = [&](const char* key) {
+  for (const auto& [key, text] : renderer_fields) {
     const nlohmann::ordered_json value = member(renderer, key);
-    return value.is_string() ? value.get<std::string>() : "";
-  };
-  return {.ray_tracer = text("ray_tracer"), .instruction_set = text("instruction_set")};
+    build.*text = value.is_string() ? value.get<std::string>() : "";
+  }
+  return build;
 }
 
-std::string with_renderer(const std::string& devices, const RecordedRenderer& renderer) {
+std::string with_renderer(const std::string& devices, const BuildInfo& build) {
   nlohmann::ordered_json json = json_in(devices);
-  const auto add = [&](const char* key, const std::string& value) {
-    if (!value.empty()) {
-      json["renderer"][key] = value;
+  for (const auto& [key, text] : renderer_fields) {
+    if (!(build.*text).empty()) {
+      json["renderer"][key] = build.*text;
     }
-  };
-  add("ray_tracer", renderer.ray_tracer);
-  add("instruction_set", renderer.instruction_set);
+  }
   return json.dump();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/base/build_info.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola::study {
@@ -16,16 +17,12 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices);
 /// The name of the eye tracker's profile in it; empty if it says none.
 std::string tracker_in(const std::string& devices);
 
-/// What traced the rays and by which instructions, as BuildInfo has them; empty where it says
-/// nothing.
-struct RecordedRenderer {
-  std::string ray_tracer;
-  std::string instruction_set;
-};
-RecordedRenderer renderer_in(const std::string& devices);
+/// `build` with what `devices` says of what traced the rays and by which instructions; empty where
+/// it says nothing.
+BuildInfo with_renderer_in(const std::string& devices, BuildInfo build);
 
-/// `devices`, a JSON object, with what is known of the renderer.
-std::string with_renderer(const std::string& devices, const RecordedRenderer& renderer);
+/// `devices`, a JSON object, with what is known of that.
+std::string with_renderer(const std::string& devices, const BuildInfo& build);
 
 /// The note of a session that goes on with these devices.
 std::string note_of_devices(const std::string& devices);

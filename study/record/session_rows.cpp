@@ -72,9 +72,7 @@ std::int64_t insert_facts(SQLite::Database& database, const SessionFacts& facts,
   SQLite::bind(session, origin.uuid, facts.participant, name_of(facts.kind),
                std::to_string(facts.seed), origin.started_utc, facts.build.version,
                facts.build.compiler, facts.build.build_type, facts.machine.processor,
-               facts.machine.cores, facts.machine.system,
-               with_renderer(facts.devices, {.ray_tracer = facts.build.ray_tracer,
-                                             .instruction_set = facts.build.instruction_set}),
+               facts.machine.cores, facts.machine.system, with_renderer(facts.devices, facts.build),
                facts.design_row);
   session.exec();
   return database.getLastInsertRowid();
@@ -228,12 +226,10 @@ std::string uuid_of(const std::string& words) {
 }
 
 BuildInfo build_of(SQLite::Statement& session) {
-  const RecordedRenderer renderer = renderer_in(session.getColumn("devices").getString());
-  return {.version = session.getColumn("program_version").getString(),
-          .compiler = session.getColumn("compiler").getString(),
-          .build_type = session.getColumn("build_type").getString(),
-          .ray_tracer = renderer.ray_tracer,
-          .instruction_set = renderer.instruction_set};
+  return with_renderer_in(session.getColumn("devices").getString(),
+                          {.version = session.getColumn("program_version").getString(),
+                           .compiler = session.getColumn("compiler").getString(),
+                           .build_type = session.getColumn("build_type").getString()});
 }
 
 std::int64_t insert_session(SQLite::Database& database, const SessionFacts& facts,

@@ -54,16 +54,15 @@ void require_resumable(const SimulateSettings& settings, const KnownSession& ses
       "finish it with that program, or take it out (foveola study forget) and simulate "
       "{} again",
       session.participant);
+  const auto require_equal = [&](const std::string& then, const std::string& now) {
+    if (then != now) {
+      throw refused(fmt::format("{}, and this is {}", then, now), remedy);
+    }
+  };
   const BuildInfo now = build_info();
-  if (program_name(session.build) != program_name(now)) {
-    throw refused(fmt::format("{}, and this is {}", program_name(session.build), program_name(now)),
-                  remedy);
-  }
-  const std::string& instructions = session.build.instruction_set;
-  if (!instructions.empty() && instructions != now.instruction_set) {
-    throw refused(fmt::format("the instructions {}, and this program has {}", instructions,
-                              now.instruction_set),
-                  remedy);
+  require_equal(program_name(session.build), program_name(now));
+  if (!session.build.instruction_set.empty()) {  // older programs did not keep it
+    require_equal(exact_name(session.build), exact_name(now));
   }
 }
 

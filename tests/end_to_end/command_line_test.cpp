@@ -105,7 +105,7 @@ int expect_in_manual(const std::string& manual, const std::vector<std::string>& 
   const bool is_program = command.empty();
   std::string heading = is_program ? ".SH OPTIONS" : ".SS \\fBfoveola";
   for (const std::string& word : command) {
-    heading += " " + word;
+    heading += " " + std::regex_replace(word, std::regex("-"), R"(\-)");
   }
   if (!is_program) {
     heading += "\\fR";

@@ -92,13 +92,15 @@ TEST_F(HeadsetPreview, ChecksTheTrackerInTheHeadset) {
       },
       {"--headset"});
   ASSERT_EQ(json.at("gaze_checks").size(), 1U);
+  // How much a target counts depends on how many frames there were meanwhile.
   const Vec3 gaze = direction_from({.azimuth_rad = radians(-6.0)});
-  double mean_deg = 0.0;
+  std::vector<double> errors_deg;
   for (const Vec3& target : calibration_targets(5, 80.0, 80.0)) {
-    mean_deg += degrees(angle_between(gaze, target)) / 5.0;
+    errors_deg.push_back(degrees(angle_between(gaze, target)));
   }
-  const auto& check = json.at("gaze_checks").at(0);
-  EXPECT_NEAR(check.at("accuracy_deg").get<double>(), mean_deg, 0.1);
+  const double accuracy_deg = json.at("gaze_checks").at(0).at("accuracy_deg").get<double>();
+  EXPECT_GT(accuracy_deg, std::ranges::min(errors_deg) + 1.0);
+  EXPECT_LT(accuracy_deg, std::ranges::max(errors_deg) - 1.0);
   EXPECT_EQ(headset.found_invalid(), "");
 }
 

@@ -50,14 +50,17 @@ TEST(SessionDevices, WhatIsNotSaidIsNotGuessed) {
 }
 
 TEST(SessionDevices, SayWhatTracedTheRays) {
-  const std::string devices =
-      with_renderer(R"({"keys":{}})", {.ray_tracer = "Embree 9", .instruction_set = "x86-64-v3"});
+  const std::string devices = with_renderer(R"({"keys":{}})", {.version = "1",
+                                                               .ray_tracer = "Embree 9",
+                                                               .instruction_set = "x86-64-v3",
+                                                               .ray_instructions = "avx2"});
   EXPECT_EQ(devices,
-            R"({"keys":{},"renderer":{"ray_tracer":"Embree 9","instruction_set":"x86-64-v3"}})");
-  EXPECT_EQ(renderer_in(devices).ray_tracer, "Embree 9");
-  EXPECT_EQ(renderer_in(devices).instruction_set, "x86-64-v3");
+            R"({"keys":{},"renderer":{"ray_tracer":"Embree 9","instruction_set":"x86-64-v3",)"
+            R"("ray_instructions":"avx2"}})");
+  const BuildInfo build = with_renderer_in(devices, {.version = "2"});
+  EXPECT_EQ(exact_name(build), "Foveola 2 (Embree 9) with x86-64-v3 and rays by avx2");
   EXPECT_EQ(with_renderer("{}", {}), "{}");
-  EXPECT_EQ(renderer_in("{}").instruction_set, "");
+  EXPECT_EQ(exact_name(with_renderer_in("{}", build)), "Foveola 2");
 }
 
 TEST(SessionDevices, AreInTheNoteOfASessionThatGoesOn) {

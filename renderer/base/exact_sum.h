@@ -1,0 +1,25 @@
+// A sum that does not depend on the order of what is added.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace foveola {
+
+/// Keeps the exact sum of doubles as doubles whose bits do not overlap (Shewchuk 1997, "Adaptive
+/// precision floating-point arithmetic and fast robust geometric predicates", figure 6). They and
+/// their sum must be finite.
+class ExactSum {
+ public:
+  void add(double value);
+
+  /// The double that is nearest to the sum; of two, the even one.
+  double rounded() const;
+
+  void clear() { parts_.clear(); }
+
+ private:
+  std::vector<double> parts_;  ///< from the smallest to the largest, without zeros
+};
+
+}  // namespace foveola

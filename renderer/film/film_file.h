@@ -1,0 +1,71 @@
+// Films on disk, bit for bit: so that a render goes on after its time was up, and parts of one that
+// were rendered by themselves are put together.
+//
+// A file is, all numbers little-endian and without gaps: the line "Foveola film 1\n"; width,
+// height, whether sums of squares are kept (0 or 1), and the length of a text in bytes, uint32
+// each; that text; the count of pixels, uint64; for each pixel, in ascending order, PixelState's
+// number, count and numbered, uint32 each, the sums of red, green and blue, float64 each, and if
+// they are kept that of squares, float64; and the SHA-256 of all before it, as 64 hexadecimal
+// digits.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/base/digest.h"
+#include "renderer/film/equirect_film.h"
+
+namespace foveola {
+
+/// What a file says of its film beside the pixels.
+struct FilmHeader {
+  IVec2 size{0};
+  FilmStatistics statistics = FilmStatistics::mean;
+  std::string about;  ///< what was rendered, by whoever rendered it; at most 16 MiB
+};
+
+/// The file appears whole or not at all. states: in ascending order. Throws Error if it cannot be
+/// written.
+void write_film_file(const std::filesystem::path& path, const FilmHeader& header,
+                     std::span<const PixelState> states);
+
+/// Reads a film pixel by pixel, so that many can be read side by side.
+class FilmFileReader {
+ public:
+  /// Throws Error if the file cannot be read or is none.
+  explicit FilmFileReader(std::filesystem::path path);
+
+  const FilmHeader& header() const { return header_; }
+  const std::filesystem::path& path() const { return path_; }
+
+  /// The next pixel; empty after the last one. Throws Error if the file is damaged: what was read
+  /// is only to be believed once this returned nothing.
+  std::optional<PixelState> next();
+
+ private:
+  [[noreturn]] void fail() const;
+  void read(std::span<std::byte> bytes);
+  template <typename Number>
+  Number read_number();
+  void refill();
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  Sha256 digest_;
+  FilmHeader header_;
+  std::uint64_t left_ = 0;             ///< pixels that were not read from the file
+  std::vector<std::byte> buffer_;      ///< some that were
+  std::size_t used_ = 0;               ///< bytes of the buffer that were taken
+  std::optional<std::uint32_t> last_;  ///< the number of the last pixel
+  bool is_over_ = false;
+};
+
+/// All pixels of a reader that has not been read from.
+std::vector<PixelState> rest_of(FilmFileReader& reader);
+
+}  // namespace foveola

@@ -1,0 +1,101 @@
+#include "renderer/film/film_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/random.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola {
+namespace {
+
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr FilmStatistics with_squares = FilmStatistics::mean_and_variance;
+
+std::vector<PixelState> random_states(int count) {
+  Pcg32 random(5);
+  std::vector<PixelState> states;
+  for (int i = 0; i < count; ++i) {
+    states.push_back({.pixel = 3U * static_cast<std::uint32_t>(i) + random.next() % 3U,
+                      .count = random.next() % 1000U,
+                      .numbered = 1000U + random.next() % 1000U,
+                      .sum = {random.uniform(), 1e30 * random.uniform(), -random.uniform()},
+                      .squares = random.uniform()});
+  }
+  return states;
+}
+
+class FilmFile : public testing::Test {
+ protected:
+  void expect_refused(const std::string& bytes) const {
+    EXPECT_THROW(
+        {
+          FilmFileReader reader(folder_.write("other.film", bytes));
+          rest_of(reader);
+        },
+        Error);
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "a.film";
+};
+
+TEST_F(FilmFile, BringsPixelsBackBitForBit) {
+  for (const FilmStatistics statistics : {FilmStatistics::mean, with_squares}) {
+    for (const int count : {0, 1, 4096, 4097, 10'000}) {
+      const std::vector<PixelState> states = random_states(count);
+      write_film_file(path_, {.size = {300, 200}, .statistics = statistics, .about = "{\"a\":1}"},
+                      states);
+      FilmFileReader reader(path_);
+      EXPECT_EQ(reader.header().size, IVec2(300, 200));
+      EXPECT_EQ(reader.header().statistics, statistics);
+      EXPECT_EQ(reader.header().about, "{\"a\":1}");
+      const std::vector<PixelState> back = rest_of(reader);
+      ASSERT_EQ(back.size(), states.size());
+      for (std::size_t i = 0; i < back.size(); ++i) {
+        ASSERT_EQ(back[i].pixel, states[i].pixel);
+        ASSERT_EQ(back[i].count, states[i].count);
+        ASSERT_EQ(back[i].numbered, states[i].numbered);
+        ASSERT_EQ(back[i].sum, states[i].sum);
+        ASSERT_EQ(back[i].squares, statistics == with_squares ? states[i].squares : 0.0);
+      }
+    }
+  }
+}
+
+TEST_F(FilmFile, IsRefusedWhateverByteIsAnother) {
+  write_film_file(path_, {.size = {30, 20}, .statistics = with_squares, .about = "{}"},
+                  random_states(3));
+  const std::string bytes = read_file(path_);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string other = bytes;
+    other[i] = static_cast<char>(other[i] ^ 0x40);
+    expect_refused(other);
+  }
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    expect_refused(bytes.substr(0, length));
+  }
+  expect_refused(bytes + ' ');
+}
+
+TEST_F(FilmFile, MustBeAFilmThatIsThere) {
+  EXPECT_THAT([&] { FilmFileReader(folder_ / "none.film"); },
+              ThrowsMessage<Error>(HasSubstr("none.film: cannot be read")));
+  EXPECT_THAT([&] { FilmFileReader(folder_.path()); },
+              ThrowsMessage<Error>(HasSubstr("cannot be read")));
+  ::mkfifo((folder_ / "pipe.film").c_str(), 0600);
+  EXPECT_THAT([&] { FilmFileReader(folder_ / "pipe.film"); },
+              ThrowsMessage<Error>(HasSubstr("cannot be read")));
+  EXPECT_THAT([&] { FilmFileReader(folder_.write("b.film", "a text that is long enough")); },
+              ThrowsMessage<Error>(HasSubstr("is no film that this program knows")));
+  EXPECT_THROW(write_film_file(folder_ / "none/a.film", {.size = {3, 2}}, {}), Error);
+}
+
+}  // namespace
+}  // namespace foveola
