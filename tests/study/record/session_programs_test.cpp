@@ -1,6 +1,8 @@
 // A study's file names every program that recorded a session of it.
 #include "study/record/session_programs.h"
 
+#include <fmt/format.h>
+
 #include "renderer/base/build_info.h"
 #include "study/record/session_devices.h"
 #include "study/record/study_records.h"
