@@ -53,8 +53,8 @@ std::string part_options(const RenderSettings& settings) {
              : "";
 }
 
-/// How many parts by tiles there may be until each takes longer to draw directions than to trace;
-/// empty if there are none, or that is not known.
+/// The number of parts by tiles above which each takes longer to draw directions than to trace.
+/// Empty if the render is no such part, or that was not measured.
 std::optional<double> parts_worth_it(const RenderReport& report, const RenderSettings& settings) {
   if (!settings.part || settings.part->by != RenderPart::By::tiles ||
       !(report.draw_seconds > 0.0 && report.trace_seconds > 0.0)) {

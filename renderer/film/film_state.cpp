@@ -37,7 +37,11 @@ PixelState PixelSum::take() {
                          .numbered = static_cast<std::uint32_t>(numbered_),
                          .sum = {red_.rounded(), green_.rounded(), blue_.rounded()},
                          .squares = squares_.rounded()};
-  *this = {};
+  count_ = 0;
+  numbered_ = 0;
+  for (ExactSum* const sum : {&red_, &green_, &blue_, &squares_}) {
+    sum->clear();  // and keeps its memory for the next of millions of pixels
+  }
   return state;
 }
 
