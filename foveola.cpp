@@ -25,6 +25,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
+#include "renderer/cluster/cluster_command.h"
 #include "renderer/command_line/commands.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
@@ -191,6 +192,7 @@ int run(int argc, char** argv) {
       {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
       signals.token());
   analysis::add_analysis_commands(app, signals.token());
+  add_cluster(app, signals.token());
   add_command_line_commands(app, analysis::manual_text());
   try {
     check_numbers(app);
