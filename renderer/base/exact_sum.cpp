@@ -37,6 +37,12 @@ void ExactSum::add(double value) {
   }
 }
 
+void ExactSum::add(const ExactSum& other) {
+  for (const double part : other.parts_) {
+    add(part);
+  }
+}
+
 double ExactSum::rounded() const {
   if (parts_.empty()) {
     return 0.0;

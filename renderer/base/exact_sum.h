@@ -12,9 +12,13 @@ namespace foveola {
 class ExactSum {
  public:
   void add(double value);
+  void add(const ExactSum& other);
 
   /// The double that is nearest to the sum; of two, the even one.
   double rounded() const;
+
+  /// Doubles whose exact sum this is: added elsewhere, they give the same sum.
+  const std::vector<double>& parts() const { return parts_; }
 
   void clear() { parts_.clear(); }
 

@@ -33,6 +33,25 @@ TEST(ExactSum, LosesNothingOnTheWay) {
   EXPECT_EQ(sum_of({0x1p1023, 0x1p-1074, -0x1p1023}), 0x1p-1074);
 }
 
+TEST(ExactSum, OfSumsIsTheSumOfAll) {
+  ExactSum left;
+  ExactSum right;
+  for (const double value : {1e100, 0.1, 0x1p-53}) {
+    left.add(value);
+  }
+  for (const double value : {-1e100, 1.0}) {
+    right.add(value);
+  }
+  ExactSum again;  // from what a sum consists of
+  for (const double part : left.parts()) {
+    again.add(part);
+  }
+  left.add(right);
+  again.add(right);
+  EXPECT_EQ(left.rounded(), sum_of({1.0, 0.1, 0x1p-53}));
+  EXPECT_EQ(again.rounded(), left.rounded());
+}
+
 TEST(ExactSum, IsRoundedToTheNearestAndOfTwoToTheEvenOne) {
   EXPECT_EQ(sum_of({1.0, 0x1p-53}), 1.0);
   EXPECT_EQ(sum_of({1.0, 0x1p-53, 0x1p-106}), 1.0 + 0x1p-52);
