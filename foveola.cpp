@@ -15,6 +15,7 @@
 #include "analysis/commands/bench_calibration.h"
 #include "analysis/commands/bench_compare.h"
 #include "analysis/commands/bench_convergence.h"
+#include "analysis/commands/bench_merge.h"
 #include "analysis/commands/bench_statistics.h"
 #include "analysis/commands/commands.h"
 #include "analysis/commands/manual_text.h"
@@ -178,6 +179,7 @@ int run(int argc, char** argv) {
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
   analysis::add_bench_calibration(bench, scenes::find_scene_beside, signals.token());
   analysis::add_bench_compare(bench);
+  analysis::add_bench_merge(bench);
   study::add_bench_prediction(bench, scenes::find_scene_beside, signals.token());
   study::add_bench_sensitivity(bench, scenes::find_scene_beside, signals.token());
   analysis::add_bench_statistics(bench, signals.token());

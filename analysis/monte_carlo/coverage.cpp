@@ -1,5 +1,6 @@
 #include "analysis/monte_carlo/coverage.h"
 
+#include <cassert>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -173,62 +174,84 @@ std::vector<Criterion> criteria_of_other_measures() {
        }}};
 }
 
-/// Each study is seeded by its number, whatever thread it runs on.
-CoverageFigure measure(const Criterion& criterion, const CoverageSettings& settings,
-                       std::uint64_t stream, const Workers& workers) {
-  std::vector<Outcome> outcomes(static_cast<std::size_t>(settings.studies));
-  workers.for_each_block(outcomes.size(), 50, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t study = begin; study < end; ++study) {
-      const std::uint64_t seed = (settings.seed << 40U) + (stream << 32U) + study;
-      const StudyTables tables = tabulate_study(
-          draw_study(criterion.expected, static_cast<std::size_t>(settings.participants), seed));
-      outcomes[study] = criterion.holds(tables.set, tables);
-    }
-  });
-  std::size_t studies = 0;
-  std::size_t hits = 0;
-  for (const Outcome& outcome : outcomes) {
-    studies += outcome ? 1 : 0;
-    hits += outcome.value_or(false) ? 1 : 0;
-  }
-  CoverageFigure figure =
-      coverage_figure(std::string(criterion.name), std::string(criterion.claim), studies, hits);
-  figure.required = criterion.required;
-  return figure;
-}
-
-}  // namespace
-
-CoverageFigure coverage_figure(std::string name, std::string claim, std::size_t studies,
-                               std::size_t hits) {
-  CoverageFigure figure{
-      .name = std::move(name), .claim = std::move(claim), .studies = studies, .hits = hits};
-  if (studies > 0) {
-    figure.percent = 100.0 * static_cast<double>(hits) / static_cast<double>(studies);
-    const Interval share = clopper_pearson(hits, studies);
-    figure.interval = {100.0 * share.low, 100.0 * share.high};
-  }
-  return figure;
-}
-
-std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
-                                             const std::function<void(double)>& on_progress,
-                                             const std::stop_token& stop) {
+std::vector<Criterion> all_criteria(const CoverageSettings& settings) {
   std::vector<Criterion> criteria = criteria_with_effects(settings);
   const std::vector<Criterion> nulls = criteria_without_effect();
   criteria.insert(criteria.end(), nulls.begin(), nulls.end());
   const std::vector<Criterion> others = criteria_of_other_measures();
   criteria.insert(criteria.end(), others.begin(), others.end());
-  const Workers workers(settings.threads);
+  return criteria;
+}
+
+/// Each study is seeded by its number, whatever thread it runs on.
+StudyCount count(const Criterion& criterion, const CoverageSettings& settings, std::uint64_t stream,
+                 std::size_t first, std::size_t last) {
+  StudyCount counts;
+  for (std::size_t study = first; study < last; ++study) {
+    const std::uint64_t seed = (settings.seed << 40U) + (stream << 32U) + study;
+    const StudyTables tables = tabulate_study(
+        draw_study(criterion.expected, static_cast<std::size_t>(settings.participants), seed));
+    counts.add(criterion.holds(tables.set, tables));
+  }
+  return counts;
+}
+
+CoverageFigure measured(CoverageFigure figure, const StudyCount& count) {
+  figure.studies = count.studies;
+  figure.hits = count.hits;
+  if (count.studies > 0) {
+    figure.percent = 100.0 * static_cast<double>(count.hits) / static_cast<double>(count.studies);
+    const Interval share = clopper_pearson(count.hits, count.studies);
+    figure.interval = {100.0 * share.low, 100.0 * share.high};
+    if (figure.estimates_ratios) {
+      figure.mean_ratio = count.mean_ratio();
+    }
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<CoverageFigure> measured(std::vector<CoverageFigure> figures,
+                                     const StudyCounts& counts) {
+  if (counts.empty()) {
+    return {};
+  }
+  assert(counts.size() == figures.size());
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    figures[i] = measured(std::move(figures[i]), counts[i]);
+  }
+  return figures;
+}
+
+std::vector<CoverageFigure> injected_figures() {
   std::vector<CoverageFigure> figures;
+  for (const Criterion& criterion : all_criteria({})) {
+    figures.push_back({.name = std::string(criterion.name),
+                       .claim = std::string(criterion.claim),
+                       .required = criterion.required});
+  }
+  return figures;
+}
+
+StudyCounts count_injected_coverage(const CoverageSettings& settings, const ItemRange& studies,
+                                    const std::function<void(double)>& on_progress,
+                                    const std::stop_token& stop) {
+  constexpr std::size_t studies_at_once = 50;
+  const std::vector<Criterion> criteria = all_criteria(settings);
+  const Workers workers(settings.threads);
+  StudyCounts counts;
   for (std::size_t i = 0; i < criteria.size(); ++i) {
     if (stop.stop_requested()) {
       return {};
     }
-    figures.push_back(measure(criteria[i], settings, i, workers));
+    const auto count_block = [&](std::size_t first, std::size_t last) -> StudyCounts {
+      return {count(criteria[i], settings, i, first, last)};
+    };
+    counts.push_back(sum_of_blocks(1, studies, studies_at_once, workers, count_block).front());
     on_progress(static_cast<double>(i + 1) / static_cast<double>(criteria.size()));
   }
-  return figures;
+  return counts;
 }
 
 }  // namespace foveola::analysis

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/monte_carlo/study_count.h"
 #include "analysis/statistics/descriptive.h"
+#include "renderer/base/shard.h"
 
 namespace foveola::analysis {
 
@@ -24,7 +26,8 @@ struct CoverageFigure {
   std::optional<Interval> required;  ///< Empty where the share is only reported.
   /// Of so few studies that it is enough if `interval` reaches into the required range.
   bool few_studies = false;
-  std::optional<double> mean_ratio;  ///< Geometric mean of the estimated ratios, where it is known.
+  bool estimates_ratios = false;     ///< The studies' estimates are logarithms of ratios.
+  std::optional<double> mean_ratio;  ///< Geometric mean of these ratios; empty without a study.
 
   bool is_met() const {
     const Interval share = few_studies ? interval : Interval{percent, percent};
@@ -32,9 +35,9 @@ struct CoverageFigure {
   }
 };
 
-/// A share that is only reported, with its interval.
-CoverageFigure coverage_figure(std::string name, std::string claim, std::size_t studies,
-                               std::size_t hits);
+/// The figures with what was counted of each; none if there are no counts.
+std::vector<CoverageFigure> measured(std::vector<CoverageFigure> figures,
+                                     const StudyCounts& counts);
 
 struct CoverageSettings {
   int studies = 4000;
@@ -42,13 +45,19 @@ struct CoverageSettings {
   std::uint64_t seed = 1;
   int resamples = 1999;  ///< Resamples of each bootstrap interval.
   int threads = 0;       ///< 0 takes every core; the figures do not depend on it.
+
+  ItemRange all_studies() const { return {.begin = 0, .end = studies}; }
 };
 
-/// The coverage of intervals over studies with injected effects, and the rejections of every test
-/// over studies without an effect. Calls `on_progress` with the share that is done. Empty when
-/// `stop` was requested.
-std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
-                                             const std::function<void(double)>& on_progress,
-                                             const std::stop_token& stop);
+/// What count_injected_coverage() counts, before it is counted: the coverage of intervals over
+/// studies with injected effects, and the rejections of every test over studies without an effect.
+std::vector<CoverageFigure> injected_figures();
+
+/// The counts of injected_figures() over these studies, each of which is a function of the seed and
+/// its number alone: those of parts may be added. Calls `on_progress` with the share that is done.
+/// Empty when `stop` was requested.
+StudyCounts count_injected_coverage(const CoverageSettings& settings, const ItemRange& studies,
+                                    const std::function<void(double)>& on_progress,
+                                    const std::stop_token& stop);
 
 }  // namespace foveola::analysis

@@ -1,6 +1,8 @@
 #include "analysis/monte_carlo/crossed_coverage.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -12,21 +14,11 @@ namespace {
 constexpr Interval crossed_required = {93.5, 98.5};
 constexpr const char* other_scenes = "covers in other scenes, too";
 
-CrossedCoverage count(const CrossedDesign& design, const CoverageSettings& settings,
-                      const Workers& workers) {
-  constexpr std::size_t block = 200;
-  const auto studies = static_cast<std::size_t>(settings.studies);
-  std::vector<CrossedCoverage> parts((studies + block - 1) / block);
-  workers.for_each_block(studies, block, [&](std::size_t first, std::size_t last) {
-    parts[first / block] = count_coverage(design, design.mean, settings.seed, first, last);
-  });
-  CrossedCoverage all;
-  for (const CrossedCoverage& part : parts) {
-    all.studies += part.studies;
-    all.crossed_model += part.crossed_model;
-    all.over_participants += part.over_participants;
-  }
-  return all;
+StudyCounts count(const CrossedDesign& design, std::uint64_t seed, std::size_t first,
+                  std::size_t last) {
+  const CrossedCoverage found = count_coverage(design, design.mean, seed, first, last);
+  return {{.studies = found.studies, .hits = found.crossed_model, .estimates = {}},
+          {.studies = found.studies, .hits = found.over_participants, .estimates = {}}};
 }
 
 std::string named(const std::string& analysis, const CrossedDesign& design) {
@@ -55,25 +47,37 @@ std::string design_in_words(const CrossedDesign& design) {
                      design.participant_sd, design.scene_sd);
 }
 
-std::vector<CoverageFigure> measure_crossed_coverage(const CoverageSettings& settings,
-                                                     const std::function<void(double)>& on_progress,
-                                                     const std::stop_token& stop) {
+std::vector<CoverageFigure> crossed_figures() {
+  std::vector<CoverageFigure> figures;
+  for (const CrossedDesign& design : crossed_designs()) {
+    figures.push_back({.name = named("crossed model", design),
+                       .claim = other_scenes,
+                       .required = crossed_required});
+    figures.push_back({.name = named("t over participants", design), .claim = other_scenes});
+  }
+  return figures;
+}
+
+StudyCounts count_crossed_coverage(const CoverageSettings& settings, const ItemRange& studies,
+                                   const std::function<void(double)>& on_progress,
+                                   const std::stop_token& stop) {
+  constexpr std::size_t analyses = 2;
+  constexpr std::size_t studies_at_once = 200;
   const std::vector<CrossedDesign> all = crossed_designs();
   const Workers workers(settings.threads);
-  std::vector<CoverageFigure> figures;
+  StudyCounts counts;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (stop.stop_requested()) {
       return {};
     }
-    const CrossedCoverage found = count(all[i], settings, workers);
-    figures.push_back(coverage_figure(named("crossed model", all[i]), other_scenes, found.studies,
-                                      found.crossed_model));
-    figures.back().required = crossed_required;
-    figures.push_back(coverage_figure(named("t over participants", all[i]), other_scenes,
-                                      found.studies, found.over_participants));
+    const auto count_block = [&](std::size_t first, std::size_t last) {
+      return count(all[i], settings.seed, first, last);
+    };
+    std::ranges::move(sum_of_blocks(analyses, studies, studies_at_once, workers, count_block),
+                      std::back_inserter(counts));
     on_progress(static_cast<double>(i + 1) / static_cast<double>(all.size()));
   }
-  return figures;
+  return counts;
 }
 
 }  // namespace foveola::analysis

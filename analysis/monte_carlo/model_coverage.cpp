@@ -10,7 +10,6 @@
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/monte_carlo/gain_study.h"
-#include "analysis/monte_carlo/interval_count.h"
 #include "analysis/r_models/fit_models.h"
 #include "renderer/base/error.h"
 #include "renderer/base/parallel.h"
@@ -47,7 +46,7 @@ ModelCell ordinal_cell(std::size_t participants) {
           .is_rating = true};
 }
 
-std::size_t studies_of(const ModelCell& cell, const ModelCoverageSettings& settings) {
+std::size_t study_count_of(const ModelCell& cell, const ModelCoverageSettings& settings) {
   return cell.is_rating ? (2 * settings.studies + 4) / 5 : settings.studies;
 }
 
@@ -88,79 +87,53 @@ Truth truth_of(const ModelCell& cell, std::uint64_t seed) {
           .in_all_scenes = std::log(cell.expected.times.front().ratios.back())};
 }
 
-struct CellCounts {
-  IntervalCount planned;        ///< By the model, of the ratio that its interval is of.
-  IntervalCount in_all_scenes;  ///< By the model, of the ratio in all scenes like these.
-  IntervalCount without_r;  ///< By what stands in for the model, of the ratio that it is to be of.
+bool has_fixed_scenes(const ModelCell& cell) {
+  return cell.expected.protocol.analysis.scenes == study::SceneEffects::fixed;
+}
 
-  void add(const CellCounts& other) {
-    planned.add(other.planned);
-    in_all_scenes.add(other.in_all_scenes);
-    without_r.add(other.without_r);
-  }
-};
-
-CellCounts count_study(const study::StudyRecords& records, const FittedModels& models,
-                       const Truth& truth) {
+/// As many as model_figures() has, in its order.
+StudyCounts count_study(const ModelCell& cell, const study::StudyRecords& records,
+                        const FittedModels& models, const Truth& truth) {
   const Dataset set = select_for_analysis(records);
   const study::AnalysisPlan& plan = records.protocol.analysis;
   const auto primary = [&](const FittedModels& by_r) {
     return planned_primary_analyses(set, plan, by_r).front().primary;
   };
-  const bool is_fixed = plan.scenes == study::SceneEffects::fixed;
+  const bool is_fixed = has_fixed_scenes(cell);
   const double planned = is_fixed ? truth.in_these_scenes : truth.in_all_scenes;
-  CellCounts counts;
+  StudyCounts counts(is_fixed ? 3 : 2);
   if (const auto found = primary(models); found && found->instead.empty() && found->interval) {
-    counts.planned.add(*found, planned);
-    counts.in_all_scenes.add(*found, truth.in_all_scenes);
+    counts.front().add(*found, planned);
+    if (is_fixed) {
+      counts[1].add(*found, truth.in_all_scenes);
+    }
   }
   if (const auto found = primary({}); found && found->interval) {
-    counts.without_r.add(*found, planned);
+    counts.back().add(*found, planned);
   }
   return counts;
 }
 
-CellCounts count_block(const ModelCell& cell, const ModelCoverageSettings& settings,
-                       const ModelFitter& fit, std::size_t first, std::size_t last) {
+void require_fitted(const FittedModels& models) {
+  if (const std::string why = missing_for(models); !why.empty()) {
+    throw Error("bench statistics --r", why, "install it, or leave --r out");
+  }
+}
+
+StudyCounts count_block(const ModelCell& cell, const ModelCoverageSettings& settings,
+                        const ModelFitter& fit, std::size_t first, std::size_t last) {
   std::vector<study::StudyRecords> studies;
   for (std::size_t study = first; study < last; ++study) {
     studies.push_back(draw(cell, seed_of(cell, settings, study)));
   }
   const std::vector<FittedModels> models = fit(studies);
-  CellCounts counts;
+  StudyCounts counts(model_figures(cell).size());
   for (std::size_t i = 0; i < studies.size(); ++i) {
-    if (const std::string why = missing_for(models[i]); !why.empty()) {
-      throw Error("bench statistics --r", why, "install it, or leave --r out");
-    }
-    counts.add(
-        count_study(studies[i], models[i], truth_of(cell, seed_of(cell, settings, first + i))));
+    require_fitted(models[i]);
+    const Truth truth = truth_of(cell, seed_of(cell, settings, first + i));
+    add(count_study(cell, studies[i], models[i], truth), counts);
   }
   return counts;
-}
-
-CoverageFigure figure_of(const ModelCell& cell, const std::string& claim,
-                         const IntervalCount& count) {
-  CoverageFigure figure = coverage_figure(cell.name, claim, count.studies, count.covered);
-  if (count.studies > 0 && !cell.is_rating) {
-    figure.mean_ratio = count.mean_ratio();
-  }
-  return figure;
-}
-
-std::vector<CoverageFigure> figures_of(const ModelCell& cell, const CellCounts& counts) {
-  const bool is_fixed = cell.expected.protocol.analysis.scenes == study::SceneEffects::fixed;
-  std::vector<CoverageFigure> figures = {figure_of(cell,
-                                                   cell.is_rating ? "covers no difference"
-                                                   : is_fixed     ? "covers in these scenes"
-                                                                  : "covers",
-                                                   counts.planned)};
-  figures.front().required = nominal_range;
-  figures.front().few_studies = true;
-  if (is_fixed) {
-    figures.push_back(figure_of(cell, "covers in other scenes, too", counts.in_all_scenes));
-  }
-  figures.push_back(figure_of(cell, "covers without R", counts.without_r));
-  return figures;
 }
 
 }  // namespace
@@ -193,8 +166,8 @@ double expected_seconds(const std::vector<ModelCell>& cells, const ModelCoverage
   std::vector<study::StudyRecords> studies;
   std::size_t all = 0;
   for (const ModelCell& cell : cells) {
-    all += studies_of(cell, settings);
-    const std::size_t timed = std::max<std::size_t>(studies_of(cell, settings) / unit, 1);
+    all += study_count_of(cell, settings);
+    const std::size_t timed = std::max<std::size_t>(study_count_of(cell, settings) / unit, 1);
     for (std::size_t study = 0; study < timed; ++study) {
       studies.push_back(draw(cell, seed_of(cell, settings, study)));
     }
@@ -206,26 +179,54 @@ double expected_seconds(const std::vector<ModelCell>& cells, const ModelCoverage
          Workers(settings.threads).threads();
 }
 
-std::vector<CoverageFigure> measure_model_coverage(const ModelCell& cell,
-                                                   const ModelCoverageSettings& settings,
-                                                   const ModelFitter& fit,
-                                                   const std::stop_token& stop) {
-  const std::size_t studies = studies_of(cell, settings);
-  std::vector<CellCounts> parts((studies + studies_drawn_together - 1) / studies_drawn_together);
-  Workers(settings.threads)
-      .for_each_block(studies, studies_drawn_together, [&](std::size_t first, std::size_t last) {
-        if (!stop.stop_requested()) {
-          parts[first / studies_drawn_together] = count_block(cell, settings, fit, first, last);
-        }
-      });
-  if (stop.stop_requested()) {
-    return {};
+std::vector<CoverageFigure> model_figures(const ModelCell& cell) {
+  const bool is_fixed = has_fixed_scenes(cell);
+  const auto figure = [&](const char* claim) -> CoverageFigure {
+    return {.name = cell.name, .claim = claim, .estimates_ratios = !cell.is_rating};
+  };
+  std::vector<CoverageFigure> figures = {figure(cell.is_rating ? "covers no difference"
+                                                : is_fixed     ? "covers in these scenes"
+                                                               : "covers")};
+  figures.front().required = nominal_range;
+  figures.front().few_studies = true;
+  if (is_fixed) {
+    figures.push_back(figure("covers in other scenes, too"));
   }
-  CellCounts counts;
-  for (const CellCounts& part : parts) {
-    counts.add(part);
+  figures.push_back(figure("covers without R"));
+  return figures;
+}
+
+ItemRange studies_of(const ModelCell& cell, const ModelCoverageSettings& settings,
+                     const Shard& shard) {
+  const auto studies = static_cast<std::int64_t>(study_count_of(cell, settings));
+  constexpr auto batch = static_cast<std::int64_t>(studies_drawn_together);
+  const ItemRange batches = part_of(shard, (studies + batch - 1) / batch);
+  return {.begin = std::min(batches.begin * batch, studies),
+          .end = std::min(batches.end * batch, studies)};
+}
+
+StudyCounts count_model_coverage(const ModelCell& cell, const ModelCoverageSettings& settings,
+                                 const ItemRange& studies, const ModelFitter& fit,
+                                 const std::stop_token& stop) {
+  const std::size_t figures = model_figures(cell).size();
+  const StudyCounts counts =
+      sum_of_blocks(figures, studies, studies_drawn_together, Workers(settings.threads),
+                    [&](std::size_t first, std::size_t last) {
+                      return stop.stop_requested() ? StudyCounts(figures)
+                                                   : count_block(cell, settings, fit, first, last);
+                    });
+  return stop.stop_requested() ? StudyCounts() : counts;
+}
+
+std::string fitted_by(const ModelCell& cell, const ModelCoverageSettings& settings,
+                      const ModelFitter& fit) {
+  const FittedModels models = fit({draw(cell, seed_of(cell, settings, 0))}).front();
+  require_fitted(models);
+  std::string programs;
+  for (const auto& [name, version] : models.versions) {
+    programs += fmt::format("{}{} {}", programs.empty() ? "" : ", ", name, version);
   }
-  return figures_of(cell, counts);
+  return programs;
 }
 
 }  // namespace foveola::analysis

@@ -6,7 +6,8 @@ namespace foveola::analysis {
 namespace {
 
 std::vector<CoverageFigure> measure(int threads) {
-  return measure_crossed_coverage({.studies = 300, .threads = threads}, [](double) {}, {});
+  return measured(crossed_figures(),
+                  count_crossed_coverage({.threads = threads}, {.end = 300}, [](double) {}, {}));
 }
 
 TEST(CrossedCoverage, IsNearlyNominalWherePeopleAndScenesDiffer) {
@@ -32,7 +33,7 @@ TEST(CrossedCoverage, DoesNotDependOnThreads) {
 TEST(CrossedCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(measure_crossed_coverage({}, [](double) {}, stop.get_token()).empty());
+  EXPECT_TRUE(count_crossed_coverage({}, {.end = 10}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

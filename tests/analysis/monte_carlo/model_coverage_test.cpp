@@ -35,6 +35,12 @@ ModelFitter fitter(Interval interval) {
   };
 }
 
+std::vector<CoverageFigure> measure(const ModelCell& cell, const ModelCoverageSettings& settings,
+                                    const ModelFitter& fit) {
+  return measured(model_figures(cell),
+                  count_model_coverage(cell, settings, studies_of(cell, settings), fit, {}));
+}
+
 const ModelCoverageSettings few = {.studies = 50, .threads = 2};
 
 TEST(ModelCells, AreTwelveWithNamesAndStreamsOfTheirOwn) {
@@ -52,8 +58,8 @@ TEST(ModelCells, AreTwelveWithNamesAndStreamsOfTheirOwn) {
 
 TEST(ModelCoverage, CountsTheStudiesWhoseIntervalCovers) {
   for (const ModelCell& cell : model_cells()) {
-    const auto wide = measure_model_coverage(cell, few, fitter({-2.0, 2.0}), {});
-    const auto beside = measure_model_coverage(cell, few, fitter({3.0, 4.0}), {});
+    const auto wide = measure(cell, few, fitter({-2.0, 2.0}));
+    const auto beside = measure(cell, few, fitter({3.0, 4.0}));
     EXPECT_EQ(wide.front().studies, cell.is_rating ? 20U : 50U) << cell.name;
     EXPECT_TRUE(wide.front().required) << cell.name;
     EXPECT_FALSE(wide.back().required) << cell.name;
@@ -68,7 +74,7 @@ TEST(ModelCoverage, CountsTheStudiesWhoseIntervalCovers) {
 // With a third of the baseline's times out, those that are left make it look faster than it is.
 TEST(ModelCoverage, OfWhatStandsInWithoutRIsBiased) {
   const ModelCell tobit = model_cells()[6];
-  const auto figures = measure_model_coverage(tobit, {.studies = 200}, fitter({-2.0, 2.0}), {});
+  const auto figures = measure(tobit, {.studies = 200}, fitter({-2.0, 2.0}));
   EXPECT_EQ(figures.back().claim, "covers without R");
   EXPECT_GT(*figures.back().mean_ratio, 0.52);
 }
@@ -78,18 +84,47 @@ TEST(ModelCoverage, MissingPackagesAreAnError) {
     return std::vector<FittedModels>(studies.size(), {.missing = "R is not installed"});
   };
   try {
-    (void)measure_model_coverage(model_cells().back(), few, without_r, {});
+    (void)measure(model_cells().back(), few, without_r);
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("R is not installed"));
   }
 }
 
+TEST(ModelCoverage, PartsHaveWholeBatchesAndAddUp) {
+  const ModelCoverageSettings settings{.studies = 90, .threads = 2};
+  const ModelCell tobit = model_cells()[6];
+  const StudyCounts whole =
+      count_model_coverage(tobit, settings, studies_of(tobit, settings), fitter({-2.0, 2.0}), {});
+  for (const std::int64_t parts : {1, 3, 7}) {
+    StudyCounts sums(whole.size());
+    std::int64_t next = 0;
+    for (std::int64_t number = 1; number <= parts; ++number) {
+      const ItemRange studies = studies_of(tobit, settings, {number, parts});
+      EXPECT_EQ(studies.begin, next);
+      EXPECT_TRUE(studies.end % studies_drawn_together == 0 || studies.end == 90);
+      next = studies.end;
+      add(count_model_coverage(tobit, settings, studies, fitter({-2.0, 2.0}), {}), sums);
+    }
+    EXPECT_EQ(next, 90);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_EQ(sums[i].hits, whole[i].hits);
+      EXPECT_EQ(sums[i].mean_ratio(), whole[i].mean_ratio());
+    }
+  }
+}
+
+TEST(FittedBy, NamesRAndItsPackages) {
+  EXPECT_EQ(fitted_by(model_cells().front(), few, fitter({})),
+            "R 1, lme4 1, lmerTest 1, survival 1, ordinal 1");
+}
+
 TEST(ModelCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_TRUE(
-      measure_model_coverage(model_cells().back(), few, fitter({}), stop.get_token()).empty());
+      count_model_coverage(model_cells().back(), few, {.end = 50}, fitter({}), stop.get_token())
+          .empty());
 }
 
 TEST(ExpectedSeconds, TimesOneOfAHundredStudies) {

@@ -1,0 +1,48 @@
+#include "analysis/commands/bench_merge.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/commands/bench_statistics.h"
+#include "analysis/commands/statistics_part.h"
+#include "renderer/base/error.h"
+#include "renderer/commands/bench_part.h"
+
+namespace foveola::analysis {
+namespace {
+
+struct MergeArguments {
+  std::vector<std::string> parts;
+  bool json = false;
+};
+
+void run(const MergeArguments& arguments) {
+  const std::vector<BenchPart> parts =
+      read_whole_bench({arguments.parts.begin(), arguments.parts.end()});
+  const BenchPart& first = parts.front();
+  if (first.command == statistics_command) {
+    merge_statistics(parts, arguments.json);
+  } else {
+    throw Error(first.file.string(), "is of bench " + first.command + ", which has no parts",
+                "name files that foveola bench has written with --shard");
+  }
+}
+
+}  // namespace
+
+void add_bench_merge(CLI::App& bench) {
+  const auto arguments = std::make_shared<MergeArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "merge", "Make of a benchmark's parts, measured with --shard, what it is as a whole");
+  command->add_option("PART", arguments->parts, "The file of each part, in any order")->required();
+  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  command->footer(
+      "Example: foveola bench statistics --shard 1/2 -o 1.json (and 2/2, elsewhere), then\n"
+      "         foveola bench merge 1.json 2.json");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace foveola::analysis

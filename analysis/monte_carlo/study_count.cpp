@@ -1,0 +1,51 @@
+#include "analysis/monte_carlo/study_count.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace foveola::analysis {
+
+void StudyCount::add(std::optional<bool> holds) {
+  studies += holds ? 1 : 0;
+  hits += holds.value_or(false) ? 1 : 0;
+}
+
+void StudyCount::add(const PrimaryResult& result, double truth) {
+  add(result.interval->low <= truth && truth <= result.interval->high);
+  estimates.add(result.estimate);
+}
+
+void StudyCount::add(const StudyCount& other) {
+  studies += other.studies;
+  hits += other.hits;
+  estimates.add(other.estimates);
+}
+
+double StudyCount::mean_ratio() const {
+  return std::exp(estimates.rounded() / static_cast<double>(studies));
+}
+
+void add(const StudyCounts& counts, StudyCounts& sums) {
+  assert(counts.size() == sums.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    sums[i].add(counts[i]);
+  }
+}
+
+StudyCounts sum_of_blocks(
+    std::size_t figures, const ItemRange& studies, std::size_t block, const Workers& workers,
+    const std::function<StudyCounts(std::size_t first, std::size_t last)>& count) {
+  const auto first = static_cast<std::size_t>(studies.begin);
+  const auto size = static_cast<std::size_t>(studies.size());
+  std::vector<StudyCounts> parts((size + block - 1) / block, StudyCounts(figures));
+  workers.for_each_block(size, block, [&](std::size_t begin, std::size_t end) {
+    parts[begin / block] = count(first + begin, first + end);
+  });
+  StudyCounts sums(figures);
+  for (const StudyCounts& part : parts) {
+    add(part, sums);
+  }
+  return sums;
+}
+
+}  // namespace foveola::analysis
