@@ -10,6 +10,7 @@
 #include "analysis/commands/statistics_part.h"
 #include "renderer/base/error.h"
 #include "renderer/commands/bench_part.h"
+#include "renderer/commands/bench_stability.h"
 
 namespace foveola::analysis {
 namespace {
@@ -25,6 +26,8 @@ void run(const MergeArguments& arguments) {
   const BenchPart& first = parts.front();
   if (first.command == statistics_command) {
     merge_statistics(parts, arguments.json);
+  } else if (first.command == stability_command) {
+    merge_stability(parts, arguments.json);
   } else {
     throw Error(first.file.string(), "is of bench " + first.command + ", which has no parts",
                 "name files that foveola bench has written with --shard");

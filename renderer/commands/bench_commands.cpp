@@ -1,189 +1,21 @@
 #include "renderer/commands/bench_commands.h"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <thread>
-#include <vector>
-
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
-#include "renderer/base/build_info.h"
-#include "renderer/base/clock.h"
-#include "renderer/base/error.h"
-#include "renderer/base/progress.h"
 #include "renderer/commands/bench_equation7.h"
 #include "renderer/commands/bench_preview.h"
 #include "renderer/commands/bench_sampling.h"
+#include "renderer/commands/bench_stability.h"
 #include "renderer/commands/bench_tracing.h"
-#include "renderer/stability/stability.h"
 
 namespace foveola {
-namespace {
-
-struct StabilityArguments {
-  bool quick = false;
-  bool full = false;
-  bool json = false;
-  std::string only;
-  int threads = 0;
-  std::uint64_t scene_paths = 0;
-  std::uint32_t scene_seed = 1;
-};
-
-StabilityEffort effort_of(const StabilityArguments& arguments) {
-  StabilityEffort effort = thorough_effort;
-  if (arguments.quick) {
-    effort = quick_effort;
-  } else if (arguments.full) {
-    effort = full_effort;
-  }
-  effort.scene_seed = arguments.scene_seed;
-  if (arguments.scene_paths > 0) {
-    effort.scene_paths = arguments.scene_paths;
-  }
-  return effort;
-}
-
-/// All stress tests, or those whose name has `only` in it.
-std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes,
-                                          const std::string& only) {
-  std::vector<StabilityCheck> checks = stability_checks(scenes);
-  std::vector<std::string> names;
-  for (const StabilityCheck& check : checks) {
-    names.push_back(check.name);
-  }
-  std::erase_if(checks,
-                [&](const auto& check) { return check.name.find(only) == std::string::npos; });
-  if (checks.empty()) {
-    throw Error("--only", fmt::format("no stress test is called {}", only),
-                fmt::format("there are: {}", fmt::join(names, ", ")));
-  }
-  return checks;
-}
-
-/// The number of threads: at least four unless asked otherwise, also on fewer cores: bits must be
-/// equal on four threads, and TBB starts no more than the first of its users allows.
-int thread_count(const StabilityArguments& arguments) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  return arguments.threads > 0 ? arguments.threads : std::max(4, cores);
-}
-
-std::vector<SceneSource> found(const std::vector<std::string>& names,
-                               const SceneFinder& find_scene) {
-  std::vector<SceneSource> scenes;
-  for (const std::string& name : names) {
-    scenes.push_back(find_scene(name));
-  }
-  return scenes;
-}
-
-nlohmann::json json_of(const StabilityFigure& figure) {
-  nlohmann::json measured = nullptr;  // JSON has no NaN
-  if (std::isfinite(figure.measured)) {
-    measured = figure.measured;
-  }
-  return {{"name", figure.name}, {"measured", measured},      {"bound", figure.bound},
-          {"unit", figure.unit}, {"passes", figure.passes()}, {"details", figure.details}};
-}
-
-void print_json(const std::vector<StabilityFigure>& figures, double duration_s, int threads) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const StabilityFigure& figure : figures) {
-    list.push_back(json_of(figure));
-  }
-  const nlohmann::json json = {{"version", build_info().version},
-                               {"threads", threads},
-                               {"seconds", duration_s},
-                               {"figures", list}};
-  fmt::print("{}\n", json.dump(2));
-}
-
-void print_table(const std::vector<StabilityFigure>& figures, double duration_s) {
-  std::size_t width = 0;
-  for (const StabilityFigure& figure : figures) {
-    width = std::max(width, figure.name.size());
-  }
-  fmt::print("{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "at most", "measured", "verdict");
-  for (const StabilityFigure& figure : figures) {
-    fmt::print("{:<{}}  {:>12.4g}  {:>12.4g}  {}  {}\n", figure.name, width, figure.bound,
-               figure.measured, figure.passes() ? "pass" : "FAIL", figure.unit);
-    if (!figure.passes()) {
-      fmt::print("    {}\n", figure.details);
-    }
-  }
-  fmt::print("{} figures in {}\n", figures.size(), human_duration(duration_s));
-}
-
-void run_stability(const StabilityArguments& arguments, const std::vector<std::string>& scene_names,
-                   const SceneFinder& find_scene, const std::stop_token& stop) {
-  const std::vector<StabilityCheck> checks =
-      chosen_checks(found(scene_names, find_scene), arguments.only);
-  const SteadyClock clock;
-  const Workers workers(thread_count(arguments));
-  const Nanoseconds start = clock.now();
-  std::vector<StabilityFigure> figures;
-  {
-    Progress progress("numerical stability");
-    figures = measure_stability(
-        checks, effort_of(arguments), workers,
-        [&](double fraction, const std::string& test) { progress.update(fraction, test); }, stop);
-  }
-  const double duration_s = seconds(clock.now() - start);
-  if (arguments.json) {
-    print_json(figures, duration_s, workers.threads());
-  } else {
-    print_table(figures, duration_s);
-  }
-  const auto failures = std::count_if(figures.begin(), figures.end(),
-                                      [](const auto& figure) { return !figure.passes(); });
-  if (failures > 0) {
-    throw Error("bench stability",
-                fmt::format("{} of {} figures are not met", failures, figures.size()),
-                "see the table; --json has the details of all");
-  }
-}
-
-void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
-                   const SceneFinder& find_scene, const std::stop_token& stop) {
-  const auto arguments = std::make_shared<StabilityArguments>();
-  CLI::App* command = bench.add_subcommand(
-      "stability", "Stress tests of numerical stability: furnaces, known answers, leaks, bits");
-  CLI::Option* quick =
-      command->add_flag("--quick", arguments->quick, "Run smaller tests, in a minute or two");
-  command
-      ->add_flag("--full", arguments->full,
-                 "Run larger tests: 10^9 paths over the scenes, for hours")
-      ->excludes(quick);
-  command->add_option("--only", arguments->only,
-                      "Run only the stress tests whose name contains this");
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_option("--paths", arguments->scene_paths,
-                      "Number of paths over the scenes, instead of what --quick or --full say");
-  command->add_option(
-      "--seed", arguments->scene_seed,
-      "Seed of these paths: many can be traced in several runs, each with its own seed");
-  command->add_flag("--json", arguments->json, "Print the figures as JSON");
-  command->footer("Example: foveola bench stability --quick");
-  command->callback([arguments, scenes, find_scene, stop] {
-    run_stability(*arguments, scenes, find_scene, stop);
-  });
-}
-
-}  // namespace
 
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
                              const SceneFinder& find_scene, const std::stop_token& stop) {
   CLI::App* bench = app.add_subcommand(
       "bench", "Measure how fast and how exact the renderer and the statistics are");
   bench->require_subcommand(1);
-  add_stability(*bench, scenes, find_scene, stop);
+  add_bench_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);
   add_bench_equation7(*bench);
   add_bench_tracing(*bench, find_scene);

@@ -1,7 +1,15 @@
+#include "renderer/stability/finite_radiance.h"
+
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "renderer/base/random.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/stability/checks.h"
@@ -18,82 +26,151 @@ Viewport viewport_of(const SceneSource& source) {
   return {head_orientation(source.heading), field_of_view_rad, field_of_view_rad};
 }
 
-/// What went wrong, and where to find the first case again.
-struct Faults {
-  std::uint32_t seed = 1;
-  std::uint64_t count = 0;
-  std::string first;
-
-  void add(const SampleJob& job, const Rgb& radiance, const std::string& where) {
-    if (count++ == 0) {
-      first = fmt::format("{}, pixel {},{} of {}x{}, sample {}, seed {}: ({}, {}, {})", where,
-                          job.pixel % film_width, job.pixel / film_width, film_width, film_height,
-                          job.sample_number, seed, radiance.r, radiance.g, radiance.b);
-    }
-  }
-};
-
 bool is_sound(const Rgb& radiance) {
   return is_finite(radiance) && radiance.r >= 0.0F && radiance.g >= 0.0F && radiance.b >= 0.0F;
 }
 
-/// Traces `paths` paths through the film as a render does.
-void trace_method(const PathTracer& tracer, const Vec3& viewpoint, const SceneSource& source,
-                  const std::string& method, std::uint64_t paths, const StabilityRun& run,
-                  const std::function<void(std::uint64_t)>& traced, Faults& faults) {
-  const std::string where = source.name + " with " + method;
+/// How paths are dealt over scenes and methods.
+struct Deal {
+  std::uint64_t methods;
+  std::uint64_t paths_each;     ///< of a scene with a method
+  std::uint64_t paths_a_round;  ///< the last one has the rest
+
+  Deal(const StabilityEffort& effort, std::size_t scenes)
+      : methods(published_methods().size()),
+        paths_each(std::max<std::uint64_t>(1, effort.scene_paths / (scenes * methods))),
+        paths_a_round(effort.round_paths) {}
+
+  std::uint64_t rounds_each() const { return (paths_each + paths_a_round - 1) / paths_a_round; }
+};
+
+/// Paths over one scene with one method and one seed.
+struct Round {
+  std::size_t scene = 0;
+  std::size_t method = 0;
+  std::uint64_t paths = 0;
+  std::uint32_t seed = 0;
+};
+
+Round round_of(const Deal& deal, std::uint32_t seed, std::int64_t index) {
+  const auto number = static_cast<std::uint64_t>(index);
+  const std::uint64_t pair = number / deal.rounds_each();
+  const std::uint64_t round = number % deal.rounds_each();
+  return {.scene = pair / deal.methods,
+          .method = pair % deal.methods,
+          .paths = std::min(deal.paths_a_round, deal.paths_each - round * deal.paths_a_round),
+          .seed = round == 0 ? seed : mix(seed, static_cast<std::uint32_t>(round))};
+}
+
+/// A scene that is loaded.
+struct TracedScene {
+  const SceneSource& source;
+  Scene scene;
+  PathTracer tracer;
+
+  TracedScene(const SceneSource& from, const Workers& workers)
+      : source(from), scene(load_scene(from)), tracer(scene, workers) {}
+};
+
+/// Traces the round's paths through the film as a render does. traced: gets the number of each
+/// pass.
+FiniteRadiance trace(const TracedScene& traced_scene, const Round& round, const StabilityRun& run,
+                     const std::function<void(std::uint64_t)>& traced) {
+  const SceneSource& source = traced_scene.source;
+  const std::string& method = published_methods()[round.method];
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
   sampler->aim(
       {.viewport = viewport_of(source), .gaze = head_orientation(source.heading) * Vec3(0, 0, -1)});
-  ProgressiveRender render(tracer,
-                           {.viewpoint = viewpoint,
-                            .film_size = {film_width, film_height},
-                            .trace = {.seed = run.effort.scene_seed}},
-                           run.workers);
+  ProgressiveRender render(
+      traced_scene.tracer,
+      {.viewpoint = traced_scene.scene.from_file(DVec3(*source.camera_position)),
+       .film_size = {film_width, film_height},
+       .trace = {.seed = round.seed}},
+      run.workers);
+  FiniteRadiance found;
   render.observe_samples([&](std::span<const SampleJob> jobs, std::span<const Rgb> radiance) {
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      if (!is_sound(radiance[i])) {
-        faults.add(jobs[i], radiance[i], where);
+      if (!is_sound(radiance[i]) && found.faults++ == 0) {
+        found.first_fault = fmt::format(
+            "{} with {}, pixel {},{} of {}x{}, sample {}, seed {}: ({}, {}, {})", source.name,
+            method, jobs[i].pixel % film_width, jobs[i].pixel / film_width, film_width, film_height,
+            jobs[i].sample_number, round.seed, radiance[i].r, radiance[i].g, radiance[i].b);
       }
     }
   });
-  while (render.points_drawn() < paths && !run.stop.stop_requested()) {
-    traced(render.advance(*sampler, std::min(pass_points, paths - render.points_drawn())).samples);
+  while (render.points_drawn() < round.paths && !run.stop.stop_requested()) {
+    const std::uint64_t points = std::min(pass_points, round.paths - render.points_drawn());
+    const std::uint64_t samples = render.advance(*sampler, points).samples;
+    found.paths += samples;
+    traced(samples);
   }
+  return found;
 }
 
 }  // namespace
+
+void FiniteRadiance::add(const FiniteRadiance& later) {
+  if (faults == 0) {
+    first_fault = later.first_fault;
+  }
+  paths += later.paths;
+  faults += later.faults;
+}
+
+std::int64_t finite_radiance_rounds(const StabilityEffort& effort, std::size_t scenes) {
+  const Deal deal(effort, scenes);
+  return static_cast<std::int64_t>(scenes * deal.methods * deal.rounds_each());
+}
+
+FiniteRadiance trace_rounds(const StabilityRun& run, const std::vector<SceneSource>& scenes,
+                            const ItemRange& rounds) {
+  const Deal deal(run.effort, scenes.size());
+  std::vector<Round> all;
+  std::uint64_t planned = 0;
+  for (std::int64_t i = rounds.begin; i < rounds.end; ++i) {
+    all.push_back(round_of(deal, run.effort.scene_seed, i));
+    planned += all.back().paths;
+  }
+  FiniteRadiance found;
+  std::uint64_t done = 0;
+  const auto traced = [&](std::uint64_t paths) {
+    done += paths;
+    run.progress(static_cast<double>(done) / static_cast<double>(planned));
+  };
+  std::optional<TracedScene> scene;
+  for (const Round& round : all) {
+    if (run.stop.stop_requested()) {
+      break;
+    }
+    if (!scene || &scene->source != &scenes[round.scene]) {
+      scene.reset();  // two would need twice the memory
+      scene.emplace(scenes[round.scene], run.workers);
+    }
+    found.add(trace(*scene, round, run, traced));
+  }
+  return found;
+}
+
+StabilityFigure figure_of(const FiniteRadiance& found, const std::vector<std::string>& scenes) {
+  return {.name = "radiance that is not finite, or negative",
+          .measured = static_cast<double>(found.faults),
+          .bound = 0.0,
+          .unit = fmt::format("of {} paths", found.paths),
+          .details =
+              found.faults > 0 ? found.first_fault : fmt::format("in {}", fmt::join(scenes, ", "))};
+}
 
 std::vector<StabilityFigure> check_finite_radiance(const StabilityRun& run,
                                                    const std::vector<SceneSource>& scenes) {
   if (scenes.empty()) {
     return {};
   }
-  const std::vector<std::string>& methods = published_methods();
-  const std::uint64_t paths_each =
-      std::max<std::uint64_t>(1, run.effort.scene_paths / (scenes.size() * methods.size()));
-  std::uint64_t done = 0;
-  const auto traced = [&](std::uint64_t paths) {
-    done += paths;
-    run.progress(static_cast<double>(done) /
-                 static_cast<double>(paths_each * scenes.size() * methods.size()));
-  };
-  Faults faults{.seed = run.effort.scene_seed, .first = {}};
-  std::string names;
+  std::vector<std::string> names;
   for (const SceneSource& source : scenes) {
-    const Scene scene = load_scene(source);
-    const PathTracer tracer(scene, run.workers);
-    for (const std::string& method : methods) {
-      trace_method(tracer, scene.from_file(DVec3(*source.camera_position)), source, method,
-                   paths_each, run, traced, faults);
-    }
-    names += (names.empty() ? "" : ", ") + source.name;
+    names.push_back(source.name);
   }
-  return {{.name = "radiance that is not finite, or negative",
-           .measured = static_cast<double>(faults.count),
-           .bound = 0.0,
-           .unit = fmt::format("of {} paths", done),
-           .details = faults.count > 0 ? faults.first : "in " + names}};
+  const ItemRange all{.end = finite_radiance_rounds(run.effort, scenes.size())};
+  return {figure_of(trace_rounds(run, scenes, all), names)};
 }
 
 }  // namespace foveola

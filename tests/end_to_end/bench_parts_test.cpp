@@ -31,8 +31,7 @@ class BenchParts : public testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   ProgramResult bench(const Options& options) const {
-    return run_foveola(Options{"bench"} + options,
-                       {{"XDG_CACHE_HOME", (folder_ / "cache").string()}});
+    return run_foveola(Options{"bench"} + options, environment_);
   }
 
   /// Measures all parts of a split, the last one first. Returns their files.
@@ -54,6 +53,7 @@ class BenchParts : public testing::Test {
   }
 
   const TemporaryFolder folder_;
+  Environment environment_;
 };
 
 /// The last line, the error behind the lines of progress.
@@ -77,6 +77,18 @@ TEST_F(BenchParts, OfStatisticsAreTheWholeByteForByte) {
     EXPECT_EQ(merged.errors, error_of(table));
     EXPECT_EQ(merge(files, {"--json"}).output, json.output);
   }
+}
+
+TEST_F(BenchParts, OfPathsOverScenesAreTheWhole) {
+  const Options options = {"stability", "--only", "finite", "--paths", "3000"};
+  const auto figures = [](const ProgramResult& result) {
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output).at("figures");
+  };
+  const nlohmann::json whole = figures(bench(options + Options{"--json"}));
+  EXPECT_EQ(figures(merge(parts(2, options, "part"), {"--json"})), whole);
+  expect_one_line(bench({"stability", "--only", "leaks", "--shard", "1/2", "-o", path("a.json")}),
+                  2, "the other stress tests take minutes and have no parts");
 }
 
 TEST_F(BenchParts, AreRefusedIfTheyAreNotThoseOfOneBenchmark) {
