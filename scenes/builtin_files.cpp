@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/cache.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "scenes/generators_digest.h"
@@ -22,24 +23,22 @@ namespace {
 
 fs::path cached_scenes() { return cache_folder() / "scenes"; }
 
-/// Makes the folder if need be. Throws Error if `file` could not be written.
-void prepare_folder_of(const fs::path& file) {
-  const fs::path folder = file.parent_path();
-  const bool is_cache = folder == cached_scenes();
-  const char* const elsewhere =
-      is_cache ? "set XDG_CACHE_HOME to another folder" : "choose another folder";
+void prepare_folder(const fs::path& folder) {
   std::error_code failure;
   if (!folder.empty()) {
     fs::create_directories(folder, failure);
   }
   if (failure) {
-    throw Error(folder.string(), "cannot be made: " + failure.message(), elsewhere);
+    throw Error(folder.string(), "cannot be made: " + failure.message(), "choose another folder");
   }
+}
+
+void prepare_cache_for(const fs::path& file) {
+  make_cache_folder(file.parent_path());
   std::error_code unreachable;
-  if (is_cache && fs::is_directory(file, unreachable)) {
+  if (fs::is_directory(file, unreachable)) {
     throw Error(file.string(), "is a folder, where the cache keeps a scene", "remove it");
   }
-  require_writable(file);
 }
 
 }  // namespace
@@ -66,9 +65,19 @@ std::optional<std::uint32_t> variant_seed(const std::string& name, const fs::pat
 }
 
 std::size_t write_builtin(const std::string& name, const fs::path& file, std::uint32_t seed) {
-  prepare_folder_of(file);
+  const bool is_cached = file.parent_path() == cached_scenes();
+  if (is_cached) {
+    prepare_cache_for(file);
+  } else {
+    prepare_folder(file.parent_path());
+  }
+  require_writable(file);
   const GeneratedScene scene = generate_scene(name, seed);
-  write_file(file, scene.glb);
+  if (is_cached) {
+    keep_content(file, scene.glb);
+  } else {
+    write_file(file, scene.glb);
+  }
   return scene.triangles;
 }
 
@@ -89,7 +98,7 @@ bool is_whole_glb(const fs::path& file) {
 
 fs::path require_builtin(const std::string& name) {
   const fs::path file = cached_builtin(name);
-  if (!is_whole_glb(file)) {
+  if (!is_kept(file)) {
     write_builtin(name, file);
   }
   return file;

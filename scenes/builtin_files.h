@@ -17,7 +17,8 @@ std::vector<std::string> builtin_names();
 
 /// Where the cache keeps the scene's .glb. The file's name carries a digest of the generators'
 /// sources, so that a scene made by other generators is never taken for this program's, and the
-/// seed of a variant.
+/// seed of a variant. It does not say with which compiler: generators make the same bytes with all
+/// (each descriptor has their SHA-256).
 std::filesystem::path cached_builtin(const std::string& name, std::uint32_t seed = default_seed);
 
 /// The seed of the variant of the scene that `file` is called after in the manner of
@@ -33,7 +34,8 @@ std::size_t write_builtin(const std::string& name, const std::filesystem::path& 
 /// Whether `file` is a .glb that is as long as its header says: not cut off.
 bool is_whole_glb(const std::filesystem::path& file);
 
-/// The scene's .glb in the cache, made now if it is not there or not whole.
+/// The scene's .glb in the cache, made now if it is not there as it was kept (see
+/// renderer/base/cache.h).
 std::filesystem::path require_builtin(const std::string& name);
 
 }  // namespace foveola::scenes

@@ -59,6 +59,29 @@ const char* ray_instructions() {
 #endif
 }
 
+/// What it was made with, as far as it is known: "GNU 12.2.0, Release, Embree 3.13.5".
+std::string tools_of(const BuildInfo& build) {
+  std::string parts;
+  for (const std::string& part : {build.compiler, build.build_type, build.ray_tracer}) {
+    if (!part.empty()) {
+      parts += (parts.empty() ? "" : ", ") + part;
+    }
+  }
+  return parts;
+}
+
+/// " with x86-64-v3 and rays by avx2", as far as it is known.
+std::string instructions_of(const BuildInfo& build) {
+  std::string text;
+  if (!build.instruction_set.empty()) {
+    text += " with " + build.instruction_set;
+  }
+  if (!build.ray_instructions.empty()) {
+    text += " and rays by " + build.ray_instructions;
+  }
+  return text;
+}
+
 }  // namespace
 
 BuildInfo build_info() {
@@ -71,24 +94,16 @@ BuildInfo build_info() {
 }
 
 std::string program_name(const BuildInfo& build) {
-  std::string parts;
-  for (const std::string& part : {build.compiler, build.build_type, build.ray_tracer}) {
-    if (!part.empty()) {
-      parts += (parts.empty() ? "" : ", ") + part;
-    }
-  }
-  return "Foveola " + build.version + (parts.empty() ? "" : " (" + parts + ")");
+  const std::string tools = tools_of(build);
+  return "Foveola " + build.version + (tools.empty() ? "" : " (" + tools + ")");
 }
 
 std::string exact_name(const BuildInfo& build) {
-  std::string name = program_name(build);
-  if (!build.instruction_set.empty()) {
-    name += " with " + build.instruction_set;
-  }
-  if (!build.ray_instructions.empty()) {
-    name += " and rays by " + build.ray_instructions;
-  }
-  return name;
+  return program_name(build) + instructions_of(build);
+}
+
+std::string arithmetic_name(const BuildInfo& build) {
+  return tools_of(build) + instructions_of(build);
 }
 
 MachineInfo machine_info() {

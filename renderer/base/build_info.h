@@ -26,6 +26,11 @@ std::string program_name(const BuildInfo& build);
 /// 12.2.0, Release, Embree 3.13.5) with x86-64-v3 and rays by avx2".
 std::string exact_name(const BuildInfo& build);
 
+/// What of that name the last bits depend on while the source stays the same, for files whose name
+/// says otherwise what they are made of: "GNU 12.2.0, Release, Embree 3.13.5 with x86-64-v3 and
+/// rays by avx2".
+std::string arithmetic_name(const BuildInfo& build);
+
 struct MachineInfo {
   std::string processor;  ///< as the kernel names it: "AMD EPYC (family 23, model 1)"
   int cores = 0;

@@ -1,9 +1,14 @@
 #include "renderer/base/files.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <random>
+#include <system_error>
+#include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -61,21 +66,12 @@ std::ifstream open_to_read(const fs::path& path) {
   return file;
 }
 
-/// Removes a file at the end of its scope, unless it was renamed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+/// Beside `path`, with its extension. Two machines can have processes of the same number.
+fs::path temporary_beside(const fs::path& path) {
+  std::random_device random;  // of the operating system
+  return folder_of(path) / fmt::format(".{}.{:08x}{:08x}.partial{}", path.stem().string(), random(),
+                                       random(), path.extension().string());
+}
 
 }  // namespace
 
@@ -181,17 +177,43 @@ void require_writable(const fs::path& path) {
   }
 }
 
-void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  require_writable(path);
-  const TemporaryFile temporary(folder_of(path) / fmt::format(".{}.{}.partial{}",
-                                                              path.stem().string(), ::getpid(),
-                                                              path.extension().string()));
-  write(temporary.path());
-  std::error_code failure;
-  fs::rename(temporary.path(), path, failure);
-  if (failure) {
-    throw Error(path.string(), "cannot be written: " + failure.message(), "choose another path");
+void sync_to_disk(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+  const int fault = errno;
+  if (descriptor >= 0) {
+    ::close(descriptor);
   }
+  if (!synced) {
+    throw Error(path.string(), "cannot be made: " + std::generic_category().message(fault),
+                "choose another path");
+  }
+}
+
+TemporaryFile::TemporaryFile(fs::path final_path) : final_path_(std::move(final_path)) {
+  require_writable(final_path_);
+  path_ = temporary_beside(final_path_);
+}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+void TemporaryFile::replace_final() const {
+  sync_to_disk(path_);
+  std::error_code failure;
+  fs::rename(path_, final_path_, failure);
+  if (failure) {
+    throw Error(final_path_.string(), "cannot be written: " + failure.message(),
+                "choose another path");
+  }
+}
+
+void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  const TemporaryFile temporary(path);
+  write(temporary.path());
+  temporary.replace_final();
 }
 
 void write_file(const fs::path& path, std::string_view content) {

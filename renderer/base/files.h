@@ -41,9 +41,35 @@ std::string lower_case_extension(const std::filesystem::path& file);
 /// it is no folder itself. For refusing a bad output before the work instead of after it.
 void require_writable(const std::filesystem::path& path);
 
-/// Calls `write` with the path of a temporary file beside `path`, which then takes the place of
-/// `path` in one step. If `write` throws, nothing is left behind. The temporary name keeps the
-/// extension of `path`. Throws Error if the folder does not exist or cannot be written.
+/// Syncs what was written to a file, or the names in a folder: they are on the disk when this
+/// returns. Throws Error if they cannot be.
+void sync_to_disk(const std::filesystem::path& path);
+
+/// A name for a new file that is to take the place of another, in the same folder and with the same
+/// extension. No other process has it, on whatever machine. What is there goes at the end of the
+/// scope; what a killed program leaves there is hidden and called ".partial", and is never looked
+/// for.
+class TemporaryFile {
+ public:
+  /// Throws Error if the folder of `final_path` does not exist or cannot be written.
+  explicit TemporaryFile(std::filesystem::path final_path);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Takes the final path's place in one step. What was written is on the disk before, so that
+  /// losing power leaves the former file or all of the new one. Throws Error if it cannot.
+  void replace_final() const;
+
+ private:
+  std::filesystem::path final_path_;
+  std::filesystem::path path_;
+};
+
+/// Calls `write` with the path of a TemporaryFile, which then takes the place of `path`. If `write`
+/// throws, nothing is left behind. Throws Error if the folder does not exist or cannot be written.
 void replace_file(const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path&)>& write);
 

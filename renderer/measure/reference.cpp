@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/cache.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -26,12 +27,13 @@ constexpr std::uint64_t pass_samples = 1 << 18;
 constexpr std::uint32_t reference_stream = 0x72656665U;
 
 /// Everything the image depends on, and this program's way of rendering it.
-std::string cache_key(const std::string& scene_key, const ReferenceSettings& settings) {
+std::string cache_key(const std::string& scene_key, const ReferenceSettings& settings,
+                      const BuildInfo& build) {
   std::string text = fmt::format(
-      "reference 5\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} angle {} spp {} interest {}\n", scene_key,
-      settings.viewpoint.x, settings.viewpoint.y, settings.viewpoint.z, settings.width,
-      settings.height, settings.max_depth, settings.seed, pixel_angle_rad(settings.width),
-      settings.samples_per_pixel, settings.samples_per_interest);
+      "reference 6\n{}\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} angle {} spp {} interest {}\n",
+      arithmetic_name(build), scene_key, settings.viewpoint.x, settings.viewpoint.y,
+      settings.viewpoint.z, settings.width, settings.height, settings.max_depth, settings.seed,
+      pixel_angle_rad(settings.width), settings.samples_per_pixel, settings.samples_per_interest);
   for (const Vec3& interest : settings.interests) {
     text += fmt::format("{} {} {}\n", interest.x, interest.y, interest.z);
   }
@@ -39,26 +41,14 @@ std::string cache_key(const std::string& scene_key, const ReferenceSettings& set
 }
 
 /// The cached image, unless it is missing or damaged: then it is simply made again.
-std::optional<FilmImage> read_cached(const fs::path& file, const ReferenceSettings& settings) {
-  if (!fs::exists(file)) {
+std::optional<FilmImage> read_cached(const fs::path& file) {
+  if (!is_kept(file)) {
     return std::nullopt;
   }
   try {
-    FilmImage image = read_film_image(file);
-    if (image.color.width == settings.width && image.color.height == settings.height) {
-      return image;
-    }
+    return read_film_image(file);
   } catch (const Error&) {
-  }
-  return std::nullopt;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) {
-    throw Error(folder.string(), "cannot be made: " + failure.message(),
-                "choose another folder for the cache");
+    return std::nullopt;
   }
 }
 
@@ -120,19 +110,24 @@ class ReferenceRender {
 
 }  // namespace
 
+fs::path reference_file(const fs::path& cache, const std::string& scene_key,
+                        const ReferenceSettings& settings, const BuildInfo& build) {
+  return cache / (cache_key(scene_key, settings, build) + ".exr");
+}
+
 FilmImage reference_image(const PathTracer& tracer, const std::string& scene_key,
                           const ReferenceSettings& settings, const Workers& workers,
                           const fs::path& cache, const std::function<void(double)>& progress,
                           std::stop_token stop) {
-  const fs::path file = cache / (cache_key(scene_key, settings) + ".exr");
-  if (std::optional<FilmImage> cached = read_cached(file, settings)) {
+  const fs::path file = reference_file(cache, scene_key, settings, build_info());
+  if (std::optional<FilmImage> cached = read_cached(file)) {
     progress(1.0);
     return std::move(*cached);
   }
-  make_folder(cache);
+  make_cache_folder(cache);
   require_writable(file);
   FilmImage image = ReferenceRender(tracer, settings, workers, progress, std::move(stop)).render();
-  write_film_image(file, image, 0.0);
+  keep_file(file, [&](const fs::path& temporary) { write_film_image(temporary, image, 0.0); });
   return image;
 }
 

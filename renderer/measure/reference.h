@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/build_info.h"
 #include "renderer/image/image.h"
 #include "renderer/trace/path_tracer.h"
 
@@ -23,11 +24,16 @@ struct ReferenceSettings {
   std::uint64_t samples_per_interest = 0;  ///< foveated around each of them
 };
 
-/// Renders the reference, or takes it from `cache`, where it lies under a hash of the scene's
-/// `scene_key` (its content's SHA-256 and whatever was added to it) and the settings. progress is
-/// called with the fraction done. Throws Error if stopped, or if the cache cannot be written. Its
-/// noise is independent of every preview's, whatever their seeds. A cached file that is damaged is
-/// rendered again.
+/// The file in `cache` that the reference lies in: its name is a hash of the scene's `scene_key`
+/// (its content's SHA-256 and whatever was added to it), the settings, and what of `build` its last
+/// bits depend on.
+std::filesystem::path reference_file(const std::filesystem::path& cache,
+                                     const std::string& scene_key,
+                                     const ReferenceSettings& settings, const BuildInfo& build);
+
+/// Renders the reference, or takes it from `cache`. progress is called with the fraction done.
+/// Throws Error if stopped, or if the cache cannot be written. Its noise is independent of every
+/// preview's, whatever their seeds. A cached file that is damaged is rendered again.
 FilmImage reference_image(const PathTracer& tracer, const std::string& scene_key,
                           const ReferenceSettings& settings, const Workers& workers,
                           const std::filesystem::path& cache,

@@ -2,9 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/cache.h"
 #include "renderer/base/digest.h"
-#include "renderer/base/error.h"
-#include "renderer/base/files.h"
 
 namespace fs = std::filesystem;
 
@@ -38,30 +37,19 @@ NoiseTable table_from(const Json& json) {
   return table;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) {
-    throw Error(folder.string(), "cannot be made: " + failure.message(),
-                "choose another folder for the cache");
-  }
-}
-
 }  // namespace
 
 std::optional<std::vector<NoiseTable>> TableCache::find(const std::string& key) const {
-  const fs::path file = file_of(key);
-  if (!fs::exists(file)) {
+  const std::optional<std::string> kept = kept_content(file_of(key));
+  if (!kept) {
     return std::nullopt;
   }
   try {
     std::vector<NoiseTable> tables;
-    for (const Json& table : Json::from_cbor(read_file(file))) {
+    for (const Json& table : Json::from_cbor(*kept)) {
       tables.push_back(table_from(table));
     }
     return tables;
-  } catch (const Error&) {
-    return std::nullopt;
   } catch (const Json::exception&) {
     return std::nullopt;
   }
@@ -76,13 +64,13 @@ void TableCache::keep(const std::string& key, const std::vector<NoiseTable>& tab
     }
     json.push_back(std::move(patches));
   }
-  make_folder(folder_);
+  make_cache_folder(folder_);
   const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
-  write_file(file_of(key), std::string(bytes.begin(), bytes.end()));
+  keep_content(file_of(key), std::string(bytes.begin(), bytes.end()));
 }
 
 fs::path TableCache::file_of(const std::string& key) const {
-  return folder_ / (sha256(std::string_view(key)) + ".cbor");
+  return folder_ / (sha256(std::string_view(arithmetic_ + "\n" + key)) + ".cbor");
 }
 
 }  // namespace foveola::study

@@ -2,6 +2,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
 #include "study/record/temporary_database.h"

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 
 namespace fs = std::filesystem;
 
@@ -65,19 +66,6 @@ void TemporaryDatabase::remove() const {
   std::error_code ignored;
   for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
     fs::remove(path_.string() + suffix, ignored);
-  }
-}
-
-void sync_to_disk(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int fault = errno;
-  if (descriptor >= 0) {
-    ::close(descriptor);
-  }
-  if (!synced) {
-    errno = fault;
-    throw cannot_be_made(path);
   }
 }
 

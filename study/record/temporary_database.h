@@ -32,10 +32,6 @@ class TemporaryDatabase {
   std::filesystem::path path_;
 };
 
-/// Syncs what was written to a file, or the names in a folder: they are on the disk when this
-/// returns. Throws Error if they cannot be.
-void sync_to_disk(const std::filesystem::path& path);
-
 /// Whether a file of this name is one that a killed program may have left of `final_path`.
 bool is_temporary_of(const std::filesystem::path& final_path, const std::string& file_name);
 

@@ -22,8 +22,22 @@ TEST(BuiltinFiles, IsMadeOnceIntoTheCache) {
   const auto written = std::filesystem::last_write_time(file);
   require_builtin("meeting-room");
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
+}
+
+TEST(BuiltinFiles, DamagedOnesAreMadeAgain) {
+  const TemporaryFolder cache;
+  const EnvironmentVariable cache_home("XDG_CACHE_HOME", cache.path().string());
+  const std::filesystem::path file = require_builtin("meeting-room");
+  const std::string kept = read_file(file);
   write_file(file, kept.substr(0, kept.size() - 1));
-  EXPECT_EQ(read_file(require_builtin("meeting-room")), kept);
+  EXPECT_EQ(read_file(require_builtin("meeting-room")), kept) << "after it was cut";
+  std::string flipped = kept;
+  flipped[kept.size() / 2] ^= 1;
+  write_file(file, flipped);
+  EXPECT_TRUE(is_whole_glb(file));
+  EXPECT_EQ(read_file(require_builtin("meeting-room")), kept) << "after a bit flipped";
+  std::filesystem::remove(file.string() + ".sha256");
+  EXPECT_EQ(read_file(require_builtin("meeting-room")), kept) << "of an older program";
 }
 
 TEST(BuiltinFiles, VariantsAreKnownByTheirNames) {

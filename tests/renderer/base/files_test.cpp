@@ -111,6 +111,21 @@ TEST_F(Files, TheTemporaryFileKeepsTheExtension) {
   EXPECT_EQ(read_file(folder_ / "x.exr"), "image");
 }
 
+/// Two machines can have processes of the same number, and one process several threads.
+TEST_F(Files, TwoTemporaryFilesOfOneNameAreTwo) {
+  const TemporaryFile one(folder_ / "x.exr");
+  const TemporaryFile other(folder_ / "x.exr");
+  EXPECT_NE(one.path(), other.path());
+  EXPECT_EQ(one.path().parent_path(), folder_);
+  std::ofstream(one.path()) << "one";
+  std::ofstream(other.path()) << "other";
+  one.replace_final();
+  EXPECT_EQ(read_file(folder_ / "x.exr"), "one");
+  other.replace_final();
+  EXPECT_EQ(read_file(folder_ / "x.exr"), "other");
+  EXPECT_EQ(entries(), 1U);
+}
+
 TEST(LowerCaseExtension, ChangesNothingButAsciiLetters) {
   EXPECT_EQ(lower_case_extension("a.b/Scene.GlB"), ".glb");
   EXPECT_EQ(lower_case_extension("Scene.\u00C4B"), ".\u00C4b");

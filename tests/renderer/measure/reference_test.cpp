@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
@@ -20,6 +21,7 @@ namespace foveola {
 namespace {
 
 using testing::Each;
+using testing::ElementsAre;
 
 class ReferenceImage : public testing::Test {
  protected:
@@ -43,7 +45,9 @@ class ReferenceImage : public testing::Test {
   std::vector<fs::path> cached_files() const {
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(cache_)) {
-      files.push_back(entry.path());
+      if (entry.path().extension() != ".sha256") {
+        files.push_back(entry.path());
+      }
     }
     return files;
   }
@@ -92,7 +96,7 @@ TEST_F(ReferenceImage, TakesTheCachedImage) {
                       [this](double fraction) { progress_.push_back(fraction); }, {});
   EXPECT_EQ(first.color.pixels, second.color.pixels);
   EXPECT_EQ(first.samples, second.samples);
-  EXPECT_THAT(progress_, testing::ElementsAre(1.0));
+  EXPECT_THAT(progress_, ElementsAre(1.0));
 }
 
 TEST_F(ReferenceImage, TheKeyHoldsEverythingTheImageDependsOn) {
@@ -121,6 +125,23 @@ TEST_F(ReferenceImage, TheKeyHoldsEverythingTheImageDependsOn) {
   expect_a_new_file("scene", "samples per interest");
 }
 
+TEST_F(ReferenceImage, OtherProgramsHaveOtherFiles) {
+  render();
+  const BuildInfo build = build_info();
+  EXPECT_THAT(cached_files(), ElementsAre(reference_file(cache_, "scene", settings_, build)));
+  const auto expect_another_file = [&](std::string BuildInfo::* part) {
+    BuildInfo other = build;
+    other.*part += " of another kind";
+    EXPECT_NE(reference_file(cache_, "scene", settings_, other),
+              reference_file(cache_, "scene", settings_, build));
+  };
+  expect_another_file(&BuildInfo::compiler);
+  expect_another_file(&BuildInfo::build_type);
+  expect_another_file(&BuildInfo::ray_tracer);
+  expect_another_file(&BuildInfo::instruction_set);
+  expect_another_file(&BuildInfo::ray_instructions);
+}
+
 TEST_F(ReferenceImage, RendersADamagedFileAgain) {
   const FilmImage first = render();
   const std::vector<fs::path> files = cached_files();
@@ -141,6 +162,10 @@ TEST_F(ReferenceImage, RendersADamagedFileAgain) {
   expect_the_same_image("cut off");
   write_image(files[0], RgbImage(8, 4), 0.0);
   expect_the_same_image("of another size");
+  std::string flipped = whole;
+  flipped[flipped.size() - 100] ^= 1;  // among the last pixels
+  write_file(files[0], flipped);
+  expect_the_same_image("with a bit that flipped");
 }
 
 TEST_F(ReferenceImage, DoesNotDependOnTheNumberOfThreads) {

@@ -1,10 +1,9 @@
 #include "study/prediction/table_cache.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/temporary_folder.h"
-
-namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
@@ -40,15 +39,35 @@ TEST(TableCache, KeepsTablesToTheBit) {
   EXPECT_FALSE(cache.find("another key"));
 }
 
-TEST(TableCache, DamagedTablesAreNone) {
+TEST(TableCache, DamagedTablesAreNoneUntilTheyAreKeptAgain) {
   const test::TemporaryFolder folder;
-  const TableCache cache(folder / "pilots");
+  const TableCache cache(folder.path());
   cache.keep("a key", some_tables());
-  const fs::path file = fs::directory_iterator(folder / "pilots")->path();
-  fs::resize_file(file, fs::file_size(file) / 2);
-  EXPECT_FALSE(cache.find("a key"));
-  folder.write("pilots/" + file.filename().string(), "{}");
-  EXPECT_FALSE(cache.find("a key") && !cache.find("a key")->empty());
+  const std::string name = folder.entries().front();
+  ASSERT_THAT(name, testing::EndsWith(".cbor"));
+  const std::string whole = folder.content().at(name);
+  std::string flipped = whole;
+  flipped[whole.size() - 4] ^= 1;  // a last bit of a number
+  for (const std::string& damaged :
+       {whole.substr(0, whole.size() / 2), std::string("{}"), flipped}) {
+    folder.write(name, damaged);
+    EXPECT_FALSE(cache.find("a key"));
+    cache.keep("a key", some_tables());
+    EXPECT_TRUE(cache.find("a key"));
+    EXPECT_EQ(folder.content().at(name), whole);
+  }
+}
+
+TEST(TableCache, OtherProgramsHaveOtherTables) {
+  const test::TemporaryFolder folder;
+  const TableCache cache(folder.path());
+  cache.keep("a key", some_tables());
+  BuildInfo other = build_info();
+  other.ray_instructions = "sse4.2 and another Embree";
+  EXPECT_FALSE(TableCache(folder.path(), other).find("a key"));
+  other = build_info();
+  other.version = "of another source, which counts its versions in the key";
+  EXPECT_TRUE(TableCache(folder.path(), other).find("a key"));
 }
 
 }  // namespace
