@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "study/commands/command_line.h"
 #include "study/participant/injected_effect.h"
 #include "study/protocol/protocol.h"
+#include "study/simulation/prepare_study.h"
 #include "study/simulation/simulate_study.h"
 
 namespace foveola::study {
@@ -33,6 +35,7 @@ struct SimulateArguments {
   bool real_time = false;
   std::string report;  ///< folder; empty: none
   bool resume = false;
+  bool prepare = false;
   bool json = false;
 };
 
@@ -61,29 +64,84 @@ std::optional<Shard> shard_of(const SimulateArguments& arguments) {
                                  : std::optional(parse_shard("--shard", arguments.shard));
 }
 
+SimulateSettings settings_of(const SimulateArguments& arguments) {
+  return {.protocol = find_protocol(arguments.protocol),
+          .database = arguments.database,
+          .participants = arguments.participants,
+          .shard = shard_of(arguments),
+          .seed = arguments.seed,
+          .people = arguments.people,
+          .injected = arguments.injected,
+          .threads = arguments.threads,
+          .jobs = arguments.jobs,
+          .scale = arguments.scale,
+          .samples_per_second = arguments.samples_per_second,
+          .predicted = arguments.predicted,
+          .real_time = arguments.real_time,
+          .resume = arguments.resume,
+          .warns = true};
+}
+
+/// What is made of sessions, of which there are none.
+void require_only_preparing(const SimulateArguments& arguments) {
+  if (!arguments.database.empty()) {
+    throw UsageError("--db", "is of a study, and --prepare makes none; leave one of them out");
+  }
+  if (!arguments.report.empty()) {
+    throw UsageError("--report", "is of a study, and --prepare makes none; leave one of them out");
+  }
+  if (arguments.resume) {
+    throw UsageError("--resume",
+                     "is of a study; --prepare goes on with what the caches lack anyway");
+  }
+}
+
+nlohmann::json json_report(const SimulateArguments& arguments, const PrepareReport& report) {
+  return {{"prepared", arguments.predicted ? "pilots" : "references"},
+          {"seed", arguments.seed},
+          {"shard", arguments.shard.empty() ? nlohmann::json() : nlohmann::json(arguments.shard)},
+          {"scale", arguments.scale},
+          {"items", report.items},
+          {"rendered", report.rendered},
+          {"stopped", report.stopped},
+          {"wall_seconds", report.wall_s}};
+}
+
+std::string text_of(const SimulateArguments& arguments, const PrepareReport& report) {
+  if (!report.has_looks) {
+    return "Nothing to prepare: participants with an injected effect do not look at pictures\n";
+  }
+  if (report.stopped) {
+    return "Stopped. What was rendered is kept; the same command goes on.\n";
+  }
+  return fmt::format("{} of {} {} rendered in {}{}\n", report.rendered, report.items,
+                     arguments.predicted ? "pilots" : "references", human_duration(report.wall_s),
+                     report.rendered < report.items ? "; the others were in the cache" : "");
+}
+
+void run_prepare(const SimulateArguments& arguments, const SceneFinderBeside& find_scene,
+                 const std::stop_token& stop) {
+  require_only_preparing(arguments);
+  const PrepareReport report = prepare_study(settings_of(arguments), find_scene, stop);
+  if (arguments.json) {
+    fmt::print("{}\n", json_report(arguments, report).dump(2));
+  } else {
+    fmt::print("{}", text_of(arguments, report));
+  }
+}
+
 void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop) {
+  if (arguments.database.empty()) {
+    throw UsageError("--db", "is required but to --prepare; name the study's file");
+  }
   if (!arguments.report.empty()) {
     if (!arguments.shard.empty()) {
       throw UsageError("--report", "is of a whole study; leave --shard out, or this");
     }
     reporter.check(arguments.report);
   }
-  const SimulateSettings settings{.protocol = find_protocol(arguments.protocol),
-                                  .database = arguments.database,
-                                  .participants = arguments.participants,
-                                  .shard = shard_of(arguments),
-                                  .seed = arguments.seed,
-                                  .people = arguments.people,
-                                  .injected = arguments.injected,
-                                  .threads = arguments.threads,
-                                  .jobs = arguments.jobs,
-                                  .scale = arguments.scale,
-                                  .samples_per_second = arguments.samples_per_second,
-                                  .predicted = arguments.predicted,
-                                  .real_time = arguments.real_time,
-                                  .resume = arguments.resume,
-                                  .warns = true};
+  const SimulateSettings settings = settings_of(arguments);
   const SimulateReport report = simulate_study(settings, find_scene, stop);
   const bool is_reported = !arguments.report.empty() && !stop.stop_requested();
   const std::string about_report =
@@ -120,11 +178,9 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
   CLI::App* command = add_command(study, "simulate", "Run a study with simulated participants",
                                   "simulate demo --db study.sqlite --participants 4 --seed 7");
   add_protocol(command, arguments->protocol);
-  command
-      ->add_option(
-          "--db", arguments->database,
-          "The study's database file; made if there is none, else it must be of the same protocol")
-      ->required();
+  command->add_option("--db", arguments->database,
+                      "The study's database file; made if there is none, else it must be of the "
+                      "same protocol (required, but for --prepare)");
   add_participants_and_seed(command, arguments->participants, arguments->seed);
   add_threads(command, arguments->threads);
   command->add_option("--shard", arguments->shard,
@@ -161,9 +217,17 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
       "intervals");
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
+  command->add_flag("--prepare", arguments->prepare,
+                    "Simulate nobody, but render what the caches lack for it: the references, or "
+                    "the pilots of --predicted. With --shard, the Kth part of these, so that many "
+                    "machines fill a cache that they share");
   add_json(command, arguments->json);
   command->callback([arguments, find_scene, reporter, stop] {
-    run_simulate(*arguments, find_scene, reporter, stop);
+    if (arguments->prepare) {
+      run_prepare(*arguments, find_scene, stop);
+    } else {
+      run_simulate(*arguments, find_scene, reporter, stop);
+    }
   });
 }
 

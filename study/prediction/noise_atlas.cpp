@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -32,7 +34,7 @@ constexpr SampleCountLevels pilot_levels{};
 constexpr int margin_px = 2;
 
 /// Counted up whenever the tables of the same settings come out differently.
-constexpr int tables_version = 6;
+constexpr int tables_version = 7;
 
 /// A cone of directions.
 struct Cone {
@@ -68,8 +70,30 @@ struct JudgedObject {
   const OfferedObject* object = nullptr;
   JudgedView view;
   Cone cone;  ///< cone around all that is judged
-  std::optional<ConvergedMeans> expected;
+  /// By the settings that it is shown with.
+  std::map<std::string, ConvergedMeans> expected;
 };
+
+/// The objects of a scene that any trial looks at.
+std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
+                                                 const std::string& scene) {
+  std::vector<const OfferedObject*> wanted;
+  for (const OfferedObject& object : setting.stages.at(scene)->objects()) {
+    const auto is_of_object = [&](const auto& pictures) {
+      const auto& [wanted_scene, method, name] = pictures.first;
+      return wanted_scene == scene && name == object.name;
+    };
+    if (std::any_of(setting.wanted.begin(), setting.wanted.end(), is_of_object)) {
+      wanted.push_back(&object);
+    }
+  }
+  return wanted;
+}
+
+/// What of a scene can be made by itself, whatever else is: its surround, and each such object.
+std::int64_t item_count(const AtlasSetting& setting, const std::string& scene) {
+  return 1 + std::ssize(wanted_objects(setting, scene));
+}
 
 /// The tables of one scene.
 class SceneAtlas {
@@ -80,74 +104,115 @@ class SceneAtlas {
         stage_(*setting.stages.at(scene)),
         cache_(setting.cache),
         stop_(stop) {
-    for (const OfferedObject& object : stage_.objects()) {
-      const double radius_deg = std::max(1.0, setting.vision.surround_factor) * object.radius_deg;
-      objects_.push_back({.object = &object,
-                          .view = view_of_object(setting.vision, object, setting.protocol.display),
-                          .cone = {.middle = object.direction,
-                                   .radius_rad = radians(radius_deg) + cell_reach_rad(object)},
-                          .expected = std::nullopt});
+    for (const OfferedObject* const object : wanted_objects(setting, scene)) {
+      const double radius_deg = std::max(1.0, setting.vision.surround_factor) * object->radius_deg;
+      objects_.push_back({.object = object,
+                          .view = view_of_object(setting.vision, *object, setting.protocol.display),
+                          .cone = {.middle = object->direction,
+                                   .radius_rad = radians(radius_deg) + cell_reach_rad(*object)},
+                          .expected = {}});
     }
   }
 
-  /// Adds the wanted pictures with `method` to the atlas. Their noise is that of the protocol's
+  /// Makes what is not in the cache of some items, the surround and then the objects; returns of
+  /// how many. progress: called with the fraction done.
+  std::int64_t make(const ItemRange& items, const std::function<void(double)>& progress) {
+    std::int64_t made = 0;
+    if (items.begin == 0 && items.end > 0) {
+      made += make_surround() ? 1 : 0;
+    }
+    const double steps = 1.0 + static_cast<double>(setting_.protocol.methods.size());
+    double done = 1.0;
+    progress(done / steps);
+    const ItemRange objects{.begin = std::max<std::int64_t>(0, items.begin - 1),
+                            .end = std::max<std::int64_t>(0, items.end - 1)};
+    std::set<std::size_t> objects_made;
+    for (const std::string& method : setting_.protocol.methods) {
+      make_objects(method, objects, objects_made);
+      progress(++done / steps);
+    }
+    return made + std::ssize(objects_made);
+  }
+
+  /// Adds all items, which were made.
+  void add_to(NoiseAtlas& atlas) const {
+    atlas.surround[scene_] = known_.at(key_of_surround());
+    for (const std::string& method : setting_.protocol.methods) {
+      for (const auto& [picture, objects] : wanted_pictures(method)) {
+        for (const std::size_t i : objects) {
+          const ScaleTables& tables = known_.at(key_of(objects_[i], method, picture));
+          atlas.objects[{scene_, method, objects_[i].object->name}][picture] = {
+              .outline = tables.front(), .material = {tables.begin() + 1, tables.end()}};
+        }
+      }
+    }
+  }
+
+ private:
+  /// Whether it was not in the cache.
+  bool make_surround() {
+    const std::string key = key_of_surround();
+    if (is_known(key)) {
+      return false;
+    }
+    keep(key, measure_surround(shown_with(first_method())));
+    return true;
+  }
+
+  /// Makes the wanted pictures with `method` of some objects. Their noise is that of the protocol's
   /// first method after as many samples in the same place: methods differ in where their samples
   /// go, and hardly in how much noise so many leave. One pilot will do for all objects if the first
   /// method's samples go to the same places whatever is looked at.
-  void add_objects(const std::string& method, NoiseAtlas& atlas) {
+  void make_objects(const std::string& method, const ItemRange& objects,
+                    std::set<std::size_t>& made) {
     const auto sampler = make_sampler(setting_.protocol, first_method());
-    const Vec3 ahead = objects_.front().object->direction;
-    const bool together = !follows_aim(*sampler, aim_to(ahead), aim_to(-ahead));
-    for (const auto& [picture, objects] : wanted_objects(method)) {
+    for (const auto& [picture, wanted] : wanted_pictures(method)) {
       std::vector<std::size_t> unknown;
-      for (const std::size_t i : objects) {
-        if (const ScaleTables* tables = known(key_of(objects_[i], method, picture))) {
-          add_picture(i, method, picture, *tables, atlas);
-        } else {
+      for (const std::size_t i : wanted) {
+        const auto number = static_cast<std::int64_t>(i);
+        if (number >= objects.begin && number < objects.end &&
+            !is_known(key_of(objects_[i], method, picture))) {
           unknown.push_back(i);
         }
       }
-      const std::size_t step = together ? std::max<std::size_t>(1, unknown.size()) : 1;
+      const bool together = unknown.size() > 1 && goes_everywhere_alike(*sampler);
+      const std::size_t step = together ? unknown.size() : 1;
       for (std::size_t first = 0; first < unknown.size(); first += step) {
         const std::span<const std::size_t> group(&unknown[first], step);
         const std::vector<ScaleTables> tables = measure(group, method, picture, *sampler);
         for (std::size_t i = 0; i < group.size(); ++i) {
-          const std::string key = key_of(objects_[group[i]], method, picture);
-          cache_.keep(key, tables[i]);
-          known_[key] = tables[i];
-          add_picture(group[i], method, picture, tables[i], atlas);
+          keep(key_of(objects_[group[i]], method, picture), tables[i]);
         }
       }
+      made.insert(unknown.begin(), unknown.end());
     }
   }
 
-  std::vector<NoiseTable> surround_noise() {
-    const TrialSettings shown = shown_with(first_method());
-    const std::string key = fmt::format("around up to {} degrees\n{}", setting_.highest_seen_deg,
-                                        key_of_setting(shown));
-    if (std::optional<std::vector<NoiseTable>> known = cache_.find(key)) {
-      return std::move(*known);
-    }
-    std::vector<NoiseTable> made = measure_surround(shown);
-    cache_.keep(key, made);
-    return made;
+  bool goes_everywhere_alike(ViewSampler& sampler) const {
+    const Vec3 ahead = objects_.front().object->direction;
+    return !follows_aim(sampler, aim_to(ahead), aim_to(-ahead));
   }
 
- private:
-  /// Null if they are not in the cache. Methods that are shown alike have the same tables, which
-  /// are read once.
-  const ScaleTables* known(const std::string& key) {
-    auto found = known_.find(key);
-    if (found == known_.end()) {
-      if (std::optional<ScaleTables> cached = cache_.find(key)) {
-        found = known_.emplace(key, std::move(*cached)).first;
-      }
+  /// Whether they are in the cache. Methods that are shown alike have the same tables, which are
+  /// read once.
+  bool is_known(const std::string& key) {
+    if (known_.contains(key)) {
+      return true;
     }
-    return found != known_.end() ? &found->second : nullptr;
+    std::optional<ScaleTables> cached = cache_.find(key);
+    if (cached) {
+      known_.emplace(key, std::move(*cached));
+    }
+    return cached.has_value();
+  }
+
+  void keep(const std::string& key, const ScaleTables& tables) {
+    cache_.keep(key, tables);
+    known_[key] = tables;
   }
 
   /// The objects of which each picture is wanted, by the picture's number.
-  std::map<std::uint32_t, std::vector<std::size_t>> wanted_objects(
+  std::map<std::uint32_t, std::vector<std::size_t>> wanted_pictures(
       const std::string& method) const {
     std::map<std::uint32_t, std::vector<std::size_t>> wanted;
     for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -159,13 +224,6 @@ class SceneAtlas {
       }
     }
     return wanted;
-  }
-
-  /// tables: the outline's, and the material's on each scale.
-  void add_picture(std::size_t object, const std::string& method, std::uint32_t picture,
-                   const ScaleTables& tables, NoiseAtlas& atlas) const {
-    atlas.objects[{scene_, method, objects_[object].object->name}][picture] = {
-        .outline = tables.front(), .material = {tables.begin() + 1, tables.end()}};
   }
 
   const std::string& first_method() const { return setting_.protocol.methods.front(); }
@@ -189,10 +247,10 @@ class SceneAtlas {
     for (const std::size_t i : group) {
       JudgedObject& judged = objects_[i];
       mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
-      expect(judged, pilot);
       views.push_back(judged.view);
-      expected.first.push_back(judged.expected->first.front());
-      expected.second.push_back(judged.expected->second.front());
+      const ConvergedMeans& means = expected_of(judged, shown);
+      expected.first.push_back(means.first.front());
+      expected.second.push_back(means.second.front());
     }
     sampler.aim(aim_to(objects_[group.front()].object->direction));
     return measure_noise(pilot, sampler, pilot_levels, picture, mask, views, expected);
@@ -217,18 +275,22 @@ class SceneAtlas {
             .stop = stop_};
   }
 
-  /// Once for all methods: their films differ at most in overrides, which are rare.
-  void expect(JudgedObject& judged, const PilotSetting& pilot) const {
-    if (judged.expected) {
-      return;
+  /// Once for all methods that are shown alike.
+  const ConvergedMeans& expected_of(JudgedObject& judged, const TrialSettings& shown) const {
+    const auto [found, is_new] = judged.expected.try_emplace(key_of_setting(shown));
+    if (is_new) {
+      found->second = converged(judged, pilot_of(shown));
     }
+    return found->second;
+  }
+
+  ConvergedMeans converged(const JudgedObject& judged, const PilotSetting& pilot) const {
     SampleMask mask(pilot.film.width, pilot.film.height);
     mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
     const auto sampler = make_view_sampler(crop_around(judged.cone));
     sampler->aim(aim_to(judged.object->direction));
-    judged.expected =
-        converged_means(pilot, *sampler, judged.object->direction,
-                        object_convergence * std::sqrt(coarseness()), mask, {&judged.view, 1});
+    return converged_means(pilot, *sampler, judged.object->direction,
+                           object_convergence * std::sqrt(coarseness()), mask, {&judged.view, 1});
   }
 
   std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {
@@ -281,6 +343,11 @@ class SceneAtlas {
     return key + key_of_setting(shown_with(method));
   }
 
+  std::string key_of_surround() const {
+    return fmt::format("around up to {} degrees\n{}", setting_.highest_seen_deg,
+                       key_of_setting(shown_with(first_method())));
+  }
+
   std::string key_of_setting(const TrialSettings& shown) const {
     const Vec3 viewpoint = stage_.viewpoint();
     const DisplaySettings& display = setting_.protocol.display;
@@ -310,6 +377,41 @@ class SceneAtlas {
   std::vector<JudgedObject> objects_;
 };
 
+/// Makes the shard's part of all scenes' items that are not in the cache, and calls `use` with each
+/// scene that it has some of.
+PreparedItems make_pilots(const AtlasSetting& setting, const Shard& shard,
+                          const std::stop_token& stop,
+                          const std::function<void(const SceneAtlas& scene)>& use) {
+  require_predictable(setting.protocol);
+  std::int64_t items = 0;
+  for (const auto& [name, stage] : setting.stages) {
+    items += item_count(setting, name);
+  }
+  const ItemRange part = part_of(shard, items);
+  PreparedItems prepared{.items = part.size(), .rendered = 0};
+  Progress progress("Pilot renders");
+  double items_done = 0.0;
+  std::int64_t first = 0;
+  for (const auto& [name, stage] : setting.stages) {
+    const std::int64_t count = item_count(setting, name);
+    const ItemRange own{.begin = std::max(first, part.begin) - first,
+                        .end = std::min(first + count, part.end) - first};
+    first += count;
+    if (own.begin < own.end) {
+      SceneAtlas scene(setting, name, stop);
+      const std::string& scene_name = name;
+      prepared.rendered += scene.make(own, [&](double fraction) {
+        const double items_of_scene = fraction * static_cast<double>(own.size());
+        progress.update((items_done + items_of_scene) / static_cast<double>(part.size()),
+                        scene_name);
+      });
+      items_done += static_cast<double>(own.size());
+      use(scene);
+    }
+  }
+  return prepared;
+}
+
 }  // namespace
 
 std::uint32_t picture_count(const Vision& vision) {
@@ -317,22 +419,14 @@ std::uint32_t picture_count(const Vision& vision) {
 }
 
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop) {
-  require_predictable(setting.protocol);
   NoiseAtlas atlas;
-  Progress progress("Pilot renders");
-  const auto steps =
-      static_cast<double>(setting.stages.size() * (1 + setting.protocol.methods.size()));
-  double done = 0.0;
-  for (const auto& [name, stage] : setting.stages) {
-    SceneAtlas scene(setting, name, stop);
-    atlas.surround[name] = scene.surround_noise();
-    progress.update(++done / steps, name);
-    for (const std::string& method : setting.protocol.methods) {
-      scene.add_objects(method, atlas);
-      progress.update(++done / steps, name);
-    }
-  }
+  make_pilots(setting, Shard{}, stop, [&](const SceneAtlas& scene) { scene.add_to(atlas); });
   return atlas;
+}
+
+PreparedItems prepare_pilots(const AtlasSetting& setting, const Shard& shard,
+                             const std::stop_token& stop) {
+  return make_pilots(setting, shard, stop, [](const SceneAtlas& /*scene*/) {});
 }
 
 }  // namespace foveola::study

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "renderer/base/shard.h"
 #include "study/prediction/noise_table.h"
 #include "study/stage/scene_stage.h"
 
@@ -56,5 +57,17 @@ struct AtlasSetting {
 /// stopped, or for a protocol with adaptive sampling: where its samples go is not known
 /// beforehand.
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop);
+
+/// What can be rendered by itself, and was to be there afterwards.
+struct PreparedItems {
+  std::int64_t items = 0;
+  std::int64_t rendered = 0;  ///< the others were there before
+};
+
+/// Renders what the cache lacks of the shard's part of the same pilots, into the cache. What they
+/// are dealt by is the surround of each scene, and each object that is looked at, whatever the
+/// cache has. Throws Error as make_noise_atlas.
+PreparedItems prepare_pilots(const AtlasSetting& setting, const Shard& shard,
+                             const std::stop_token& stop);
 
 }  // namespace foveola::study

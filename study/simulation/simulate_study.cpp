@@ -1,26 +1,19 @@
 #include "study/simulation/simulate_study.h"
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "renderer/base/build_info.h"
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
-#include "study/participant/effect_on_protocol.h"
-#include "study/participant/judged_measures.h"
-#include "study/participant/make_observer.h"
-#include "study/participant/population_file.h"
-#include "study/record/gaze_filter_json.h"
 #include "study/record/same_scenes.h"
 #include "study/record/simulation_kind.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/real_time_study.h"
 #include "study/simulation/rendered_attempt.h"
+#include "study/simulation/simulation_setup.h"
 #include "study/simulation/study_simulation.h"
 #include "study/stage/protocol_notes.h"
 
@@ -28,8 +21,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-constexpr const char* no_injection = "none";
 
 std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   std::vector<KnownSession> sessions = store.sessions();
@@ -89,12 +80,7 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol,
 }
 
 void require_options(const SimulateSettings& settings) {
-  if (settings.participants < 1) {
-    throw UsageError("--participants", "must be at least 1");
-  }
-  if (settings.jobs < 1) {
-    throw UsageError("--jobs", "must be at least 1");
-  }
+  require_ways_to_simulate(settings);
   if (settings.shard && settings.real_time) {
     throw UsageError("--shard",
                      "is for virtual time, which is the same on every machine; leave "
@@ -105,70 +91,6 @@ void require_options(const SimulateSettings& settings) {
                                             "most {} of them",
                                             settings.participants));
   }
-  if (settings.real_time && settings.samples_per_second) {
-    throw UsageError("--samples-per-second",
-                     "is this machine's in real time; leave one of them out");
-  }
-  if (settings.real_time && settings.predicted) {
-    throw UsageError("--real-time", "shows every frame; leave --predicted out, or this");
-  }
-  if (settings.real_time && settings.jobs > 1) {
-    throw UsageError("--real-time",
-                     "there is one window, for one session at a time; leave --jobs out");
-  }
-}
-
-/// Who takes part, and what was injected in them.
-struct Simulated {
-  People people;
-  std::optional<InjectedEffect> effect;
-};
-
-Simulated simulated_people(const SimulateSettings& settings) {
-  Simulated simulated{.people = read_people(settings.people), .effect = std::nullopt};
-  simulated.people.population.vision.coarseness = std::round(std::sqrt(settings.scale));
-  if (settings.injected != no_injection) {
-    simulated.effect = parse_injected_effect(settings.injected);
-  }
-  return simulated;
-}
-
-/// The protocol as these participants see it.
-Protocol protocol_for(const Simulated& simulated, const SimulateSettings& settings,
-                      const SimulationKind& kind) {
-  Protocol protocol = simulated_protocol(load_protocol(settings.protocol), kind);
-  if (!simulated.effect) {
-    require_judgements(protocol);
-  } else {
-    require_drawable(*simulated.effect, protocol);
-    if (simulated.effect->tracker_loss_part > 0.0) {
-      protocol.tracker.simulated.data_loss = simulated.effect->tracker_loss_part;
-    }
-  }
-  return protocol;
-}
-
-/// Of a predicted session there is no gaze to filter.
-std::string devices_in_virtual_time(const SimulationKind& kind, const GazeFilterSettings& filter) {
-  nlohmann::json devices = nlohmann::json::parse(devices_of(kind));
-  if (!kind.predicted && filter != GazeFilterSettings{}) {
-    devices["tracker"]["filter"] = json_of(filter);
-  }
-  return devices.dump();
-}
-
-std::vector<std::string> mark_ids(const Protocol& protocol) {
-  std::vector<std::string> ids;
-  for (const MarkEntry& mark : protocol.marks) {
-    ids.push_back(mark.id);
-  }
-  return ids;
-}
-
-KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {
-  const SceneStage& stage = *stages.at(scene);
-  return {.panorama = &stage.reference(),
-          .exposure_stops = stage.source().exposure_stops.value_or(0.0)};
 }
 
 /// Renders what each scene converges to, until it is stopped.
@@ -215,21 +137,12 @@ SimulateReport run_rendered(SimulatedStudy& study, const SimulationKind& kind, b
 
 SimulateReport run_predicted(SimulatedStudy& study, const Population& population, bool looks,
                              const std::stop_token& stop) {
-  constexpr double farthest = 3.0;  // standard deviations of the eye in the head
   NoiseAtlas atlas;
   try {
     if (looks) {
-      atlas = make_noise_atlas(
-          {.protocol = study.protocol,
-           .stages = study.stages,
-           .vision = population.vision,
-           .highest_seen_deg =
-               population.gaze.head_elevation_deg + farthest * population.gaze.eye_in_head_deg,
-           .wanted = pictures_wanted(study, population.vision,
-                                     sessions_ahead(study.settings, study.protocol)),
-           .workers = study.workers,
-           .cache = cache_folder() / "pilots"},
-          stop);
+      const PicturesWanted wanted =
+          pictures_wanted(study, population.vision, sessions_ahead(study.settings, study.protocol));
+      atlas = make_noise_atlas(atlas_setting(study, population, wanted), stop);
     }
   } catch (const Error&) {
     if (stop.stop_requested()) {
@@ -251,46 +164,23 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   require_options(settings);
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
-  const Simulated simulated = simulated_people(settings);
-  const SimulationKind kind{.scale = settings.scale,
-                            .samples_per_second = settings.samples_per_second,
-                            .predicted = settings.predicted,
-                            .real_time = settings.real_time,
-                            .injected = settings.injected,
-                            .people_sha256 = sha256(std::string_view(simulated.people.toml))};
-  const Protocol protocol = protocol_for(simulated, settings, kind);
-  const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
-  require_usable(settings, protocol, kind);
+  const SimulationSetup setup = set_up_simulation(settings, find_scene);
+  require_usable(settings, setup.protocol, setup.kind);
   if (settings.warns) {
-    print_notes(protocol);
+    print_notes(setup.protocol);
   }
   const Workers workers(settings.threads);
-  const SceneStages stages = load_stages(protocol, sources, workers);
+  const SceneStages stages = load_stages(setup.protocol, setup.sources, workers);
   print_scene_warnings(stages);
-  SimulatedStudy study{.settings = settings,
-                       .protocol = protocol,
-                       .stages = stages,
-                       .workers = workers,
-                       .make_observer = {},
-                       .make_attempts = {},
-                       .run_in_window = {},
-                       .shown = shown_scenes(stages),
-                       .devices = devices_in_virtual_time(kind, protocol.tracker.filter)};
+  SimulatedStudy study = study_of(settings, setup, stages, workers);
   if (fs::exists(settings.database)) {
     require_same_scenes(settings.database, study.shown);
   }
-  study.make_observer = [&](std::uint32_t seed, int design_row, const Plan& plan) {
-    return make_observer(
-        simulated.people.population, simulated.effect,
-        [&stages](const std::string& scene) { return knowledge_of(stages, scene); },
-        {.seed = seed, .row = design_row, .plan = plan, .marks = mark_ids(protocol)});
-  };
-  const bool looks = !simulated.effect;
   SimulateReport report;
   if (settings.predicted) {
-    report = run_predicted(study, simulated.people.population, looks, stop);
+    report = run_predicted(study, setup.people.population, setup.has_looks(), stop);
   } else {
-    report = run_rendered(study, kind, looks, stop);
+    report = run_rendered(study, setup.kind, setup.has_looks(), stop);
   }
   report.wall_s = seconds(clock.now() - start);
   return report;

@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/build_info.h"
+#include "renderer/base/cache.h"
 #include "renderer/base/files.h"
 #include "renderer/base/utf8.h"
-#include "renderer/measure/reference.h"
 #include "study/record/shown_scene.h"
 
 namespace foveola::study {
@@ -22,6 +23,8 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
   }
   return offered;
 }
+
+std::filesystem::path cached_references() { return cache_folder() / "references"; }
 
 }  // namespace
 
@@ -45,10 +48,8 @@ SceneStage::SceneStage(std::shared_ptr<const LoadedScene> loaded)
   assert(loaded_->source.camera_position && !objects_.empty());
 }
 
-void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuality& quality,
-                                  const Workers& workers,
-                                  const std::function<void(double)>& progress,
-                                  const std::stop_token& stop) {
+ReferenceSettings SceneStage::reference_settings(const FilmSettings& film,
+                                                 const ReferenceQuality& quality) const {
   ReferenceSettings settings;
   settings.viewpoint = viewpoint();
   settings.width = film.width;
@@ -59,9 +60,21 @@ void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuali
   for (const OfferedObject& object : objects_) {
     settings.interests.push_back(object.direction);
   }
-  reference_ = reference_image(tracer(), key(), settings, workers, cache_folder() / "references",
-                               progress, stop)
+  return settings;
+}
+
+void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuality& quality,
+                                  const Workers& workers,
+                                  const std::function<void(double)>& progress,
+                                  const std::stop_token& stop) {
+  reference_ = reference_image(tracer(), key(), reference_settings(film, quality), workers,
+                               cached_references(), progress, stop)
                    .color;
+}
+
+bool SceneStage::has_reference(const FilmSettings& film, const ReferenceQuality& quality) const {
+  return is_kept(
+      reference_file(cached_references(), key(), reference_settings(film, quality), build_info()));
 }
 
 SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,

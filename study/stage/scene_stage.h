@@ -12,6 +12,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
 #include "renderer/image/image.h"
+#include "renderer/measure/reference.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
@@ -41,6 +42,9 @@ class SceneStage {
                         const Workers& workers, const std::function<void(double)>& progress,
                         const std::stop_token& stop);
 
+  /// Whether the cache has it, whole.
+  bool has_reference(const FilmSettings& film, const ReferenceQuality& quality) const;
+
   std::string key() const { return scene_key(*loaded_); }
   const LoadedScene& loaded() const { return *loaded_; }
   const SceneSource& source() const { return loaded_->source; }
@@ -52,6 +56,9 @@ class SceneStage {
   const RgbImage& reference() const { return reference_; }
 
  private:
+  ReferenceSettings reference_settings(const FilmSettings& film,
+                                       const ReferenceQuality& quality) const;
+
   std::shared_ptr<const LoadedScene> loaded_;
   std::vector<OfferedObject> objects_;
   RgbImage reference_;
