@@ -12,6 +12,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/base/random.h"
 #include "renderer/film/film_state.h"
+#include "renderer/progressive/tile_dealing.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/view/picture_sampler.h"
 
@@ -119,12 +120,11 @@ void require_splittable(const RenderSettings& settings) {
   }
 }
 
-/// Leaves what falls in every so manieth tile. film: must outlive it.
+/// Leaves what falls in the tiles of a part. film: must outlive it.
 SamplePass::Adjust tiles_of(const Shard& shard, const EquirectFilm& film) {
   return [shard, &film](std::vector<ViewSample>& samples) {
     std::erase_if(samples, [&](const ViewSample& sample) {
-      const IVec2 pixel = film.pixel_at(sample.image);
-      return film.tile_of(pixel.x, pixel.y) % shard.count != shard.number - 1;
+      return shard_of_pixel(film.pixel_at(sample.image), shard.count) != shard.number;
     });
   };
 }
