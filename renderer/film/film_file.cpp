@@ -1,15 +1,13 @@
 #include "renderer/film/film_file.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/little_endian.h"
 
 namespace foveola {
 namespace {
@@ -20,28 +18,11 @@ constexpr std::size_t digest_digits = 64;
 /// Pixels for which the file is asked once.
 constexpr std::size_t pixels_read_together = 4096;
 
-static_assert(std::endian::native == std::endian::little,
-              "numbers are written as they lie in memory");
-
 std::size_t bytes_of_pixel(FilmStatistics statistics) {
   return 3 * sizeof(std::uint32_t) + (statistics == FilmStatistics::mean ? 3 : 4) * sizeof(double);
 }
 
-template <typename Number>
-void append(std::vector<std::byte>& bytes, Number number) {
-  const auto raw = std::bit_cast<std::array<std::byte, sizeof(Number)>>(number);
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
-template <typename Number>
-Number taken(const std::byte*& bytes) {
-  std::array<std::byte, sizeof(Number)> raw;
-  std::memcpy(raw.data(), bytes, raw.size());
-  bytes += raw.size();
-  return std::bit_cast<Number>(raw);
-}
-
-void append(std::vector<std::byte>& bytes, const PixelState& state, FilmStatistics statistics) {
+void append_state(std::string& bytes, const PixelState& state, FilmStatistics statistics) {
   append(bytes, state.pixel);
   append(bytes, state.count);
   append(bytes, state.numbered);
@@ -53,24 +34,31 @@ void append(std::vector<std::byte>& bytes, const PixelState& state, FilmStatisti
   }
 }
 
-PixelState state_at(const std::byte* bytes, FilmStatistics statistics) {
+/// Takes a pixel off the front of `bytes`, which has one.
+PixelState take_state(std::string_view& bytes, FilmStatistics statistics) {
   PixelState state;
-  state.pixel = taken<std::uint32_t>(bytes);
-  state.count = taken<std::uint32_t>(bytes);
-  state.numbered = taken<std::uint32_t>(bytes);
+  state.pixel = take<std::uint32_t>(bytes);
+  state.count = take<std::uint32_t>(bytes);
+  state.numbered = take<std::uint32_t>(bytes);
   for (int channel = 0; channel < 3; ++channel) {
-    state.sum[channel] = taken<double>(bytes);
+    state.sum[channel] = take_double(bytes);
   }
   if (statistics == FilmStatistics::mean_and_variance) {
-    state.squares = taken<double>(bytes);
+    state.squares = take_double(bytes);
   }
   return state;
 }
 
+/// Samples are finite floats, of which a pixel has fewer than 2^32. Sums of many films are finite,
+/// too.
 bool is_possible(const PixelState& state, const IVec2& size) {
+  constexpr double largest_sum = 0x1p160;
+  constexpr double largest_squares = 0x1p290;
+  const auto is_sum = [](double sum) { return std::abs(sum) <= largest_sum; };
   return state.pixel < static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) &&
-         state.count <= state.numbered && state.numbered > 0 && std::isfinite(state.sum.r) &&
-         std::isfinite(state.sum.g) && std::isfinite(state.sum.b) && std::isfinite(state.squares);
+         state.count <= state.numbered && state.numbered > 0 && is_sum(state.sum.r) &&
+         is_sum(state.sum.g) && is_sum(state.sum.b) && state.squares >= 0.0 &&
+         state.squares <= largest_squares;
 }
 
 /// A file whose digest is made while it is written.
@@ -78,10 +66,9 @@ class DigestedFile {
  public:
   explicit DigestedFile(const std::filesystem::path& path) : file_(path, std::ios::binary) {}
 
-  void write(std::span<const std::byte> bytes) {
-    digest_.update(bytes);
-    file_.write(reinterpret_cast<const char*>(bytes.data()),
-                static_cast<std::streamsize>(bytes.size()));
+  void write(std::string_view bytes) {
+    digest_.update(std::as_bytes(std::span(bytes)));
+    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
 
   /// Whether all of it, and the digest, could be written.
@@ -102,18 +89,15 @@ void write_film_file(const std::filesystem::path& path, const FilmHeader& header
                      std::span<const PixelState> states) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
     DigestedFile file(temporary);
-    file.write(std::as_bytes(std::span(first_line)));
-    std::vector<std::byte> bytes;
+    std::string bytes(first_line);
     append(bytes, static_cast<std::uint32_t>(header.size.x));
     append(bytes, static_cast<std::uint32_t>(header.size.y));
     append(bytes, std::uint32_t{header.statistics == FilmStatistics::mean_and_variance});
     append(bytes, static_cast<std::uint32_t>(header.about.size()));
-    file.write(bytes);
-    file.write(std::as_bytes(std::span(header.about)));
-    bytes.clear();
+    bytes += header.about;
     append(bytes, std::uint64_t{states.size()});
     for (std::size_t i = 0; i < states.size(); ++i) {
-      append(bytes, states[i], header.statistics);
+      append_state(bytes, states[i], header.statistics);
       if (i % pixels_read_together == 0) {
         file.write(bytes);
         bytes.clear();
@@ -135,19 +119,18 @@ FilmFileReader::FilmFileReader(std::filesystem::path path) : path_(std::move(pat
   if (failure || !file_) {
     throw Error(path_.string(), "cannot be read", "check the path");
   }
-  std::array<char, first_line.size()> line{};
-  if (bytes < line.size()) {
+  if (bytes < first_line.size()) {
     fail();
   }
-  read(std::as_writable_bytes(std::span(line)));
-  if (std::string_view(line.data(), line.size()) != first_line) {
+  if (read(first_line.size()) != first_line) {
     throw Error(path_.string(), "is no film that this program knows",
                 "name one that foveola render has written");
   }
-  const auto width = read_number<std::uint32_t>();
-  const auto height = read_number<std::uint32_t>();
-  const auto squares = read_number<std::uint32_t>();
-  const auto length = read_number<std::uint32_t>();
+  std::string_view numbers = read(4 * sizeof(std::uint32_t));
+  const auto width = take<std::uint32_t>(numbers);
+  const auto height = take<std::uint32_t>(numbers);
+  const auto squares = take<std::uint32_t>(numbers);
+  const auto length = take<std::uint32_t>(numbers);
   constexpr std::uint32_t most = EquirectFilm::largest_side;
   if (width < 1 || width > most || height < 1 || height > most || squares > 1 ||
       length > longest_text || length > bytes) {
@@ -155,9 +138,9 @@ FilmFileReader::FilmFileReader(std::filesystem::path path) : path_(std::move(pat
   }
   header_.size = IVec2(width, height);
   header_.statistics = squares == 1 ? FilmStatistics::mean_and_variance : FilmStatistics::mean;
-  header_.about.resize(length);
-  read(std::as_writable_bytes(std::span(header_.about)));
-  left_ = read_number<std::uint64_t>();
+  header_.about = read(length);
+  std::string_view count = read(sizeof(std::uint64_t));
+  left_ = take<std::uint64_t>(count);
   const std::uint64_t pixels = std::uint64_t{width} * height;
   const std::uint64_t before = first_line.size() + 4 * sizeof(std::uint32_t) + length +
                                sizeof(std::uint64_t) + digest_digits;
@@ -170,28 +153,23 @@ void FilmFileReader::fail() const {
   throw Error(path_.string(), "is damaged", "render this part again");
 }
 
-void FilmFileReader::read(std::span<std::byte> bytes) {
-  file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+std::string_view FilmFileReader::read(std::size_t size) {
+  buffer_.resize(size);
+  file_.read(buffer_.data(), static_cast<std::streamsize>(size));
   if (!file_) {
     fail();
   }
-  digest_.update(bytes);
-}
-
-template <typename Number>
-Number FilmFileReader::read_number() {
-  std::array<std::byte, sizeof(Number)> raw;
-  read(raw);
-  return std::bit_cast<Number>(raw);
+  digest_.update(std::as_bytes(std::span(buffer_)));
+  used_ = size;
+  return buffer_;
 }
 
 void FilmFileReader::refill() {
   const auto pixels =
       static_cast<std::size_t>(std::min<std::uint64_t>(left_, pixels_read_together));
-  buffer_.resize(pixels * bytes_of_pixel(header_.statistics));
+  read(pixels * bytes_of_pixel(header_.statistics));
   used_ = 0;
   left_ -= pixels;
-  read(buffer_);
 }
 
 std::optional<PixelState> FilmFileReader::next() {
@@ -208,8 +186,9 @@ std::optional<PixelState> FilmFileReader::next() {
     }
     return std::nullopt;
   }
-  const PixelState state = state_at(&buffer_[used_], header_.statistics);
-  used_ += bytes_of_pixel(header_.statistics);
+  std::string_view unused = std::string_view(buffer_).substr(used_);
+  const PixelState state = take_state(unused, header_.statistics);
+  used_ = buffer_.size() - unused.size();
   if (!is_possible(state, header_.size) || (last_ && state.pixel <= *last_)) {
     fail();
   }

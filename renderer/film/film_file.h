@@ -9,12 +9,14 @@
 // digits.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/base/digest.h"
@@ -49,9 +51,8 @@ class FilmFileReader {
 
  private:
   [[noreturn]] void fail() const;
-  void read(std::span<std::byte> bytes);
-  template <typename Number>
-  Number read_number();
+  /// Takes the next bytes, which stay until others are read.
+  std::string_view read(std::size_t size);
   void refill();
 
   std::filesystem::path path_;
@@ -59,8 +60,8 @@ class FilmFileReader {
   Sha256 digest_;
   FilmHeader header_;
   std::uint64_t left_ = 0;             ///< pixels that were not read from the file
-  std::vector<std::byte> buffer_;      ///< some that were
-  std::size_t used_ = 0;               ///< bytes of the buffer that were taken
+  std::string buffer_;                 ///< what was read last
+  std::size_t used_ = 0;               ///< bytes of it that were taken
   std::optional<std::uint32_t> last_;  ///< the number of the last pixel
   bool is_over_ = false;
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "study/record/little_endian.h"
+#include "renderer/base/little_endian.h"
 
 namespace foveola::study {
 namespace {

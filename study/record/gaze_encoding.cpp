@@ -1,6 +1,6 @@
 #include "study/record/gaze_encoding.h"
 
-#include "study/record/little_endian.h"
+#include "renderer/base/little_endian.h"
 
 namespace foveola::study {
 namespace {

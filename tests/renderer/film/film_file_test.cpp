@@ -1,5 +1,7 @@
 #include "renderer/film/film_file.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -82,6 +84,40 @@ TEST_F(FilmFile, IsRefusedWhateverByteIsAnother) {
     expect_refused(bytes.substr(0, length));
   }
   expect_refused(bytes + ' ');
+}
+
+TEST_F(FilmFile, IsRefusedForSumsThatNoSamplesHave) {
+  const auto expect_read = [&](const PixelState& state, bool is_possible) {
+    write_film_file(path_, {.size = {3, 2}, .statistics = with_squares}, {{state}});
+    FilmFileReader reader(path_);
+    if (is_possible) {
+      EXPECT_EQ(rest_of(reader).size(), 1U);
+    } else {
+      EXPECT_THAT([&] { rest_of(reader); }, ThrowsMessage<Error>(HasSubstr("is damaged")));
+    }
+  };
+  constexpr double largest = std::numeric_limits<float>::max();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const PixelState state{
+      .pixel = 5, .count = 1, .numbered = 1, .sum = DVec3(largest), .squares = largest * largest};
+  expect_read(state, true);
+  for (const double impossible : {1e100, -1e100, infinity, none}) {
+    PixelState other = state;
+    other.sum.g = impossible;
+    expect_read(other, false);
+  }
+  for (const double impossible : {-1.0, 1e100, infinity, none}) {
+    PixelState other = state;
+    other.squares = impossible;
+    expect_read(other, false);
+  }
+  PixelState other = state;
+  other.count = 2;
+  expect_read(other, false);
+  other = state;
+  other.pixel = 6;
+  expect_read(other, false);
 }
 
 TEST_F(FilmFile, MustBeAFilmThatIsThere) {

@@ -1,6 +1,7 @@
-// Numbers as the record's chunks keep them: little-endian, without gaps, on every machine.
+// Numbers as files keep them: little-endian, without gaps, on every machine.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cassert>
 #include <climits>
@@ -13,15 +14,20 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
 
-namespace foveola::study {
+namespace foveola {
 
 inline void append(std::string& bytes, std::unsigned_integral auto value) {
+  std::array<char, sizeof value> raw;
   for (std::size_t i = 0; i < sizeof value; ++i) {
-    bytes.push_back(static_cast<char>((value >> (i * CHAR_BIT)) & 0xFFU));
+    raw[i] = static_cast<char>((value >> (i * CHAR_BIT)) & 0xFFU);
   }
+  bytes.append(raw.data(), raw.size());
 }
 inline void append(std::string& bytes, float value) {
   append(bytes, std::bit_cast<std::uint32_t>(value));
+}
+inline void append(std::string& bytes, double value) {
+  append(bytes, std::bit_cast<std::uint64_t>(value));
 }
 inline void append(std::string& bytes, Nanoseconds value) {
   append(bytes, static_cast<std::uint64_t>(value.count()));
@@ -46,8 +52,11 @@ Number take(std::string_view& bytes) {
 inline float take_float(std::string_view& bytes) {
   return std::bit_cast<float>(take<std::uint32_t>(bytes));
 }
+inline double take_double(std::string_view& bytes) {
+  return std::bit_cast<double>(take<std::uint64_t>(bytes));
+}
 inline Nanoseconds take_nanoseconds(std::string_view& bytes) {
   return Nanoseconds(static_cast<std::int64_t>(take<std::uint64_t>(bytes)));
 }
 
-}  // namespace foveola::study
+}  // namespace foveola
