@@ -10,9 +10,9 @@ where_threads_meet=(base_test film_test gaze_test preview_test window_test heads
 # Those that the sanitizer for addresses and undefined behaviour looks at on every submission: they
 # read files and devices, or write the record. The others and the program as a whole have their turn
 # in .ci/long sanitized.
-where_data_are_read_and_kept=(base_test glb_test image_test scene_test scenes_test gaze_test
-  renderer_commands_test design_test protocol_test record_test replay_test study_tables_test
-  analysis_dataset_test fuzz_corpus_test)
+where_data_are_read_and_kept=(base_test glb_test image_test film_test scene_test scenes_test
+  gaze_test renderer_commands_test design_test protocol_test record_test replay_test
+  study_tables_test analysis_dataset_test fuzz_corpus_test)
 
 # Those that meet what differs from one Debian release to another: the libraries that read scenes and
 # pictures, trace rays, draw in windows and terminals, talk to devices and keep the record.
