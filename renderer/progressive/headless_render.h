@@ -31,9 +31,8 @@ struct RenderBudget {
 /// A part of a render, whose rest is rendered elsewhere.
 struct RenderPart {
   enum class By {
-    /// Small tiles all over the film (see tile_dealing.h), of which all directions are drawn and
-    /// its
-    /// own are traced: the parts are the whole render, bit for bit.
+    /// Small tiles all over the film (see tile_dealing.h): all directions are drawn, and those in
+    /// its own tiles are traced, so that the parts are the whole render, bit for bit.
     tiles,
     /// A part of the samples, all over the film, from random numbers of its own.
     seeds
