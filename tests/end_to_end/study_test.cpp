@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -84,6 +86,32 @@ TEST(Study, GoesFromAProtocolToAReport) {
   EXPECT_THAT(report, HasSubstr("imulated"));
   EXPECT_THAT(report, HasSubstr("<svg"));
   EXPECT_THAT(report, HasSubstr(records.protocol.sha256));
+}
+
+TEST(Study, IsPreparedWithoutADatabase) {
+  const TemporaryFolder folder;
+  write_file(folder / "small.toml", small_protocol);
+  const auto prepare = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"study", "simulate", (folder / "small.toml").string(),
+                                      "--participants", "2"};
+    words.insert(words.end(), options.begin(), options.end());
+    return run_foveola(words);
+  };
+  const ProgramResult prepared = prepare({"--prepare", "--json", "--shard", "1/1", "--seed", "9"});
+  ASSERT_EQ(prepared.exit_code, 0) << prepared.errors;
+  const nlohmann::json report = nlohmann::json::parse(prepared.output);
+  EXPECT_EQ(report.at("prepared"), "references");
+  EXPECT_EQ(report.at("items"), 1);
+  EXPECT_THAT(prepare({"--prepare"}).output,
+              testing::ContainsRegex("^0 of 1 references rendered in .*; the others were in the"));
+  EXPECT_THAT(prepare({"--prepare", "--inject", "faster:fv:3"}).output,
+              HasSubstr("Nothing to prepare: participants with an injected effect do not look"));
+  expect_one_line(prepare({}), 2, "--db: is required but to --prepare");
+  expect_one_line(prepare({"--prepare", "--db", (folder / "a.sqlite").string()}), 2,
+                  "--prepare makes none");
+  expect_one_line(prepare({"--prepare", "--resume"}), 2, "--resume: is of a study");
+  expect_one_line(prepare({"--prepare", "--report", folder.path().string()}), 2, "--report");
+  EXPECT_THAT(folder.entries(), testing::ElementsAre("small.toml"));
 }
 
 TEST(Study, TheSameSeedGivesTheSameMarks) {
