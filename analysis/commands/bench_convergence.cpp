@@ -1,32 +1,26 @@
 #include "analysis/commands/bench_convergence.h"
 
-#include <algorithm>
-#include <filesystem>
+#include <cstdint>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "analysis/commands/convergence_part.h"
+#include "analysis/commands/convergence_run.h"
 #include "analysis/convergence/convergence_figures.h"
 #include "analysis/convergence/convergence_files.h"
-#include "analysis/convergence/measurement.h"
 #include "analysis/publication/output_folder.h"
-#include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/former_option.h"
 #include "renderer/commands/scene_file_options.h"
-#include "renderer/commands/warnings.h"
 #include "renderer/image/image_file.h"
-#include "renderer/progressive/loaded_scene.h"
-#include "study/stage/scene_stage.h"
 
 namespace fs = std::filesystem;
 
@@ -37,14 +31,17 @@ struct ConvergenceArguments {
   std::vector<std::string> scenes;
   std::string methods = "od,vp,fv,hybrid:0.9*fv+0.1*od";
   std::vector<std::string> options = {"independent"};
-  fs::path folder;
+  fs::path output;  ///< a folder, or the file of a part
+  std::string shard;
   std::optional<std::string> size;
   std::optional<int> samples_per_pixel;
   std::optional<int> repetitions;
+  std::optional<int> view_size;
   int max_depth = TraceSettings{}.max_depth;
   int gazes = 1;
   int threads = 0;
   bool quick = false;
+  bool references = false;
   bool json = false;
 };
 
@@ -74,6 +71,7 @@ ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
     plan.size = parse_size("--size", *arguments.size);
   }
   plan.samples_per_pixel = arguments.samples_per_pixel.value_or(plan.samples_per_pixel);
+  plan.view_size = arguments.view_size.value_or(plan.view_size);
   plan.max_depth = arguments.max_depth;
   if (arguments.repetitions) {
     plan.least_repetitions = *arguments.repetitions;
@@ -82,118 +80,21 @@ ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
   return plan;
 }
 
-/// A progress line for each thing that is done.
-class ProgressLines {
- public:
-  void update(const std::string& what, double fraction) {
-    if (what != what_) {
-      line_.reset();
-      line_.emplace(what);
-      what_ = what;
-    }
-    line_->update(fraction);
+ConvergenceRun run_of(const ConvergenceArguments& arguments, const SceneFinder& find_scene) {
+  ConvergenceRun run{.plan = plan_of(arguments),
+                     .scenes = {},
+                     .gazes = arguments.gazes,
+                     .threads = arguments.threads,
+                     .limit_s = arguments.quick ? quick_limit_s : 0.0};
+  for (const std::string& name : arguments.scenes) {
+    run.scenes.push_back(find_scene(name));
   }
-
- private:
-  std::string what_;
-  std::optional<Progress> line_;
-};
-
-struct Results {
-  std::vector<GazeMeasurement> measurements;
-  std::vector<RgbImage> crops;  ///< one strip for each measurement
-  std::vector<double> exposure_stops;
-};
-
-/// Measures gaze after gaze, and shares out the time that is left.
-class ConvergenceBench {
- public:
-  ConvergenceBench(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
-                   std::stop_token stop)
-      : arguments_(arguments),
-        plan_(plan_of(arguments)),
-        stop_(std::move(stop)),
-        gazes_left_(arguments.scenes.size() * static_cast<std::size_t>(arguments.gazes)) {
-    for (const std::string& name : arguments.scenes) {
-      sources_.push_back(find_scene(name));
-    }
-    start_ = clock_.now();
-  }
-
-  const ConvergencePlan& plan() const { return plan_; }
-
-  Results run() {
-    for (const SceneSource& source : sources_) {
-      run_scene(source);
-    }
-    return std::move(results_);
-  }
-
- private:
-  void run_scene(const SceneSource& source) {
-    if (stop_.stop_requested()) {
-      return;
-    }
-    const Workers workers(arguments_.threads);
-    const LoadedScene loaded(source, workers);
-    print_warnings(loaded.warnings);
-    Subject subject{.loaded = loaded, .key = study::scene_key(loaded)};
-    subject.add_tracers_for(plan_.configurations, workers);
-    for (int i = 0; i < arguments_.gazes && !stop_.stop_requested(); ++i) {
-      const double turn_rad = 2.0 * std::numbers::pi * i / arguments_.gazes;
-      // Turned into [-pi, pi], as directions have their azimuths.
-      run_gaze(subject, workers,
-               azimuth_elevation(
-                   direction_from({.azimuth_rad = loaded.camera.heading.azimuth_rad + turn_rad})));
-    }
-  }
-
-  void run_gaze(const Subject& subject, const Workers& workers, const AzimuthElevation& gaze) {
-    ProgressLines lines;
-    const ReportProgress progress = [&lines](const std::string& what, double fraction) {
-      lines.update(what, fraction);
-    };
-    try {
-      const GazeBench bench(subject, plan_, gaze, workers, cache_folder() / "references", progress,
-                            stop_);
-      GazeMeasurement measurement = bench.measure(limit_s(), progress);
-      if (!measurement.repetitions.empty()) {
-        results_.measurements.push_back(std::move(measurement));
-        results_.crops.push_back(bench.crops());
-        results_.exposure_stops.push_back(subject.loaded.source.exposure_stops.value_or(0.0));
-      }
-    } catch (const Error&) {
-      // A reference that was stopped takes nothing from what was measured before.
-      if (!stop_.stop_requested()) {
-        throw;
-      }
-    }
-    --gazes_left_;
-  }
-
-  /// The time that the repetitions of the next gaze may take; 0: no limit.
-  double limit_s() const {
-    constexpr double least_s = 1.0;
-    if (!arguments_.quick) {
-      return 0.0;
-    }
-    const double left_s = quick_limit_s - seconds(clock_.now() - start_);
-    return std::max(least_s, left_s / static_cast<double>(gazes_left_));
-  }
-
-  const ConvergenceArguments& arguments_;
-  ConvergencePlan plan_;
-  std::stop_token stop_;
-  SteadyClock clock_;
-  Nanoseconds start_{0};
-  std::vector<SceneSource> sources_;
-  std::size_t gazes_left_;
-  Results results_;
-};
+  return run;
+}
 
 /// Everything is computed before anything is written.
-void write_results(const fs::path& folder, const Results& results, const ConvergenceTables& tables,
-                   const std::string& json) {
+void write_results(const fs::path& folder, const MeasuredGazes& results,
+                   const ConvergenceTables& tables, const std::string& json) {
   std::vector<TextFile> files = convergence_csv(results.measurements, tables);
   for (const Figure& figure : draw_convergence(results.measurements)) {
     files.push_back({figure.name + ".svg", figure.svg});
@@ -209,23 +110,65 @@ void write_results(const fs::path& folder, const Results& results, const Converg
   }
 }
 
-void run(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
-         const std::stop_token& stop) {
-  check_output_folder(arguments.folder);
-  ConvergenceBench bench(arguments, find_scene, stop);
-  const Results results = bench.run();
+void run_whole(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
+               const std::stop_token& stop) {
+  check_output_folder(arguments.output);
+  const ConvergenceRun run = run_of(arguments, find_scene);
+  const MeasuredGazes results = measure_all(run, stop);
   if (results.measurements.empty()) {
-    throw Error(arguments.folder.string(), "is not written: no repetition was finished",
+    throw Error(arguments.output.string(), "is not written: no repetition was finished",
                 "let it run longer, or try --quick");
   }
   const ConvergenceTables tables = tabulate(results.measurements);
-  const std::string json = convergence_json(bench.plan(), results.measurements, tables);
-  write_results(arguments.folder, results, tables, json);
+  const std::string json = convergence_json(run.plan, results.measurements, tables);
+  write_results(arguments.output, results, tables, json);
   if (arguments.json) {
     fmt::print("{}", json);
   } else {
     fmt::print("{}Tables, figures and crops: {}\n", convergence_summary(tables),
-               arguments.folder.string());
+               arguments.output.string());
+  }
+}
+
+void run_part(const ConvergenceArguments& arguments, const Shard& shard,
+              const SceneFinder& find_scene, const std::stop_token& stop) {
+  require_writable(arguments.output);
+  const ConvergenceRun run = run_of(arguments, find_scene);
+  const std::vector<MeasuredPart> measured = measure_part(run, shard, stop);
+  require_finished(arguments.output, stop.stop_requested());
+  const BenchPart part = convergence_part(run, shard, measured);
+  write_bench_part(arguments.output, part);
+  print_written(arguments.output, part, arguments.json);
+}
+
+void run_references(const ConvergenceArguments& arguments, const Shard& shard,
+                    const SceneFinder& find_scene, const std::stop_token& stop) {
+  const std::int64_t halves = render_references(run_of(arguments, find_scene), shard, stop);
+  const std::string folder = (cache_folder() / "references").string();
+  if (arguments.json) {
+    const nlohmann::json json = {{"cache", folder}, {"halves", halves}};
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}: has {} halves of references\n", folder, halves);
+  }
+}
+
+void run(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
+         const std::stop_token& stop) {
+  const bool is_part = !arguments.shard.empty();
+  const Shard shard = is_part ? parse_shard("--shard", arguments.shard) : Shard{};
+  if (is_part && arguments.quick) {
+    throw UsageError("--shard", "does not go with --quick, which ends by the clock",
+                     "give --size, --spp and --repetitions instead");
+  }
+  if (arguments.references) {
+    run_references(arguments, shard, find_scene, stop);
+  } else if (arguments.output.empty()) {
+    throw UsageError("--output", "is required", "name a folder, or the file of a part");
+  } else if (is_part) {
+    run_part(arguments, shard, find_scene, stop);
+  } else {
+    run_whole(arguments, find_scene, stop);
   }
 }
 
@@ -238,11 +181,10 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       "convergence", "Measure how much faster each method reaches the error of the first one");
   command->add_option("SCENE", arguments->scenes, "Scenes' names, or .glb, .gltf or .obj files")
       ->required();
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "A folder for tables (CSV, JSON), figures (SVG) and crops (PNG); made if its "
-                   "parent exists")
-      ->required();
+  CLI::Option* const output = command->add_option(
+      "-o,--output", arguments->output,
+      "A folder for tables (CSV, JSON), figures (SVG) and crops (PNG), made if its parent exists; "
+      "with --shard, a file, a .json");
   command
       ->add_option(
           "--methods", arguments->methods,
@@ -280,6 +222,12 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       ->add_option("--spp", arguments->samples_per_pixel,
                    "Samples of each render per pixel of the film (default: 32; quick: 16)")
       ->check(CLI::Range(16, 1 << 16));
+  command
+      ->add_option("--view-size", arguments->view_size,
+                   fmt::format("Pixels along each side of the display that FLIP is measured on "
+                               "(default: {}; quick: {})",
+                               ConvergencePlan{}.view_size, quick_plan().view_size))
+      ->check(CLI::Range(16, 8192));
   command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -294,11 +242,34 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       ->capture_default_str();
   command->add_flag("--quick", arguments->quick,
                     "Measure a smaller and coarser plan, in about two minutes");
+  command
+      ->add_flag("--references", arguments->references,
+                 "Only render what the cache of references lacks of those that these options need; "
+                 "with --shard, of the Kth part of them")
+      ->excludes(output);
+  add_shard_option(*command, arguments->shard);
   command->add_flag("--json", arguments->json, "Print the tables as JSON");
   command->footer("Example: foveola bench convergence arcade church -o convergence --quick");
   command->callback([arguments, find = with_scene_file_options(*command, find_scene), stop] {
     run(*arguments, find, stop);
   });
+}
+
+void merge_convergence(const std::vector<BenchPart>& parts, const fs::path& folder, bool json) {
+  check_output_folder(folder);
+  MergedConvergence merged = merged_convergence(parts);
+  const ConvergenceTables tables = tabulate(merged.measurements);
+  const std::string text =
+      convergence_json(merged.plan, merged.measurements, tables, merged.machines);
+  write_results(folder,
+                {.measurements = std::move(merged.measurements), .crops = {}, .exposure_stops = {}},
+                tables, text);
+  if (json) {
+    fmt::print("{}", text);
+  } else {
+    fmt::print("{}Tables and figures, without crops, of {} parts: {}\n",
+               convergence_summary(tables), parts.size(), folder.string());
+  }
 }
 
 }  // namespace foveola::analysis

@@ -152,6 +152,26 @@ json crops_json(const ConvergencePlan& plan) {
   return {{"seconds", plan.crop_seconds}, {"fov_deg", plan.crop_fov_deg}, {"left_to_right", order}};
 }
 
+json this_machine_json() {
+  const MachineInfo machine = machine_info();
+  return {{"processor", machine.processor}, {"cores", machine.cores}};
+}
+
+json machines_json(const std::vector<MeasuringMachine>& machines) {
+  json list = json::array();
+  for (const MeasuringMachine& machine : machines) {
+    list.push_back({{"shard", machine.shard},
+                    {"processor", machine.processor},
+                    {"cores", machine.cores},
+                    {"threads", machine.threads},
+                    {"repetitions", machine.repetitions}});
+  }
+  return {{"machines", std::move(list)},
+          {"times",
+           "Each part's times are those of its own machine: they can only be compared and averaged "
+           "where machines are alike. The configurations of a repetition took turns on one."}};
+}
+
 json plan_json(const ConvergencePlan& plan) {
   return {{"width", plan.size.x},
           {"height", plan.size.y},
@@ -267,21 +287,20 @@ std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measur
 
 std::string convergence_json(const ConvergencePlan& plan,
                              const std::vector<GazeMeasurement>& measurements,
-                             const ConvergenceTables& tables) {
-  const MachineInfo machine = machine_info();
-  const json result = {{"version", build_info().version},
-                       {"compiler", build_info().compiler},
-                       {"instruction_set", build_info().instruction_set},
-                       {"processor", machine.processor},
-                       {"cores", machine.cores},
-                       {"baseline", plan.configurations.front().name},
-                       {"plan", plan_json(plan)},
-                       {"crops", crops_json(plan)},
-                       {"measured", measured_json(measurements)},
-                       {"overall", overall_json(tables)},
-                       {"speed_ups", speed_ups_json(tables)},
-                       {"costs", costs_json(tables)},
-                       {"convergence", convergence_rows_json(tables)}};
+                             const ConvergenceTables& tables,
+                             const std::vector<MeasuringMachine>& machines) {
+  json result = {{"version", build_info().version},
+                 {"compiler", build_info().compiler},
+                 {"instruction_set", build_info().instruction_set}};
+  result.update(machines.empty() ? this_machine_json() : machines_json(machines));
+  result.update({{"baseline", plan.configurations.front().name},
+                 {"plan", plan_json(plan)},
+                 {"crops", machines.empty() ? crops_json(plan) : json(nullptr)},
+                 {"measured", measured_json(measurements)},
+                 {"overall", overall_json(tables)},
+                 {"speed_ups", speed_ups_json(tables)},
+                 {"costs", costs_json(tables)},
+                 {"convergence", convergence_rows_json(tables)}});
   return result.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -14,11 +14,22 @@ namespace foveola::analysis {
 std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measurements,
                                       const ConvergenceTables& tables);
 
-/// The tables with the plan, the program and the machine, as a JSON object; every estimate is
-/// {"value", "low", "high"}, or null.
+/// Who measured one part of a measurement that was split, and what.
+struct MeasuringMachine {
+  std::string shard;  ///< "3/8"
+  std::string processor;
+  int cores = 0;
+  int threads = 0;
+  std::vector<std::string> repetitions;  ///< "0 to 3 of arcade at 0,0"
+};
+
+/// The tables with the plan, the program and this machine, as a JSON object; every estimate is
+/// {"value", "low", "high"}, or null. With `machines`, those of all parts, in place of this
+/// machine; then there are no crops.
 std::string convergence_json(const ConvergencePlan& plan,
                              const std::vector<GazeMeasurement>& measurements,
-                             const ConvergenceTables& tables);
+                             const ConvergenceTables& tables,
+                             const std::vector<MeasuringMachine>& machines = {});
 
 /// The summary for the terminal: speed-ups in mean squared error at equal error, by region, with
 /// costs.

@@ -79,7 +79,7 @@ GazeBench::GazeBench(const Subject& subject, const ConvergencePlan& plan,
                   stop_),
               workers) {}
 
-GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progress) const {
+GazeMeasurement GazeBench::without_repetitions() const {
   GazeMeasurement measurement{.scene = subject_->loaded.source.name,
                               .gaze = gaze_,
                               .configurations = {},
@@ -92,6 +92,30 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
   for (const Region& region : regions_) {
     measurement.regions.push_back(region.name);
   }
+  return measurement;
+}
+
+GazeMeasurement GazeBench::measure(const ItemRange& repetitions,
+                                   const ReportProgress& progress) const {
+  GazeMeasurement measurement = without_repetitions();
+  for (std::int64_t repetition = repetitions.begin; repetition < repetitions.end; ++repetition) {
+    const auto in_repetition = [&](double fraction) {
+      const double done = static_cast<double>(repetition - repetitions.begin) + fraction;
+      progress("repetitions in " + subject_->loaded.source.name,
+               done / static_cast<double>(repetitions.size()));
+    };
+    std::optional<Repetition> logs =
+        run_repetition(static_cast<std::uint32_t>(repetition), in_repetition);
+    if (!logs) {
+      break;
+    }
+    measurement.repetitions.push_back(std::move(*logs));
+  }
+  return measurement;
+}
+
+GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progress) const {
+  GazeMeasurement measurement = without_repetitions();
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
   for (int repetition = 0; repetition < plan_->most_repetitions; ++repetition) {

@@ -11,6 +11,7 @@
 
 #include "analysis/convergence/plan.h"
 #include "analysis/convergence/scorer.h"
+#include "renderer/base/shard.h"
 
 namespace foveola::analysis {
 
@@ -59,11 +60,15 @@ class GazeBench {
   /// measuring errors nor the reference counts as their time.
   GazeMeasurement measure(double limit_s, const ReportProgress& progress) const;
 
+  /// These repetitions of the plan alone, without any limit: those that measure() would have made.
+  GazeMeasurement measure(const ItemRange& repetitions, const ReportProgress& progress) const;
+
   /// What the display shows around the gaze after the plan's crop_seconds: a linear image of each
   /// configuration, from left to right, and of the reference.
   RgbImage crops() const;
 
  private:
+  GazeMeasurement without_repetitions() const;
   std::optional<Repetition> run_repetition(std::uint32_t seed,
                                            const std::function<void(double)>& progress) const;
   std::vector<std::vector<std::optional<double>>> predictions() const;

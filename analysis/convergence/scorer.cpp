@@ -53,27 +53,34 @@ RgbImage Scorer::reference() const {
 
 RgbImage Scorer::shown(const RgbImage& view) const { return display_image(view, exposure_stops_); }
 
-ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& plan,
-                                 const Vec3& gaze, const Workers& workers,
-                                 const std::filesystem::path& cache,
-                                 const std::function<void(double)>& progress,
-                                 const std::stop_token& stop) {
+RgbImage reference_half(const Subject& subject, const ConvergencePlan& plan, const Vec3& gaze,
+                        std::uint32_t half, const Workers& workers,
+                        const std::filesystem::path& cache,
+                        const std::function<void(double)>& progress, const std::stop_token& stop) {
   ReferenceSettings settings;
   settings.viewpoint = subject.loaded.camera.position;
   settings.width = plan.size.x;
   settings.height = plan.size.y;
   settings.max_depth = plan.max_depth;
+  settings.seed = half;
   settings.samples_per_pixel = plan.reference_samples_per_pixel;
   settings.interests = {gaze};
   settings.samples_per_interest = static_cast<std::uint64_t>(plan.reference_foveated_per_pixel) *
                                   static_cast<std::uint64_t>(plan.size.x) *
                                   static_cast<std::uint64_t>(plan.size.y);
-  const auto half = [&](std::uint32_t seed) {
-    settings.seed = seed;
-    const auto so_far = [&](double fraction) { progress(0.5 * (seed + fraction)); };
-    return reference_image(subject.loaded.tracer, subject.key, settings, workers, cache, so_far,
-                           stop)
-        .color;
+  return reference_image(subject.loaded.tracer, subject.key, settings, workers, cache, progress,
+                         stop)
+      .color;
+}
+
+ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& plan,
+                                 const Vec3& gaze, const Workers& workers,
+                                 const std::filesystem::path& cache,
+                                 const std::function<void(double)>& progress,
+                                 const std::stop_token& stop) {
+  const auto half = [&](std::uint32_t number) {
+    const auto so_far = [&](double fraction) { progress(0.5 * (number + fraction)); };
+    return reference_half(subject, plan, gaze, number, workers, cache, so_far, stop);
   };
   RgbImage first = half(0);
   return {.first = std::move(first), .second = half(1)};

@@ -1,6 +1,7 @@
 // The error of a film in each region, against a reference with two halves.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -49,10 +50,16 @@ class Scorer {
   RgbImage reference_view_;  ///< as the display shows it
 };
 
-/// Both halves of the reference, rendered or taken from `cache`: more samples around the gaze,
-/// noise independent of each other's and of all renders', textures filtered as in those, so that
+/// One half of the reference, 0 or 1, rendered or taken from `cache`: more samples around the gaze,
+/// noise independent of the other's and of all renders', textures filtered as in those, so that
 /// noise is all that is left between them. progress is called with the fraction done. Throws Error
 /// as reference_image.
+RgbImage reference_half(const Subject& subject, const ConvergencePlan& plan, const Vec3& gaze,
+                        std::uint32_t half, const Workers& workers,
+                        const std::filesystem::path& cache,
+                        const std::function<void(double)>& progress, const std::stop_token& stop);
+
+/// Both halves.
 ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& plan,
                                  const Vec3& gaze, const Workers& workers,
                                  const std::filesystem::path& cache,

@@ -1,6 +1,9 @@
 // Benchmarks in parts, which are merged.
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/csv.h"
 #include "renderer/base/files.h"
 #include "tests/end_to_end/program.h"
 
@@ -17,7 +21,6 @@ namespace foveola::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 using Options = std::vector<std::string>;
 
@@ -105,6 +108,119 @@ TEST_F(BenchParts, AreRefusedIfTheyAreNotThoseOfOneBenchmark) {
   expect_one_line(merge(files), 1, "part-1.json: was measured by Foveola 9");
   write_file(files[1], "{}");
   expect_one_line(merge(files), 1, "part-1.json: is no part of a benchmark");
+}
+
+/// A table without the columns whose names have one of `words` in them.
+std::vector<CsvRow> without(const fs::path& file, const std::vector<std::string>& words) {
+  std::vector<CsvRow> rows = parse_csv(read_file(file), file.string());
+  const CsvRow names = rows.front();
+  for (CsvRow& row : rows) {
+    CsvRow kept;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (std::ranges::none_of(words, [&](const std::string& word) {
+            return names[i].find(word) != std::string::npos;
+          })) {
+        kept.push_back(row[i]);
+      }
+    }
+    row = std::move(kept);
+  }
+  return rows;
+}
+
+Options replaced_last(Options options, const std::string& last) {
+  options.back() = last;
+  return options;
+}
+
+class BenchConvergenceParts : public BenchParts {
+ protected:
+  BenchConvergenceParts() {
+    write_file(folder_ / "room.gltf", room_gltf());
+    environment_ = {{"XDG_CACHE_HOME", path("cache")}};
+  }
+
+  /// Two gazes with three repetitions each: six items.
+  Options options() const {
+    return {"convergence",   path("room.gltf"),
+            "--gazes",       "2",
+            "--repetitions", "3",
+            "--methods",     "od,vp",
+            "--options",     "none",
+            "--size",        "32x16",
+            "--spp",         "16",
+            "--max-depth",   "3"};
+  }
+
+  std::size_t cached() const {
+    const fs::path folder = folder_ / "cache" / "foveola" / "references";
+    return fs::exists(folder) ? static_cast<std::size_t>(std::distance(
+                                    fs::directory_iterator(folder), fs::directory_iterator()))
+                              : 0;
+  }
+};
+
+TEST_F(BenchConvergenceParts, HaveTheErrorsOfTheWhole) {
+  const ProgramResult whole = bench(options() + Options{"-o", path("whole")});
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  for (const int count : {1, 4, 8}) {
+    SCOPED_TRACE(count);
+    const std::string folder = fmt::format("merged-{}", count);
+    const ProgramResult merged =
+        merge(parts(count, options(), "part"), {"-o", path(folder), "--json"});
+    ASSERT_EQ(merged.exit_code, 0) << merged.errors;
+    // Whatever has no seconds in it.
+    for (const auto& [table, timed] : std::vector<std::pair<std::string, Options>>{
+             {"points.csv", {"seconds"}},
+             {"speed_ups.csv", {"time"}},
+             {"overall.csv", {"time"}},
+             {"convergence.csv", {"time", "efficiency"}}}) {
+      EXPECT_EQ(without(folder_ / folder / table, timed), without(folder_ / "whole" / table, timed))
+          << table;
+    }
+    EXPECT_EQ(merged.output, read_file(folder_ / folder / "convergence.json"));
+    const auto json = nlohmann::json::parse(merged.output);
+    ASSERT_EQ(json["machines"].size(), static_cast<std::size_t>(count));
+    EXPECT_GE(json["machines"][0]["cores"], 1);
+    EXPECT_THAT(json["times"].get<std::string>(), HasSubstr("where machines are alike"));
+    EXPECT_TRUE(json["crops"].is_null());
+    EXPECT_EQ(json["plan"],
+              nlohmann::json::parse(read_file(folder_ / "whole" / "convergence.json"))["plan"]);
+    EXPECT_TRUE(fs::exists(folder_ / folder / "error-2-rmse-sphere.svg"));
+    EXPECT_FALSE(fs::exists(folder_ / folder / "crops-1.png"));
+  }
+}
+
+TEST_F(BenchConvergenceParts, RenderOnlyTheReferencesThatTheyNeed) {
+  const ProgramResult first = bench(options() + Options{"--shard", "1/6", "-o", path("1.json")});
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_EQ(cached(), 2U) << "both halves of one gaze";
+  const ProgramResult third = bench(options() + Options{"--references", "--shard", "3/4"});
+  ASSERT_EQ(third.exit_code, 0) << third.errors;
+  EXPECT_THAT(third.output, HasSubstr("has 1 halves of references"));
+  EXPECT_EQ(cached(), 3U);
+  EXPECT_EQ(bench(options() + Options{"--references"}).exit_code, 0);
+  EXPECT_EQ(cached(), 4U);
+  const ProgramResult last = bench(options() + Options{"--shard", "6/6", "-o", path("6.json")});
+  ASSERT_EQ(last.exit_code, 0) << last.errors;
+  EXPECT_EQ(cached(), 4U) << "nothing was rendered again under another name";
+}
+
+TEST_F(BenchConvergenceParts, AreRefusedIfTheyDoNotFitTogether) {
+  const Options files = parts(2, options(), "part");
+  expect_one_line(merge(files), 2, "--output: is required");
+  expect_one_line(merge({files[0]}, {"-o", path("m")}), 1, "part 1/2 is missing");
+  const Options deeper = parts(2, replaced_last(options(), "2"), "deeper");
+  expect_one_line(merge({files[0], deeper[1]}, {"-o", path("m")}), 1, "max_depth is 2, not 3");
+  write_file(folder_ / "room.gltf", read_file(folder_ / "room.gltf") + "\n");
+  const Options later = parts(2, options(), "later");
+  expect_one_line(merge({files[0], later[1]}, {"-o", path("m")}), 1, "sha256 of scene 1 is");
+  write_file(files[0], replaced(read_file(files[0]), "\"samples\":512", "\"samples\":513"));
+  expect_one_line(merge(files, {"-o", path("m")}), 1, "part-2.json: is damaged");
+  EXPECT_FALSE(fs::exists(path("m")));
+  expect_one_line(bench(options() + Options{"--quick", "--shard", "1/2", "-o", path("a.json")}), 2,
+                  "--shard: does not go with --quick");
+  expect_one_line(bench(options()), 2, "--output: is required");
 }
 
 TEST_F(BenchParts, RefuseBadWishesBeforeTheWork) {

@@ -99,6 +99,21 @@ TEST_F(GazeBenchTest, EachSeedGivesItsOwnRepetitionEveryTime) {
   EXPECT_EQ(last_error(first, 0), last_error(second, 0));
 }
 
+TEST_F(GazeBenchTest, SomeRepetitionsAreThoseOfAll) {
+  const GazeMeasurement all = measure();
+  const GazeMeasurement last = bench().measure({.begin = 2, .end = 3}, [](const auto&, double) {});
+  ASSERT_EQ(last.repetitions.size(), 1U);
+  EXPECT_EQ(last.predicted, all.predicted);
+  const auto viewport =
+      static_cast<std::size_t>(std::ranges::find(all.regions, "viewport") - all.regions.begin());
+  for (std::size_t i = 0; i < plan_.configurations.size(); ++i) {
+    const Checkpoint& one = last.repetitions[0][i].checkpoints.back();
+    const Checkpoint& other = all.repetitions[2][i].checkpoints.back();
+    EXPECT_EQ(one.scores.back().error.mse, other.scores.back().error.mse);
+    EXPECT_EQ(one.scores[viewport].flip, other.scores[viewport].flip);
+  }
+}
+
 TEST_F(GazeBenchTest, MakesItsLeastRepetitionsWhereTimeIsShort) {
   EXPECT_EQ(measure(1e-9).repetitions.size(), 2U);
 }
