@@ -21,7 +21,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* by_tiles = "tiles";
+/// It says how tiles are dealt (renderer/progressive/tile_dealing.h): parts of another dealing do not
+/// fit.
+constexpr const char* by_tiles = "tiles of 4 pixels";
 constexpr const char* by_seeds = "seeds";
 constexpr const char* filmic = "filmic";
 
@@ -76,6 +78,15 @@ RenderIdentity identity_in(const Json& json) {
           .curve = json.at("tone") == filmic ? ToneCurve::filmic : ToneCurve::plain};
 }
 
+RenderPart::By split_named(const std::string& name) {
+  for (const RenderPart::By by : {RenderPart::By::tiles, RenderPart::By::seeds}) {
+    if (name == name_of(by)) {
+      return by;
+    }
+  }
+  throw Error(name, "is no split of a render that is known here");
+}
+
 FilmOrigin origin_of(const FilmFileReader& film) {
   try {
     const Json json = Json::parse(film.header().about);
@@ -85,7 +96,7 @@ FilmOrigin origin_of(const FilmFileReader& film) {
     if (const auto part = json.find("part"); part != json.end()) {
       origin.part = {
           .shard = parse_shard("shard", part->at("shard").get<std::string>()),
-          .by = part->at("by") == by_seeds ? RenderPart::By::seeds : RenderPart::By::tiles};
+          .by = split_named(part->at("by").get<std::string>())};
     }
     return origin;
   } catch (const std::exception&) {
