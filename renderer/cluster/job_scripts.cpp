@@ -113,6 +113,7 @@ publish() {
   cp "$work" "$part.new" && mv "$part.new" "$part"
   rm -f "$kept"
 }
+so_far() { cksum "$work" 2>/dev/null || true; }
 )sh";
 
 constexpr std::string_view in_place = R"sh(
@@ -120,12 +121,14 @@ constexpr std::string_view in_place = R"sh(
 work=$job/unfinished/$shard@EXTENSION@
 keep() { :; }
 publish() { mv "$work" "$part"; }
+so_far() { cksum "$work" 2>/dev/null || true; }
 )sh";
 
 constexpr std::string_view nothing_but_caches = R"sh(
 # What was rendered lies in the caches, where nothing is rendered twice.
 keep() { :; }
 publish() { touch "$part"; }
+so_far() { ls -R "${XDG_CACHE_HOME:-$HOME/.cache}/foveola" 2>/dev/null | cksum; }
 )sh";
 
 /// Behind the program, which runs in the background: a shell that waits in the foreground would not
@@ -158,6 +161,10 @@ if [ "$status" -eq 0 ]; then
 fi
 keep
 if [ -n "$out_of_time" ]; then
+  if [ "$(so_far)" = "$before" ]; then
+    echo "Part $shard came no further in its time: give it more (time_limit), or make more shards"
+    exit 1
+  fi
   again "its time was up"
 fi
 # Killed, as for want of memory, or crashed. That may pass; what the program itself refuses, with 1 or
@@ -195,7 +202,7 @@ std::string part_script(Stage stage, const ClusterJob& job, std::int64_t count) 
                                    : fmt::format("{} \"$work\"{}", job.command.part_option,
                                                  job.command.goes_on ? " --resume" : "");
   text += fmt::format(
-      "\n\"$foveola\" {} {} --shard \"$shard/{}\" --threads \"${{SLURM_CPUS_ON_NODE:-{}}}\" &\n",
+      "before=$(so_far)\n\n\"$foveola\" {} {} --shard \"$shard/{}\" --threads \"${{SLURM_CPUS_ON_NODE:-{}}}\" &\n",
       quoted(job.words), own, count, job.cores);
   text += until_it_ends;
   return text;

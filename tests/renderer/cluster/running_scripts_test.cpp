@@ -138,6 +138,17 @@ TEST_F(Shards, KeepWhatTheyHaveWhenTheirTimeIsUp) {
   }
 }
 
+TEST_F(Shards, ThatComeNoFurtherInTheirTimeFail) {
+  begin({"bench", "statistics"},
+        "rm \"$part\"\n"
+        "trap 'exit 130' TERM\n"
+        "kill -USR1 $PPID\n"
+        "while :; do sleep 0.1; done");
+  ASSERT_EQ(run({1}).size(), 1U);
+  EXPECT_THAT(last_line(folder_->log(Stage::shards, 1)),
+              HasSubstr("came no further in its time: give it more"));
+}
+
 TEST_F(Shards, KeepWhatTheyHaveWhenTheyAreStopped) {
   begin({"study", "simulate"},
         "if [ $(wc -l <\"$part\") = 1 ]; then\n"
