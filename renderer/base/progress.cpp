@@ -11,7 +11,8 @@ namespace foveola {
 Progress::Progress(std::string label)
     : label_(std::move(label)),
       terminal_(::isatty(STDERR_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()) {}
+      start_(std::chrono::steady_clock::now()),
+      last_shown_(terminal_ ? std::chrono::steady_clock::time_point() : start_) {}
 
 Progress::~Progress() {
   if (terminal_) {
@@ -23,9 +24,10 @@ void Progress::update(double fraction_done, const std::string& detail) {
   const auto now = std::chrono::steady_clock::now();
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const int tenth = static_cast<int>(fraction_done * 10.0);
-  const bool due =
-      terminal_ ? now - last_shown_ >= std::chrono::milliseconds(100) : tenth > last_tenth_;
-  if (!due) {
+  const auto since_shown = now - last_shown_;
+  const bool is_due = terminal_ ? since_shown >= std::chrono::milliseconds(100)
+                                : tenth > last_tenth_ || since_shown >= std::chrono::minutes(5);
+  if (!is_due) {
     return;
   }
   last_shown_ = now;

@@ -138,7 +138,12 @@ constexpr std::string_view until_it_ends = R"sh(program=$!
 # Slurm sends USR1 shortly before the time is up. A program that is asked to end keeps what it has.
 out_of_time=
 trap 'out_of_time=yes; kill -TERM "$program"' USR1
-trap 'kill -TERM "$program"' TERM INT
+# When a job is cancelled, Slurm sends TERM to the program itself; a second one would end it at once.
+if [ -n "${SLURM_JOB_ID:-}" ]; then
+  trap : TERM
+else
+  trap 'kill -TERM "$program"' TERM INT
+fi
 while :; do
   status=0
   wait "$program" || status=$?
@@ -202,7 +207,8 @@ std::string part_script(Stage stage, const ClusterJob& job, std::int64_t count) 
                                    : fmt::format("{} \"$work\"{}", job.command.part_option,
                                                  job.command.goes_on ? " --resume" : "");
   text += fmt::format(
-      "before=$(so_far)\n\n\"$foveola\" {} {} --shard \"$shard/{}\" --threads \"${{SLURM_CPUS_ON_NODE:-{}}}\" &\n",
+      "before=$(so_far)\n\n\"$foveola\" {} {} --shard \"$shard/{}\" --threads "
+      "\"${{SLURM_CPUS_ON_NODE:-{}}}\" &\n",
       quoted(job.words), own, count, job.cores);
   text += until_it_ends;
   return text;
