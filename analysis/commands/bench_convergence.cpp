@@ -149,7 +149,9 @@ void run_references(const ConvergenceArguments& arguments, const Shard& shard,
     const nlohmann::json json = {{"cache", folder}, {"halves", halves}};
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    fmt::print("{}: has {} halves of references\n", folder, halves);
+    fmt::print(
+        "{}: has {}\n", folder,
+        halves == 1 ? "1 half of a reference" : fmt::format("{} halves of references", halves));
   }
 }
 

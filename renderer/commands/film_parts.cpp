@@ -21,8 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// It says how tiles are dealt (renderer/progressive/tile_dealing.h): parts of another dealing do not
-/// fit.
+/// It says how tiles are dealt (renderer/progressive/tile_dealing.h): parts of another dealing do
+/// not fit.
 constexpr const char* by_tiles = "tiles of 4 pixels";
 constexpr const char* by_seeds = "seeds";
 constexpr const char* filmic = "filmic";
@@ -94,9 +94,8 @@ FilmOrigin origin_of(const FilmFileReader& film) {
                       .part = std::nullopt,
                       .progress = progress_in(json.at("progress"))};
     if (const auto part = json.find("part"); part != json.end()) {
-      origin.part = {
-          .shard = parse_shard("shard", part->at("shard").get<std::string>()),
-          .by = split_named(part->at("by").get<std::string>())};
+      origin.part = {.shard = parse_shard("shard", part->at("shard").get<std::string>()),
+                     .by = split_named(part->at("by").get<std::string>())};
     }
     return origin;
   } catch (const std::exception&) {

@@ -96,6 +96,12 @@ std::string text_of_extras(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining(true);
   std::string remedy = see_help(app);
   for (const std::string& extra : extras) {
+    if (extra.starts_with("--shard")) {
+      remedy =
+          fmt::format("what {} finds in parts could not be put together, so it cannot be split",
+                      typed_command(app));
+      break;
+    }
     if (const auto meant = similar_word(extra.substr(0, extra.find('=')), option_names(command))) {
       remedy = fmt::format("did you mean {}? {}", *meant, remedy);
       break;

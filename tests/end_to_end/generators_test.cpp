@@ -15,12 +15,12 @@ namespace foveola::test {
 namespace {
 
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 constexpr const char* smallest_scene = "meeting-room";
 
@@ -72,7 +72,9 @@ TEST_F(InstalledGenerators, AreRun) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.output, HasSubstr(" triangles "));
   EXPECT_EQ(result.errors, "");
-  EXPECT_THAT(cached(), ElementsAre(StartsWith("meeting-room-")));
+  EXPECT_THAT(cached(),
+              UnorderedElementsAre(AllOf(StartsWith("meeting-room-"), EndsWith(".glb")),
+                                   AllOf(StartsWith("meeting-room-"), EndsWith(".glb.sha256"))));
 }
 
 TEST_F(InstalledGenerators, ThatAreMissingAreNamed) {

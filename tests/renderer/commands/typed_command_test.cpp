@@ -116,5 +116,10 @@ TEST_F(TypedCommand, OtherNumbersAreReadAsEver) {
   EXPECT_THAT(fault_of({"render", "--exposure", "21"}), HasSubstr("not in range"));
 }
 
+TEST_F(TypedCommand, SaysWhereWorkCannotBeSplit) {
+  EXPECT_THAT(fault_of({"study", "run", "--shard", "1/2"}),
+              HasSubstr("what foveola study run finds in parts could not be put together"));
+}
+
 }  // namespace
 }  // namespace foveola
