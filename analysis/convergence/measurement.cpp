@@ -104,12 +104,9 @@ GazeMeasurement GazeBench::measure(const ItemRange& repetitions,
       progress("repetitions in " + subject_->loaded.source.name,
                done / static_cast<double>(repetitions.size()));
     };
-    std::optional<Repetition> logs =
-        run_repetition(static_cast<std::uint32_t>(repetition), in_repetition);
-    if (!logs) {
+    if (!add_repetition(repetition, in_repetition, measurement)) {
       break;
     }
-    measurement.repetitions.push_back(std::move(*logs));
   }
   return measurement;
 }
@@ -128,14 +125,20 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
       progress("repetitions in " + subject_->loaded.source.name,
                fraction_done(*plan_, repetition + fraction, limit_s, seconds(clock.now() - start)));
     };
-    std::optional<Repetition> logs =
-        run_repetition(static_cast<std::uint32_t>(repetition), in_repetition);
-    if (!logs) {
+    if (!add_repetition(repetition, in_repetition, measurement)) {
       break;
     }
-    measurement.repetitions.push_back(std::move(*logs));
   }
   return measurement;
+}
+
+bool GazeBench::add_repetition(std::int64_t repetition, const std::function<void(double)>& progress,
+                               GazeMeasurement& measurement) const {
+  std::optional<Repetition> logs = run_repetition(static_cast<std::uint32_t>(repetition), progress);
+  if (logs) {
+    measurement.repetitions.push_back(std::move(*logs));
+  }
+  return logs.has_value();
 }
 
 std::optional<Repetition> GazeBench::run_repetition(

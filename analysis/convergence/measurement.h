@@ -69,6 +69,9 @@ class GazeBench {
 
  private:
   GazeMeasurement without_repetitions() const;
+  /// False, and nothing was added, when stopped.
+  bool add_repetition(std::int64_t repetition, const std::function<void(double)>& progress,
+                      GazeMeasurement& measurement) const;
   std::optional<Repetition> run_repetition(std::uint32_t seed,
                                            const std::function<void(double)>& progress) const;
   std::vector<std::vector<std::optional<double>>> predictions() const;

@@ -1,9 +1,7 @@
 #include "renderer/cluster/submission.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -69,12 +67,15 @@ void write_scripts(const ClusterJob& job, const JobFolder& folder, const ScriptS
   }
 }
 
-/// sbatch's options beside those of the script.
+/// sbatch's options, which come before those in the script: that may be of an earlier submission.
 std::vector<std::string> options_of(Stage stage, const std::vector<std::int64_t>& parts,
-                                    std::int64_t at_once, const std::string& after) {
+                                    const SubmitSettings& settings, const std::string& after) {
   std::vector<std::string> options;
+  if (!settings.partition.empty()) {
+    options.push_back("--partition=" + settings.partition);
+  }
   if (stage != Stage::merge) {
-    const std::string limit = at_once > 0 ? fmt::format("%{}", at_once) : "";
+    const std::string limit = settings.at_once > 0 ? fmt::format("%{}", settings.at_once) : "";
     options.push_back(fmt::format("--array={}{}", number_ranges(parts), limit));
   }
   if (!after.empty()) {
@@ -95,7 +96,8 @@ void require_not_queued(const ClusterJob& job, const JobFolder& folder,
 }
 
 /// Submits stage after stage. If one is refused, those before are taken back.
-std::string submit_job(const ClusterJob& job, const JobFolder& folder, std::int64_t at_once) {
+std::string submit_job(const ClusterJob& job, const JobFolder& folder,
+                       const SubmitSettings& settings) {
   const std::map<Stage, std::vector<std::int64_t>> left = left_to_do(job, folder);
   if (left.empty()) {
     return fmt::format("{}: merged already: {}\n", job.name, folder.output().string());
@@ -105,7 +107,7 @@ std::string submit_job(const ClusterJob& job, const JobFolder& folder, std::int6
   try {
     for (const auto& [stage, parts] : left) {
       submitted[stage] =
-          submit_to_slurm(folder.script(stage), options_of(stage, parts, at_once, after));
+          submit_to_slurm(folder.script(stage), options_of(stage, parts, settings, after));
       after = fmt::format("{}", submitted[stage]);
     }
     folder.keep_slurm_jobs(submitted);
@@ -163,7 +165,7 @@ std::string dry_run(const ClusterPlan& plan, const SubmitSettings& settings) {
       text += fmt::format("# {}\n{}\n", folder.script(stage).string(),
                           job_script(stage, setting, job, folder));
       text += "# sbatch";
-      for (const std::string& option : options_of(stage, parts, settings.at_once, after)) {
+      for (const std::string& option : options_of(stage, parts, settings, after)) {
         text += " " + option;
       }
       text += fmt::format(" {}\n\n", shell_quoted(folder.script(stage).string()));
@@ -182,7 +184,7 @@ std::string submit(const ClusterPlan& plan, const SubmitSettings& settings) {
     const JobFolder folder(settings.results, job);
     require_not_queued(job, folder, tasks);
     write_scripts(job, folder, setting_of(plan, settings));
-    text += submit_job(job, folder, settings.at_once);
+    text += submit_job(job, folder, settings);
   }
   return text;
 }

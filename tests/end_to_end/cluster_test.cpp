@@ -87,9 +87,10 @@ TEST_F(Cluster, AnArrayAndItsMergeAreSubmitted) {
   const ProgramResult result = cluster({"submit", plan_, "--partition", "compute", "--nodes", "2"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const std::string scripts = (folder_ / "night/jobs/room/").string();
-  EXPECT_EQ(calls(), "sbatch --parsable --array=1-3%2 " + scripts +
+  EXPECT_EQ(calls(), "sbatch --parsable --partition=compute --array=1-3%2 " + scripts +
                          "shard.sh\n"
-                         "sbatch --parsable --dependency=afterok:1 --kill-on-invalid-dep=yes " +
+                         "sbatch --parsable --partition=compute --dependency=afterok:1 "
+                         "--kill-on-invalid-dep=yes " +
                          scripts + "merge.sh\n");
   EXPECT_EQ(result.output, "room: 3 shards as job 1, the merge as job 2\n");
   EXPECT_THAT(read_file(scripts + "shard.sh"), HasSubstr("\n#SBATCH --partition=compute\n"));
@@ -105,6 +106,9 @@ TEST_F(Cluster, OnlyWhatIsNotDoneIsSubmittedAgain) {
   folder_.write("night/jobs/room/parts/2.film", "");
   ASSERT_EQ(cluster({"submit", plan_}).exit_code, 0);
   EXPECT_THAT(calls(), HasSubstr("--array=1,3 "));
+  ASSERT_EQ(cluster({"submit", plan_, "--partition", "another"}).exit_code, 0);
+  EXPECT_THAT(calls(), HasSubstr("--partition=another --array=1,3 "))
+      << "the script that is there has none";
 }
 
 TEST_F(Cluster, NothingStaysSubmittedIfSlurmRefusesTheMerge) {
