@@ -13,6 +13,7 @@ import papers
 import program
 import repository
 
+HERE = pathlib.Path(__file__).resolve().parent
 MANUAL = r"""
 .SH OPTIONS
 .TP
@@ -250,12 +251,65 @@ class Papers(OnARepository):
         self.assert_fault_in("README.md", **{"README.md": "x\n" * 201})
 
 
+class Replay(unittest.TestCase):
+    """Of pages with a program that prints what it is given."""
+
+    def replay(self, text, *options):
+        """Exit code, and what is printed."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        fake = self.folder / "bin" / "foveola"
+        fake.parent.mkdir()
+        fake.write_text('#!/bin/sh\necho "foveola $*"\n')
+        fake.chmod(0o755)
+        page = self.folder / "page.md"
+        page.write_text(text, encoding="utf-8")
+        done = subprocess.run([str(HERE / "replay"), str(fake.parent), str(page), *options],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
+        return done.returncode, done.stdout.decode()
+
+    def test_blocks_run_in_order_in_one_shell(self):
+        code, said = self.replay(
+            "```toml sub/my.toml\na = '$x'\n```\n"
+            "```sh\nx=3\nsleep 60 &\n```\n"
+            "```console\nfalse\n```\n"
+            "```sh\ntest $x = 3 && test \"$(cat sub/my.toml)\" = \"a = '\\$x'\"\n"
+            "test \"$(foveola demo)\" = 'foveola demo' && test -e \"$FOVEOLA_SOURCE/README.md\"\n"
+            "test ! -e ~/.bashrc\n```\n")
+        self.assertEqual(code, 0, said)
+        self.assertIn("2 blocks", said)
+
+    def assert_fails(self, text, line, words, *options):
+        code, said = self.replay(text, *options)
+        self.assertEqual(code, 1, said)
+        self.assertIn(words, said)
+        self.assertIn(f"at line {line}:", said)
+
+    def test_a_failing_command_is_shown_with_its_line(self):
+        self.assert_fails("Text\n\n```sh\ntrue\nfalse\n```\n", 5, "> false")
+        self.assert_fails("```sh\nf() {\n  grep x y\n}\nf\n```\n", 3, "> " + "  grep x y")
+        self.assert_fails("```sh\nfalse | true\n```\n", 2, "> false | true")
+
+    def test_a_variable_that_nothing_sets_fails(self):
+        self.assert_fails("```sh\necho $NOTHING\n```\n", 2, "NOTHING: unbound variable")
+
+    def test_a_file_is_written_when_the_page_comes_to_it(self):
+        self.assert_fails("```sh\ncat a.toml\n```\n```toml a.toml\n```\n", 2, "> cat a.toml")
+
+    def test_a_page_that_takes_long_is_ended(self):
+        code, said = self.replay("```sh\nsleep 60\n```\n", "--minutes", "0.01")
+        self.assertEqual(code, 1)
+        self.assertIn("not within 1 s", said)
+
+
 class Pages(unittest.TestCase):
     def test_blocks_have_languages_files_and_lines(self):
         page = markdown.Page(
-            "a\n\n```toml my-study.toml\nname = 1\n```\n\n- x\n\n  ```sh\n  y\n  ```\n")
+            "a\n\n```toml my-study.toml\nname = 1\n```\n\n- x\n\n  ```sh\n  y\n    z\n  ```\n")
         self.assertEqual([(block.line, block.language, block.file) for block in page.blocks],
                          [(4, "toml", "my-study.toml"), (10, "sh", "")])
+        self.assertEqual([block.code for block in page.blocks], ["name = 1", "y\n  z"])
 
     def test_a_list_has_no_indented_block(self):
         self.assertEqual(markdown.Page("1. x\n\n    goes on\n").blocks, [])

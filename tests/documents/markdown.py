@@ -92,6 +92,12 @@ def _anchor(heading):
     return re.sub(r"[^\w\- ]", "", shown.lower()).replace(" ", "-")
 
 
+def _without_indent(lines):
+    """The code of a fenced block, of which the first line is the fence, whose indent is not code."""
+    indent = len(lines[0]) - len(lines[0].lstrip())
+    return "\n".join(line[min(indent, len(line) - len(line.lstrip())):] for line in lines[1:])
+
+
 def _split_blocks(lines):
     """The blocks of code, and the text with their lines emptied."""
     blocks, outside, fence, first, info = [], [], None, 0, []
@@ -109,8 +115,7 @@ def _split_blocks(lines):
         found = _FENCE.match(line)
         if fence:
             if found and found.group(1).startswith(fence) and not found.group(2).strip():
-                code = "\n".join(lines[first - 1:number - 1])
-                blocks.append(Block(first, info[0], info[1], code))
+                blocks.append(Block(first, *info, _without_indent(lines[first - 2:number - 1])))
                 fence = None
             outside.append("")
             continue
@@ -141,5 +146,5 @@ def _split_blocks(lines):
         after_blank = not line.strip()
     close_indented()
     if fence:
-        blocks.append(Block(first, info[0], info[1], "\n".join(lines[first - 1:])))
+        blocks.append(Block(first, *info, _without_indent(lines[first - 2:])))
     return blocks, "\n".join(outside)
