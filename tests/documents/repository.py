@@ -57,7 +57,9 @@ class Repository:
     @functools.cached_property
     def tests(self):
         """What CTest calls the tests, as far as sources say: Suite.Case, or a script's name."""
-        names = set(re.findall(r"add_test\(\s*NAME\s+([\w.-]+)", self.cmake_text))
+        names = set(re.findall(r"add_test\(\s*NAME\s+([\w.-]+)|foveola_documents_test\((\w+\.\w+)",
+                               self.cmake_text))
+        names = {name for either in names for name in either if name}
         for name in self.files:
             if name.startswith("tests/") and name.endswith(".cpp"):
                 names.update(f"{suite}.{case}" for suite, case in re.findall(
