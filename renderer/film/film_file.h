@@ -1,12 +1,12 @@
 // Films on disk, bit for bit: so that a render goes on after its time was up, and parts of one that
 // were rendered by themselves are put together.
 //
-// A file is, all numbers little-endian and without gaps: the line "Foveola film 1\n"; width,
-// height, whether sums of squares are kept (0 or 1), and the length of a text in bytes, uint32
-// each; that text; the count of pixels, uint64; for each pixel, in ascending order, PixelState's
-// number, count and numbered, uint32 each, the sums of red, green and blue, float64 each, and if
-// they are kept that of squares, float64; and the SHA-256 of all before it, as 64 hexadecimal
-// digits.
+// A file is, all numbers little-endian and without gaps: the line "Foveola film 1" and LF;
+// width, height, whether sums of squares are kept (0 or 1), and the length of a text in bytes,
+// uint32 each; that text; the count of pixels, uint64; for each pixel, in ascending order,
+// PixelState's number, count and numbered, uint32 each, the sums of red, green and blue, float64
+// each, and if they are kept that of squares, float64; and the SHA-256 of all before it, as 64
+// hexadecimal digits.
 #pragma once
 
 #include <cstddef>

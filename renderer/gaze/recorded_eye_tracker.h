@@ -20,7 +20,7 @@
 namespace foveola {
 
 /// At least one sample. Throws Error with file:line for anything else than the above; lines may end
-/// with \r\n, and a direction may be off unit length by a thousandth.
+/// with CR LF, and a direction may be off unit length by a thousandth.
 std::vector<GazeSample> read_gaze_file(const std::filesystem::path& file);
 
 /// Directions come back bit for bit. samples: at least one, times from 0 ascending, directions of

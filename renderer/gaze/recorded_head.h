@@ -20,7 +20,7 @@ namespace foveola {
 
 /// At least one pose, bit for bit as written; azimuths of at most 1000 either way, and no roll
 /// where the file has none. Throws Error with file:line for anything else than the above; lines may
-/// end with \r\n.
+/// end with CR LF.
 std::vector<HeadPose> read_head_file(const std::filesystem::path& file);
 
 /// Replays poses: one of time t is taken at start + t. poses: at least one, times ascending. Throws

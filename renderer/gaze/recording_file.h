@@ -51,7 +51,7 @@ class RecordedLine {
   Nanoseconds time_{0};
 };
 
-/// Calls `take` with one line after the other, at least one. Lines may end with \r\n. Throws Error
+/// Calls `take` with one line after the other, at least one. Lines may end with CR LF. Throws Error
 /// with FILE:LINE if the file is not as above.
 void read_recording(const std::filesystem::path& file, const RecordingFormat& format,
                     const std::function<void(const RecordedLine&)>& take);

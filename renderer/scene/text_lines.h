@@ -31,7 +31,7 @@ Statement statement_in(std::string_view line);
 /// its last.
 bool is_number(std::string_view word);
 
-/// Calls `use` with each line of `text`, whether it ends with \n, \r\n, \r or the text.
+/// Calls `use` with each line of `text`, whether LF, CR LF, CR or the text ends it.
 template <typename Use>
 void for_each_line(std::string_view text, Use use) {
   while (!text.empty()) {
