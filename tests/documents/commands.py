@@ -2,7 +2,8 @@
 """Checks that whatever the documents say to type exists: each `foveola` command with its options
 and those of their values that are few, against the program's own manual page; what else `./foveola`
 takes; options that stand alone; presets and targets of CMake, names of tests, steps of .ci/long;
-and every path in code that begins with a folder of the repository.
+and every path in code that begins with a folder of the repository, unless the page writes that file
+or its name says that it is the reader's own: my-tracker.toml.
 
 commands.py REPOSITORY PROGRAM
 """
@@ -209,7 +210,7 @@ class Checker:
             return True
         return "*" in path and any(fnmatch.fnmatchcase(name, path) for name in self.files.files)
 
-    def faults_of_paths(self, code):
+    def faults_of_paths(self, code, written=()):
         code = re.sub(r"\{([^{}\s]*)\}", _keep_alternatives, code)
         for word in re.split(r"[\s\"'()=:;,|]+", code):
             path = re.sub(r"^(\$FOVEOLA_SOURCE|\$\{FOVEOLA_SOURCE\}|\.)/", "", word)
@@ -217,26 +218,29 @@ class Checker:
             if path.split("/")[0] not in self.top_folders or "/" not in path:
                 continue
             for each in _alternatives(path):
-                if not re.search(r"[…<>$]|\bNAME\b", each) and not self.has(each):
+                is_own = each in written or re.search(r"[…<>$]|\bNAME\b|(^|/)my[-_]", each)
+                if not is_own and not self.has(each):
                     yield f"the repository has no '{each}'"
 
     def faults_of_page(self, page):
+        written = [block.file for block in page.blocks]
         for block in page.blocks:
             if block.language in SHELL_LANGUAGES and not block.file:
                 for number, line in logical_lines(block):
-                    yield from ((number, fault) for fault in self.faults_of_block_line(block, line))
+                    for fault in self.faults_of_block_line(block, line, written):
+                        yield number, fault
         for piece in page.code_in_text:
-            faults = list(self.faults_of_paths(piece.text))
+            faults = list(self.faults_of_paths(piece.text, written))
             if re.match(r"(\./)?foveola\s|\.ci/long\s|cmake\s|ctest\s", piece.text):
                 faults += self.faults_of_line(piece.text)
             elif piece.text.startswith("-"):
                 faults += self.faults_of_lone_options(piece.text)
             yield from ((piece.line, fault) for fault in faults)
 
-    def faults_of_block_line(self, block, line):
+    def faults_of_block_line(self, block, line, written):
         mentions = re.search(r"\bfoveola\b|\.ci/long|\bcmake\b|\bctest\b", uncommented(line))
         if block.language or mentions:
-            yield from self.faults_of_paths(uncommented(line))
+            yield from self.faults_of_paths(uncommented(line), written)
         if mentions:
             yield from self.faults_of_line(line)
 

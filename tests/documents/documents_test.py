@@ -12,6 +12,7 @@ import markdown
 import papers
 import program
 import repository
+import words
 
 HERE = pathlib.Path(__file__).resolve().parent
 MANUAL = r"""
@@ -212,6 +213,10 @@ class Commands(OnARepository):
         self.assert_fault("```sh\ncp $FOVEOLA_SOURCE/tests/none.cpp .\nfoveola --help\n```\n", 2,
                           "no 'tests/none.cpp'")
 
+    def test_a_path_of_the_readers_own_is_not_missing(self):
+        self.assertEqual(self.faults("`tests/my_test.cpp`, `tests/new.cpp`\n"
+                                     "```cpp tests/new.cpp\n```\n"), [])
+
     def test_a_manual_page_without_commands_is_refused(self):
         with self.assertRaises(ValueError):
             program.read(".SH OPTIONS\n")
@@ -301,6 +306,25 @@ class Replay(unittest.TestCase):
         code, said = self.replay("```sh\nsleep 60\n```\n", "--minutes", "0.01")
         self.assertEqual(code, 1)
         self.assertIn("not within 1 s", said)
+
+
+class Words(unittest.TestCase):
+    def test_those_of_a_page_are_its_prose(self):
+        page = markdown.Page(
+            "# Colours\n\nA `colr`, [its *hue*](hew.md \"x\"), well-known; README.md's\n"
+            "participant's 3rd EXR file_name: https://exmple.org <a href='hrf'>or</a>\n"
+            "```sh\ncolr\n```\n")
+        self.assertEqual(words.of_page(page),
+                         [(1, "Colours"), (3, "its"), (3, "hue"), (3, "well"), (3, "known"),
+                          (4, "participant"), (4, "or")])
+
+    def test_those_of_a_manual_page_are_what_it_says(self):
+        self.assertEqual([word for _, word in words.of_manual(MANUAL.split(".SH COMMANDS")[1])],
+                         ["Render", "picture", "scene", "name", "required", "The", "image", "to",
+                          "write", "How", "bright", "light", "is", "shown", "one", "of", "plain",
+                          "filmic", "default", "plain", "Make", "image", "Scenes", "Write", "built",
+                          "in", "scenes", "Which", "one", "of", "arcade", "studio", "car", "What",
+                          "can", "be", "made", "again"])
 
 
 class Pages(unittest.TestCase):

@@ -50,8 +50,8 @@ class Repository:
     @functools.cached_property
     def targets(self):
         """What can be built by name, or chosen among the tests by its program's name."""
-        made = re.findall(r"\b(?:foveola_\w+|add_executable|add_library|add_custom_target)"
-                          r"\(\s*([\w-]+)", self.cmake_text)
+        made = re.findall(r"\b(?:foveola_\w+|pybind11_add_module|add_executable|add_library"
+                          r"|add_custom_target)\(\s*([\w-]+)", self.cmake_text)
         return frozenset(made) | {"all", "clean", "install"}
 
     @functools.cached_property
