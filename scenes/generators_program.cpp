@@ -54,9 +54,9 @@ struct Place {
   std::optional<fs::path> build_folder;  ///< none: it was installed
 };
 
-Place place_beside(const fs::path& laboratory) {
-  const fs::path installed =
-      (laboratory.parent_path() / FOVEOLA_LIBEXEC_FROM_PROGRAM / program_name).lexically_normal();
+Place place_for(const fs::path& laboratory) {
+  const fs::path prefix = installation_prefix().value_or(laboratory.parent_path().parent_path());
+  const fs::path installed = prefix / FOVEOLA_GENERATORS_IN_PREFIX / program_name;
   const std::optional<fs::path> build_folder = build_folder_around(laboratory);
   std::error_code missing;
   if (!build_folder || fs::exists(installed, missing)) {
@@ -179,7 +179,7 @@ Attempt attempt(const fs::path& program, const std::string& name, std::uint32_t 
 }  // namespace
 
 GeneratedScene generate_scene(const std::string& name, std::uint32_t seed) {
-  const Place place = place_beside(own_program());
+  const Place place = place_for(own_program());
   Attempt made = attempt(place.program, name, seed);
   if (!made.scene && place.build_folder) {
     build_program(*place.build_folder);

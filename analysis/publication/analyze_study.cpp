@@ -35,22 +35,6 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-/// The findings of `foveola study verify`. Throws Error if the verification fails, unless
-/// unverified files are wanted.
-study::Verification verified(const fs::path& database, bool takes_broken) {
-  study::Verification found = study::verify_study(database);
-  if (!found.faults.empty() && !takes_broken) {
-    const study::RecordFault& first = found.faults.front();
-    throw Error(database.string(),
-                fmt::format("is not what was written ({}, the first: {}{}{})",
-                            counted(found.faults.size(), "fault"), first.participant,
-                            first.participant.empty() ? "" : ": ", first.what),
-                "restore it from a backup (foveola study verify lists the faults), or analyse it "
-                "as it is with --unverified");
-  }
-  return found;
-}
-
 /// With so few scenes, what is said of others like them is less certain than its interval: see
 /// data/golden/README.md. Empty if there are enough, or if nothing planned is said of others.
 std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
@@ -329,6 +313,20 @@ void write_bids(const study::StudyRecords& records, const TrialColumns& trials,
 
 }  // namespace
 
+study::Verification verified_study(const fs::path& database, bool takes_changed) {
+  study::Verification found = study::verify_study(database);
+  if (!found.faults.empty() && !takes_changed) {
+    const study::RecordFault& first = found.faults.front();
+    throw Error(database.string(),
+                fmt::format("is not what was written ({}, the first: {}{}{})",
+                            counted(found.faults.size(), "fault"), first.participant,
+                            first.participant.empty() ? "" : ": ", first.what),
+                "restore it from a backup (foveola study verify lists the faults), or analyse it "
+                "as it is with --unverified");
+  }
+  return found;
+}
+
 bool is_written_by_rows(const Table& table) {
   return table.id == "trials_long" || table.id == "trials_timed_again" ||
          table.id == "gaze_by_trial" || table.id == "participants_wide" ||
@@ -387,7 +385,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
 
 AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder,
                              const AnalysisOptions& options) {
-  study::Verification record = verified(database, options.unverified);
+  study::Verification record = verified_study(database, options.unverified);
   return analyze_records(
       study::read_study(database), study::read_data_quality(database), folder, options,
       [&](const auto& visit) { study::visit_gaze(database, visit); }, std::move(record),

@@ -46,6 +46,10 @@ struct AnalysisOutput {
   std::optional<study::Verification> record;  ///< The verification of the study's file, if read.
 };
 
+/// The findings of `foveola study verify`. Throws Error if the file is not what was written, unless
+/// changed files are taken, and for what is no study.
+study::Verification verified_study(const std::filesystem::path& database, bool takes_changed);
+
 /// Whether a table may be too large to be in memory: it is written row by row.
 bool is_written_by_rows(const Table& table);
 

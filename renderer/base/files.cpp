@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <system_error>
 #include <utility>
@@ -83,15 +84,14 @@ fs::path resource_folder() {
     }
     return chosen;
   }
-  const fs::path program = own_program();
-  std::error_code ignored;
-  const fs::path installed = program.parent_path().parent_path() / "share" / "foveola";
-  for (const fs::path& candidate : {installed, fs::path(FOVEOLA_SOURCE_FOLDER)}) {
-    if (fs::is_directory(candidate / "protocols", ignored)) {
-      return candidate;
-    }
+  if (const std::optional<fs::path> prefix = installation_prefix()) {
+    return *prefix / FOVEOLA_RESOURCES_IN_PREFIX;
   }
-  throw Error(program.string(), "cannot find its protocols, scenes and data",
+  std::error_code ignored;
+  if (fs::path source = FOVEOLA_SOURCE_FOLDER; fs::is_directory(source / "protocols", ignored)) {
+    return source;
+  }
+  throw Error(own_program().string(), "cannot find its protocols, scenes and data",
               "set FOVEOLA_RESOURCES to the folder that holds them");
 }
 

@@ -10,7 +10,7 @@
 namespace foveola {
 
 /// The folder that holds protocols/, scenes/ and data/: $FOVEOLA_RESOURCES, else share/foveola
-/// beside the installed program, else the source tree it was built from. Throws Error if none
+/// where Foveola was installed, else the source tree it was built from. Throws Error if none
 /// exists.
 std::filesystem::path resource_folder();
 

@@ -3,10 +3,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
+#include <link.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -100,6 +103,38 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
+/// What the dynamic linker knows of the program or library that this code is in.
+using LoadedObject = std::unique_ptr<void, int (*)(void*)>;
+
+LoadedObject this_object() {
+  Dl_info here{};
+  void* library = nullptr;
+  if (::dladdr(reinterpret_cast<const void*>(&own_program), &here) != 0) {
+    library = ::dlopen(here.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+  }
+  return {library != nullptr ? library : ::dlopen(nullptr, RTLD_LAZY), &::dlclose};
+}
+
+/// The folders in which it looks for this object's libraries and modules.
+std::vector<fs::path> library_folders() {
+  const LoadedObject object = this_object();
+  Dl_serinfo needed{};
+  if (::dlinfo(object.get(), RTLD_DI_SERINFOSIZE, &needed) != 0) {
+    return {};
+  }
+  // Whole elements of the type, so that it is aligned; the folders' names follow it.
+  std::vector<Dl_serinfo> memory(1 + needed.dls_size / sizeof(Dl_serinfo), needed);
+  if (::dlinfo(object.get(), RTLD_DI_SERINFO, memory.data()) != 0) {
+    return {};
+  }
+  const Dl_serpath* folder = memory.front().dls_serpath;
+  std::vector<fs::path> folders;
+  for (unsigned i = 0; i < needed.dls_cnt; ++i) {
+    folders.emplace_back(folder[i].dls_name);
+  }
+  return folders;
+}
+
 pid_t start(const Command& command, const Streams& streams) {
   std::vector<std::string> words = command.words;
   std::vector<char*> arguments;
@@ -120,6 +155,16 @@ pid_t start(const Command& command, const Streams& streams) {
 fs::path own_program() {
   std::error_code unknown;
   return fs::read_symlink("/proc/self/exe", unknown);
+}
+
+std::optional<fs::path> installation_prefix() {
+  for (const fs::path& folder : library_folders()) {
+    const fs::path prefix = (folder / FOVEOLA_PREFIX_FROM_MODULES).lexically_normal();
+    if (folder.filename() == "foveola" && fs::is_directory(prefix / FOVEOLA_RESOURCES_IN_PREFIX)) {
+      return prefix;
+    }
+  }
+  return std::nullopt;
 }
 
 ProgramEnd run_to_end(const Command& command) {

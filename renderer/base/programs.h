@@ -1,8 +1,9 @@
-// This program's own file, and running other programs to their end.
+// This program's own file and installation, and running other programs to their end.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@ namespace foveola {
 
 /// Where the running program's file lies; empty if the system does not say.
 std::filesystem::path own_program();
+
+/// Where Foveola was installed, as `cmake --install` means by its prefix; empty if this program, or
+/// the library that this code is in, was not told of an installation when it was linked. It is two
+/// steps above lib/foveola (or as many as the system's folder of libraries has), where the dynamic
+/// linker looks for the modules, so that programs of others find it too.
+std::optional<std::filesystem::path> installation_prefix();
 
 /// What becomes of a program that we run when the user presses Ctrl-C, which reaches both.
 enum class OnInterrupt : std::uint8_t {

@@ -154,18 +154,27 @@ ProgressiveSettings progressive_of(const RenderSettings& settings, const LoadedS
   return progressive;
 }
 
-/// A loaded scene, and a render of it that is aimed.
-struct StillRender {
+/// A scene that is loaded for one render.
+struct SceneOfRender {
   Workers workers;
   LoadedScene loaded;
+
+  SceneOfRender(const SceneSource& source, const RenderSettings& settings)
+      : workers(settings.threads), loaded(source, workers, choices_of(settings)) {}
+};
+
+/// A render that is aimed. Scene and workers must outlive it.
+struct StillRender {
+  const LoadedScene& loaded;
+  const Workers& workers;
   Shot shot;
   Exposure exposure;
   RenderBudget budget;
   ProgressiveRender render;
 
-  StillRender(const SceneSource& source, const RenderSettings& settings)
-      : workers(settings.threads),
-        loaded(source, workers, choices_of(settings)),
+  StillRender(const LoadedScene& scene, const RenderSettings& settings, const Workers& threads)
+      : loaded(scene),
+        workers(threads),
         shot(shot_of(settings, loaded)),
         exposure(exposure_of(settings, loaded, shot.aim.viewport, workers)),
         budget(counted(settings, shot.size)),
@@ -261,7 +270,14 @@ AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& load
 
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
   require_splittable(settings);
-  StillRender still(source, settings);
+  const SceneOfRender scene(source, settings);
+  return render(scene.loaded, settings, scene.workers, std::move(stop));
+}
+
+Rendering render(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers,
+                 std::stop_token stop) {
+  require_splittable(settings);
+  StillRender still(loaded, settings, workers);
   RenderReport report = report_on(still, settings);
   if (settings.begin) {
     settings.begin(report);
@@ -318,8 +334,9 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
 
 ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
                     const SampleAddress& address, std::stop_token stop) {
-  StillRender still(source, settings);
-  const LoadedScene& loaded = still.loaded;
+  const SceneOfRender scene(source, settings);
+  const LoadedScene& loaded = scene.loaded;
+  StillRender still(loaded, settings, scene.workers);
   const IVec2& size = still.shot.size;
   if (address.pixel.x >= size.x || address.pixel.y >= size.y) {
     throw UsageError("--replay",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
 #include "renderer/base/shard.h"
 #include "renderer/film/viewport_image.h"
@@ -122,6 +123,11 @@ AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& load
 
 /// Renders `source`, showing progress. Throws Error for what is wrong with the scene or settings.
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop);
+
+/// The same of a scene that was loaded before, whose camera it has: settings.scene and
+/// settings.threads are of no account.
+Rendering render(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers,
+                 std::stop_token stop);
 
 /// One sample of one pixel of an image.
 struct SampleAddress {

@@ -36,6 +36,11 @@ TEST(Programs, OwnOneIsTheTest) {
   EXPECT_TRUE(own_program().is_absolute());
 }
 
+// tests/examples/check sees programs that link an installed Foveola find it.
+TEST(Programs, WhatLiesWhereItWasBuiltWasNotInstalled) {
+  EXPECT_EQ(installation_prefix(), std::nullopt);
+}
+
 TEST(Programs, OutputAndErrorsAreKeptApart) {
   const ProgramEnd end = end_of_script("echo said; echo complained >&2");
   EXPECT_EQ(end.status, 0);

@@ -1,0 +1,141 @@
+// The Python module `foveola`: three functions, which load a scene, render it, and read a study's
+// file as data frames.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "analysis/python/scene_renders.h"
+#include "analysis/python/study_frames.h"
+#include "renderer/base/angles.h"
+#include "renderer/base/build_info.h"
+#include "renderer/base/error.h"
+
+namespace py = pybind11;
+
+namespace foveola::analysis {
+namespace {
+
+constexpr const char* load_scene_text = R"(Load a scene for rendering.
+
+scene: a built-in scene's name ("arcade", "church", "meeting-room", "schoolroom", "studio-car"),
+or the path of a .glb, .gltf or .obj file, or of a descriptor.
+camera_m: where the camera stands, (x, y, z) in metres; None: where the scene says.
+head_deg: where it looks, (azimuth, elevation) in degrees; None: where the scene says.
+threads: of loading and of rendering; 0: one for each core.
+
+What loading warns of is given to Python's warnings. Raises foveola.Error for what is wrong with
+the scene.)";
+
+constexpr const char* render_text = R"(Render a scene.
+
+method: where the samples go: "od" (uniform over the 360-degree image), "vp" (uniform over the
+view), "fv" (by visual acuity around the gaze), or any text that `foveola render --method` takes;
+the image is then of 360 degrees. None: an ordinary picture of what the camera sees.
+gaze_deg: (azimuth, elevation) of the gaze in degrees; None: where the head points.
+size: (width, height) in pixels; None: 1024 x 512, or what suits the camera in a picture.
+samples_per_pixel, samples, seconds: how much is rendered; one of them at most. Without any: 16
+samples for each pixel.
+seed: the same seed gives the same image, but for `seconds`.
+max_depth: the most surface vertices of a path.
+
+Returns a Rendering. Ctrl-C stops it with KeyboardInterrupt. Samples that are not finite are left
+out, listed in `dropped`, and warned of.)";
+
+constexpr const char* read_study_text = R"(Read a study's file as data frames of pandas.
+
+file: a study's .sqlite. It is verified first, and never changed.
+unverified: read it even if it is not what was written.
+withdrawn: with the data of sessions that participants withdrew from.
+
+Returns a dictionary of data frames: "trials" (a row for each trial's last timing), "answers" (of
+questionnaires), "participants" (a row for each analysed participant), "trials_timed_again" (the
+timings that do not count), with the columns of the files that `foveola analyze` writes. attrs of
+each has "participant_kind" ("human", "pilot" or "simulated"), "record" ("verified" or "changed"),
+and "units" and "meanings" of its columns.)";
+
+py::tuple degrees_of(const AzimuthElevation& angles) {
+  return py::make_tuple(degrees(angles.azimuth_rad), degrees(angles.elevation_rad));
+}
+
+void define_scene(py::module_& module) {
+  py::class_<SceneForPython>(module, "Scene", "A scene that load_scene() loaded.")
+      .def_property_readonly("name",
+                             [](const SceneForPython& scene) { return scene.loaded.source.name; })
+      .def_property_readonly(
+          "camera_m",
+          [](const SceneForPython& scene) {
+            const DVec3 place = DVec3(scene.loaded.camera.position) + scene.loaded.scene.origin;
+            return py::make_tuple(place.x, place.y, place.z);
+          },
+          "Where the camera stands, in metres.")
+      .def_property_readonly(
+          "head_deg",
+          [](const SceneForPython& scene) { return degrees_of(scene.loaded.camera.heading); },
+          "Where it looks: azimuth and elevation in degrees.")
+      .def_property_readonly("triangles", [](const SceneForPython& scene) {
+        return scene.loaded.scene.triangle_count();
+      });
+  module.def(
+      "load_scene",
+      [](const std::string& scene, const std::optional<std::array<double, 3>>& camera_m,
+         const std::optional<AnglesDeg>& head_deg, int threads) {
+        return std::make_unique<SceneForPython>(scene, scene_choices(camera_m, head_deg), threads);
+      },
+      load_scene_text, py::arg("scene"), py::kw_only(), py::arg("camera_m") = py::none(),
+      py::arg("head_deg") = py::none(), py::arg("threads") = 0);
+}
+
+void define_render(py::module_& module) {
+  py::class_<RenderForPython>(module, "Rendering", "What render() returns.")
+      .def_readonly("radiance", &RenderForPython::radiance,
+                    "Linear Rec. 709, float32, of shape (height, width, 3); the first row is the "
+                    "top. Black where there are no samples.")
+      .def_readonly("samples", &RenderForPython::samples,
+                    "How many samples each pixel is the mean of, of shape (height, width).")
+      .def_readonly("seconds", &RenderForPython::seconds, "What rendering took.")
+      .def_readonly("dropped", &RenderForPython::dropped,
+                    "(x, y, number) of each sample that was not finite; `foveola render --replay` "
+                    "traces it again.");
+  const RenderArguments usual;
+  module.def(
+      "render",
+      [](const SceneForPython& scene, const std::optional<std::string>& method,
+         const std::optional<AnglesDeg>& gaze_deg, const std::optional<std::pair<int, int>>& size,
+         const std::optional<double>& samples_per_pixel,
+         const std::optional<std::uint64_t>& samples, const std::optional<double>& seconds,
+         std::uint32_t seed, int max_depth) {
+        return render_for_python(scene, {.method = method,
+                                         .gaze_deg = gaze_deg,
+                                         .size = size,
+                                         .samples_per_pixel = samples_per_pixel,
+                                         .samples = samples,
+                                         .seconds = seconds,
+                                         .seed = seed,
+                                         .max_depth = max_depth});
+      },
+      render_text, py::arg("scene"), py::arg("method") = py::none(), py::kw_only(),
+      py::arg("gaze_deg") = py::none(), py::arg("size") = py::none(),
+      py::arg("samples_per_pixel") = py::none(), py::arg("samples") = py::none(),
+      py::arg("seconds") = py::none(), py::arg("seed") = usual.seed,
+      py::arg("max_depth") = usual.max_depth);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(foveola, module) {
+  module.doc() = "A laboratory for foveated previews: load_scene, render and read_study.";
+  module.attr("__version__") = build_info().version;
+  const py::object& error = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
+  py::register_exception<UsageError>(module, "UsageError", error.ptr());
+  define_scene(module);
+  define_render(module);
+  module.def(
+      "read_study",
+      [](const std::filesystem::path& file, bool unverified, bool withdrawn) {
+        return study_frames(file, {.unverified = unverified, .withdrawn = withdrawn});
+      },
+      read_study_text, py::arg("file"), py::kw_only(), py::arg("unverified") = false,
+      py::arg("withdrawn") = false);
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,156 @@
+#include "analysis/python/scene_renders.h"
+
+#include <chrono>
+#include <future>
+#include <stop_token>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/film/equirect_film.h"
+#include "scenes/find_scene.h"
+
+namespace py = pybind11;
+
+namespace foveola::analysis {
+namespace {
+
+/// Shown by Python as a warning of the caller.
+void warn(const std::string& text) {
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
+    throw py::error_already_set();
+  }
+}
+
+AzimuthElevation angles_of(const AnglesDeg& angles_deg) {
+  return {radians(angles_deg.first), radians(angles_deg.second)};
+}
+
+RenderBudget budget_of(const RenderArguments& arguments) {
+  constexpr double usual_samples_per_pixel = 16.0;
+  const int given = static_cast<int>(arguments.samples_per_pixel.has_value()) +
+                    static_cast<int>(arguments.samples.has_value()) +
+                    static_cast<int>(arguments.seconds.has_value());
+  if (given > 1) {
+    throw UsageError("render", "has more than one of samples_per_pixel, samples and seconds",
+                     "give one of them");
+  }
+  const auto positive = [](const char* name, double value) {
+    if (!(value > 0.0)) {
+      throw UsageError(name, fmt::format("is {}, and must be above 0", value));
+    }
+    return value;
+  };
+  if (arguments.samples) {
+    positive("samples", static_cast<double>(*arguments.samples));
+    return {.samples = *arguments.samples};
+  }
+  if (arguments.seconds) {
+    return {.seconds = positive("seconds", *arguments.seconds)};
+  }
+  return {.samples_per_pixel = positive(
+              "samples_per_pixel", arguments.samples_per_pixel.value_or(usual_samples_per_pixel))};
+}
+
+RenderSettings settings_of(const RenderArguments& arguments) {
+  constexpr IVec2 usual_size{1024, 512};
+  RenderSettings settings;
+  settings.budget = budget_of(arguments);
+  settings.progressive.trace.seed = arguments.seed;
+  settings.progressive.trace.max_depth = arguments.max_depth;
+  std::optional<IVec2> size;
+  if (arguments.size) {
+    size = IVec2(arguments.size->first, arguments.size->second);
+  }
+  if (arguments.max_depth < 1) {
+    throw UsageError("max_depth",
+                     fmt::format("is {}, and must be at least 1", arguments.max_depth));
+  }
+  if (!arguments.method) {
+    if (arguments.gaze_deg) {
+      throw UsageError("gaze_deg", "is of no account in a picture",
+                       "give a method, such as \"fv\"");
+    }
+    settings.picture = PictureChoices{.size = size};
+    return settings;
+  }
+  settings.method = *arguments.method;
+  settings.progressive.film_size = size.value_or(usual_size);
+  if (arguments.gaze_deg) {
+    settings.gaze = angles_of(*arguments.gaze_deg);
+  }
+  return settings;
+}
+
+/// Runs on another thread, since Python hears of Ctrl-C on this one alone.
+Rendering render_interruptibly(const SceneForPython& scene, const RenderSettings& settings) {
+  constexpr auto between_looks = std::chrono::milliseconds(50);
+  std::stop_source stop;
+  std::future<Rendering> rendering = std::async(std::launch::async, [&] {
+    return render(scene.loaded, settings, scene.workers, stop.get_token());
+  });
+  const py::gil_scoped_release unlocked;
+  while (rendering.wait_for(between_looks) != std::future_status::ready) {
+    const py::gil_scoped_acquire locked;
+    if (PyErr_CheckSignals() != 0) {
+      stop.request_stop();
+      {
+        const py::gil_scoped_release while_it_ends;
+        rendering.wait();
+      }
+      throw py::error_already_set();
+    }
+  }
+  return rendering.get();
+}
+
+std::vector<std::array<std::uint32_t, 3>> places_of(const std::vector<DroppedSample>& dropped,
+                                                    std::uint32_t width) {
+  std::vector<std::array<std::uint32_t, 3>> places;
+  places.reserve(dropped.size());
+  for (const DroppedSample& sample : dropped) {
+    places.push_back({sample.pixel % width, sample.pixel / width, sample.sample_number});
+  }
+  return places;
+}
+
+}  // namespace
+
+SceneForPython::SceneForPython(const std::string& name_or_path, const SceneChoices& choices,
+                               int threads)
+    : workers(threads), loaded(scenes::find_scene(name_or_path), workers, choices) {
+  for (const std::string& warning : loaded.warnings) {
+    warn(warning);
+  }
+}
+
+SceneChoices scene_choices(const std::optional<std::array<double, 3>>& camera_m,
+                           const std::optional<AnglesDeg>& head_deg) {
+  SceneChoices choices;
+  if (camera_m) {
+    choices.camera = DVec3((*camera_m)[0], (*camera_m)[1], (*camera_m)[2]);
+  }
+  if (head_deg) {
+    choices.head = angles_of(*head_deg);
+  }
+  return choices;
+}
+
+RenderForPython render_for_python(const SceneForPython& scene, const RenderArguments& arguments) {
+  const Rendering rendering = render_interruptibly(scene, settings_of(arguments));
+  const RgbImage& color = rendering.image.color;
+  const py::ssize_t height = color.height;
+  const py::ssize_t width = color.width;
+  RenderForPython result{
+      .radiance = py::array_t<float>({height, width, py::ssize_t{3}}, &color.pixels.front().x),
+      .samples = py::array_t<std::uint32_t>({height, width}, rendering.image.samples.data()),
+      .seconds = rendering.report.seconds,
+      .dropped = places_of(rendering.report.non_finite, static_cast<std::uint32_t>(color.width))};
+  if (const std::size_t count = result.dropped.size(); count > 0) {
+    warn(fmt::format("{} sample{} not finite, and left out: see dropped", count,
+                     count == 1 ? " was" : "s were"));
+  }
+  return result;
+}
+
+}  // namespace foveola::analysis

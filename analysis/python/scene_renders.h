@@ -1,0 +1,58 @@
+// Scenes and renders as Python has them: numpy arrays, and angles in degrees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+
+#include "renderer/base/parallel.h"
+#include "renderer/progressive/headless_render.h"
+#include "renderer/progressive/loaded_scene.h"
+
+namespace foveola::analysis {
+
+/// Azimuth and elevation in the world.
+using AnglesDeg = std::pair<double, double>;
+
+/// A scene that was loaded, and the threads that render it.
+struct SceneForPython {
+  Workers workers;
+  LoadedScene loaded;
+
+  SceneForPython(const std::string& name_or_path, const SceneChoices& choices, int threads);
+};
+
+/// What render() takes in Python, with its defaults.
+struct RenderArguments {
+  std::optional<std::string> method;        ///< as make_view_sampler reads it; none: a picture
+  std::optional<AnglesDeg> gaze_deg;        ///< default: where the head points
+  std::optional<std::pair<int, int>> size;  ///< width and height in pixels
+  std::optional<double> samples_per_pixel;
+  std::optional<std::uint64_t> samples;
+  std::optional<double> seconds;
+  std::uint32_t seed = 0;
+  int max_depth = 8;
+};
+
+/// What render() returns in Python.
+struct RenderForPython {
+  pybind11::array_t<float> radiance;         ///< [height][width][3], linear Rec. 709
+  pybind11::array_t<std::uint32_t> samples;  ///< [height][width]
+  double seconds = 0.0;
+  std::vector<std::array<std::uint32_t, 3>> dropped;  ///< x, y, number of the sample in its pixel
+};
+
+/// Choices of the camera's place in metres and of where it looks.
+SceneChoices scene_choices(const std::optional<std::array<double, 3>>& camera_m,
+                           const std::optional<AnglesDeg>& head_deg);
+
+/// Renders without Python's lock, and stops when Python is interrupted. Throws Error for settings
+/// that make no sense.
+RenderForPython render_for_python(const SceneForPython& scene, const RenderArguments& arguments);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,134 @@
+#include "analysis/python/study_frames.h"
+
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "analysis/dataset/dataset.h"
+#include "analysis/publication/analyze_study.h"
+#include "analysis/publication/trial_data.h"
+#include "analysis/tables/table.h"
+#include "study/record/data_quality_records.h"
+#include "study/record/study_records.h"
+
+namespace py = pybind11;
+
+namespace foveola::analysis {
+namespace {
+
+/// What is read without Python.
+struct StudyData {
+  study::Verification record;
+  study::StudyRecords records;
+  std::optional<study::StudyRecords> with_withdrawn;  ///< where asked for
+  study::DataQualityRecords quality;
+  Dataset set;
+};
+
+StudyData read(const std::filesystem::path& file, const StudyChoices& choices) {
+  const py::gil_scoped_release unlocked;
+  StudyData data;
+  data.record = verified_study(file, choices.unverified);
+  data.records = study::read_study(file);
+  if (choices.withdrawn) {
+    data.with_withdrawn = study::read_study(file, study::WithdrawnSessions::with_data);
+  }
+  data.quality = study::read_data_quality(file);
+  data.set = select_for_analysis(data.records);
+  data.set.record = data.record.faults.empty() ? "verified" : "changed";
+  return data;
+}
+
+/// Those of pandas that know missing values.
+const char* dtype_of(ColumnType type) {
+  switch (type) {
+    case ColumnType::whole:
+      return "Int64";
+    case ColumnType::number:
+      return "float64";
+    case ColumnType::truth:
+      return "boolean";
+    case ColumnType::text:
+      break;
+  }
+  return "string";
+}
+
+py::object python_of(const Field& field) {
+  return std::visit(
+      [](const auto& value) -> py::object {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
+          return py::none();
+        } else {
+          return py::cast(value);
+        }
+      },
+      field);
+}
+
+/// A frame of the rows with these numbers.
+py::object frame_of(const std::vector<Column>& columns, const std::vector<std::size_t>& rows,
+                    const std::function<Row(std::size_t)>& row_at, const Dataset& set) {
+  std::vector<py::list> values(columns.size());
+  for (const std::size_t number : rows) {
+    const Row row = row_at(number);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      values[i].append(python_of(row[i]));
+    }
+  }
+  const py::module_ pandas = py::module_::import("pandas");
+  py::dict series;
+  py::dict units;
+  py::dict meanings;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const py::str name(columns[i].name);
+    series[name] = pandas.attr("Series")(values[i], py::arg("dtype") = dtype_of(columns[i].type));
+    units[name] = columns[i].unit;
+    meanings[name] = columns[i].description;
+  }
+  py::object frame = pandas.attr("DataFrame")(series);
+  frame.attr("attrs") =
+      py::dict(py::arg("participant_kind") = set.kind, py::arg("record") = set.record,
+               py::arg("units") = units, py::arg("meanings") = meanings);
+  return frame;
+}
+
+std::vector<std::size_t> numbers_below(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
+}  // namespace
+
+py::dict study_frames(const std::filesystem::path& file, const StudyChoices& choices) {
+  const StudyData data = read(file, choices);
+  const study::StudyRecords& exported = data.with_withdrawn ? *data.with_withdrawn : data.records;
+  std::vector<std::size_t> last_timings;
+  std::vector<std::size_t> other_timings;
+  for (std::size_t i = 0; i < exported.trials.size(); ++i) {
+    (exported.trials[i].counts ? last_timings : other_timings).push_back(i);
+  }
+  const TrialColumns trials(exported, data.set, data.quality.gaze);
+  const AnswerColumns answers(exported, data.set);
+  const ParticipantColumns participants(data.records, data.set);
+  const auto trial = [&](std::size_t number) { return trials.row(number); };
+  py::dict frames;
+  frames["trials"] = frame_of(trials.columns(), last_timings, trial, data.set);
+  frames["trials_timed_again"] = frame_of(trials.columns(), other_timings, trial, data.set);
+  frames["answers"] = frame_of(
+      answers.columns(), numbers_below(exported.answers.size()),
+      [&](std::size_t number) { return answers.row(number); }, data.set);
+  frames["participants"] = frame_of(
+      participants.columns(), numbers_below(data.set.participants.size()),
+      [&](std::size_t number) { return participants.row(number); }, data.set);
+  return frames;
+}
+
+}  // namespace foveola::analysis

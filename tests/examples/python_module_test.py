@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+"""Tests of the Python module: python3 module_test.py PROGRAM, with the module on PYTHONPATH.
+
+PROGRAM is `foveola`, which makes the study that is read and the image that is compared with.
+"""
+import csv
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+from pathlib import Path
+
+import numpy
+
+import foveola
+from exr_pixels import exr_pixels
+
+program = sys.argv.pop(1)
+room = Path(__file__).resolve().parents[1] / "package" / "lamp.obj"
+
+
+def run(*arguments):
+    subprocess.run([program, *map(str, arguments)], check=True, capture_output=True, text=True)
+
+
+class Scenes(unittest.TestCase):
+    def test_a_file_that_is_not_there_is_an_error_of_one_line(self):
+        with self.assertRaises(foveola.Error) as raised:
+            foveola.load_scene("nowhere.glb")
+        self.assertIn("nowhere.glb", str(raised.exception))
+        self.assertNotIn("\n", str(raised.exception))
+
+    def test_camera_and_head_are_where_they_are_put(self):
+        scene = foveola.load_scene(str(room), camera_m=(0.5, 1.0, 0.25), head_deg=(30.0, -10.0))
+        numpy.testing.assert_allclose(scene.camera_m, (0.5, 1.0, 0.25), atol=1e-6)
+        numpy.testing.assert_allclose(scene.head_deg, (30.0, -10.0), atol=1e-9)
+        self.assertGreater(scene.triangles, 0)
+
+    def test_what_loading_warns_of_is_a_warning_of_python(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            foveola.load_scene(str(room))
+        self.assertTrue(any("camera" in str(warning.message) for warning in caught))
+
+
+class Renders(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = foveola.load_scene(str(room), camera_m=(0.0, 1.0, 0.0), head_deg=(0.0, 0.0))
+
+    def test_shapes_and_types(self):
+        image = foveola.render(self.scene, "fv", size=(64, 32), samples=5000)
+        self.assertEqual(image.radiance.shape, (32, 64, 3))
+        self.assertEqual(image.radiance.dtype, numpy.float32)
+        self.assertEqual(image.samples.shape, (32, 64))
+        self.assertEqual(int(image.samples.sum()), 5000)
+        self.assertEqual(image.dropped, [])
+
+    def test_the_same_seed_is_the_same_image(self):
+        images = [foveola.render(self.scene, "od", size=(64, 32), samples_per_pixel=4, seed=seed)
+                  for seed in (7, 7, 8)]
+        numpy.testing.assert_array_equal(images[0].radiance, images[1].radiance)
+        self.assertFalse(numpy.array_equal(images[0].radiance, images[2].radiance))
+
+    def test_the_image_is_what_the_program_renders(self):
+        with tempfile.TemporaryDirectory() as folder:
+            film = Path(folder) / "image.exr"
+            run("render", room, "-o", film, "--method", "vp", "--camera", "0,1,0", "--head", "0,0",
+                "--size", "64x32", "--samples", 3000, "--seed", 5)
+            image = foveola.render(self.scene, "vp", size=(64, 32), samples=3000, seed=5)
+            written = exr_pixels(film)
+        numpy.testing.assert_array_equal(image.radiance, written[..., :3])
+        numpy.testing.assert_array_equal(image.samples, written[..., 3])
+
+    def test_fv_gives_most_samples_to_the_gaze(self):
+        image = foveola.render(self.scene, "fv", gaze_deg=(90.0, 0.0), size=(360, 180),
+                               samples=50_000)
+        row, column = numpy.unravel_index(image.samples.argmax(), image.samples.shape)
+        self.assertLess(abs(column - 270), 6)
+        self.assertLess(abs(row - 90), 6)
+
+    def test_a_picture_needs_no_method(self):
+        image = foveola.render(self.scene, size=(48, 27), samples_per_pixel=2)
+        self.assertEqual(image.radiance.shape, (27, 48, 3))
+
+    def test_settings_without_sense_are_usage_errors(self):
+        for settings in ({"samples": 10, "seconds": 1.0}, {"samples_per_pixel": 0.0},
+                         {"max_depth": 0}, {"gaze_deg": (0.0, 0.0)}):
+            with self.subTest(settings), self.assertRaises(foveola.UsageError):
+                foveola.render(self.scene, **settings)
+        with self.assertRaises(foveola.Error):
+            foveola.render(self.scene, "no-such-method")
+
+    def test_an_interrupt_stops_it_soon(self):
+        interrupt = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        began = time.monotonic()
+        interrupt.start()
+        with self.assertRaises(KeyboardInterrupt):
+            foveola.render(self.scene, "od", seconds=600.0)
+        self.assertLess(time.monotonic() - began, 60.0)
+
+
+class Studies(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = Path(cls.folder.name)
+        cls.study = folder / "study.sqlite"
+        run("study", "simulate", "demo", "--db", cls.study, "--participants", 2, "--seed", 3,
+            "--predicted")
+        run("analyze", cls.study, "-o", folder / "analysis")
+        cls.analysis = folder / "analysis"
+        cls.frames = foveola.read_study(cls.study)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_every_value_is_that_of_the_exported_files(self):
+        for frame, file in (("trials", "trials_long"), ("answers", "answers_long"),
+                            ("trials_timed_again", "trials_timed_again"),
+                            ("participants", "participants_wide")):
+            with self.subTest(frame), open(self.analysis / f"{file}.csv", newline="") as table:
+                rows = list(csv.reader(table))
+                data = self.frames[frame]
+                self.assertEqual(list(data.columns), rows[0])
+                self.assertEqual(len(data), len(rows) - 1)
+                for number, row in enumerate(rows[1:]):
+                    for name, text in zip(rows[0], row):
+                        self.assert_same(data[name].iloc[number], text, f"{name}, row {number}")
+
+    def assert_same(self, value, text, where):
+        if text == "":
+            self.assertTrue(value is None or value != value or str(value) == "<NA>" or value == "",
+                            where)
+        elif isinstance(value, (bool, numpy.bool_)):
+            self.assertEqual(str(bool(value)).upper(), text, where)
+        elif isinstance(value, str):
+            self.assertEqual(value, text, where)
+        else:
+            self.assertEqual(float(value), float(text), where)
+
+    def test_simulated_data_say_that_they_are_simulated(self):
+        for frame in self.frames.values():
+            self.assertEqual(frame.attrs["participant_kind"], "simulated")
+        self.assertTrue((self.frames["trials"]["participant_kind"] == "simulated").all())
+
+    def test_columns_have_units_and_meanings(self):
+        attributes = self.frames["trials"].attrs
+        self.assertEqual(set(attributes["units"]), set(self.frames["trials"].columns))
+        self.assertIn("s", attributes["units"].values())
+        self.assertNotIn("", attributes["meanings"].values())
+
+    def test_a_changed_file_is_refused_unless_it_is_asked_for(self):
+        changed = Path(self.folder.name) / "changed.sqlite"
+        changed.write_bytes(self.study.read_bytes())
+        connection = sqlite3.connect(changed)
+        connection.execute("UPDATE mark SET time_ns = time_ns + 1")
+        connection.commit()
+        connection.close()
+        with self.assertRaisesRegex(foveola.Error, "is not what was written"):
+            foveola.read_study(changed)
+        frames = foveola.read_study(changed, unverified=True)
+        self.assertEqual(frames["trials"].attrs["record"], "changed")
+
+    def test_what_is_no_study_is_an_error(self):
+        other = Path(self.folder.name) / "other.sqlite"
+        other.write_text("no database")
+        with self.assertRaisesRegex(foveola.Error, "other.sqlite"):
+            foveola.read_study(other)
+
+
+class Documents(unittest.TestCase):
+    def test_the_three_functions_are_documented(self):
+        for function in (foveola.load_scene, foveola.render, foveola.read_study):
+            self.assertGreater(len(function.__doc__), 300)
+
+
+if __name__ == "__main__":
+    unittest.main()
