@@ -262,20 +262,9 @@ RenderProgress progress_of(const StillRender& still, const RenderReport& report)
           .pixels = state_of(still.render.film())};
 }
 
-}  // namespace
-
-AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& loaded) {
-  return settings.gaze.value_or(loaded.camera.heading);
-}
-
-Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
-  require_splittable(settings);
-  const SceneOfRender scene(source, settings);
-  return render(scene.loaded, settings, scene.workers, std::move(stop));
-}
-
-Rendering render(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers,
-                 std::stop_token stop) {
+/// progress: where it is shown; null: nowhere.
+Rendering rendering_of(const LoadedScene& loaded, const RenderSettings& settings,
+                       const Workers& workers, const std::stop_token& stop, Progress* progress) {
   require_splittable(settings);
   StillRender still(loaded, settings, workers);
   RenderReport report = report_on(still, settings);
@@ -289,7 +278,6 @@ Rendering render(const LoadedScene& loaded, const RenderSettings& settings, cons
   const bool is_adaptive = settings.progressive.adaptive.has_value();
 
   const SteadyClock clock;
-  Progress progress("rendering");
   const double seconds_before = report.seconds;
   const Nanoseconds start = clock.now();
   Nanoseconds saved = start;
@@ -307,8 +295,10 @@ Rendering render(const LoadedScene& loaded, const RenderSettings& settings, cons
     report.draw_seconds = elapsed_s - report.trace_seconds;
     report.seconds = seconds_before + elapsed_s;
     fraction = fraction_done(still.budget, still.render.points_drawn(), report.seconds);
-    progress.update(fraction, fmt::format("{:.3g} samples per pixel",
-                                          static_cast<double>(report.samples) / pixels));
+    if (progress != nullptr) {
+      progress->update(fraction, fmt::format("{:.3g} samples per pixel",
+                                             static_cast<double>(report.samples) / pixels));
+    }
     if (settings.save && clock.now() - saved > settings.save_interval && fraction < 1.0) {
       settings.save(report, progress_of(still, report));
       saved = clock.now();
@@ -330,6 +320,24 @@ Rendering render(const LoadedScene& loaded, const RenderSettings& settings, cons
     rendering.image.variances.clear();
   }
   return rendering;
+}
+
+}  // namespace
+
+AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& loaded) {
+  return settings.gaze.value_or(loaded.camera.heading);
+}
+
+Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
+  require_splittable(settings);
+  const SceneOfRender scene(source, settings);
+  Progress progress("rendering");
+  return rendering_of(scene.loaded, settings, scene.workers, stop, &progress);
+}
+
+Rendering render(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers,
+                 std::stop_token stop) {
+  return rendering_of(loaded, settings, workers, stop, nullptr);
 }
 
 ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,

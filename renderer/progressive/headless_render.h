@@ -124,8 +124,8 @@ AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& load
 /// Renders `source`, showing progress. Throws Error for what is wrong with the scene or settings.
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop);
 
-/// The same of a scene that was loaded before, whose camera it has: settings.scene and
-/// settings.threads are of no account.
+/// The same of a scene that was loaded before, without showing progress. It has that scene's
+/// camera: settings.scene and settings.threads are of no account.
 Rendering render(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers,
                  std::stop_token stop);
 
