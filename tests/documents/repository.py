@@ -13,9 +13,11 @@ class Repository:
 
     def __init__(self, root):
         self.root = pathlib.Path(root).resolve()
-        listed = subprocess.run(["git", "-C", str(self.root), "ls-files", "-z"], check=True,
-                                stdout=subprocess.PIPE).stdout.decode()
-        self.files = frozenset(name for name in listed.split("\0")
+        listed = subprocess.run(["git", "-C", str(self.root), "ls-files", "-z"], check=False,
+                                stdout=subprocess.PIPE)
+        if listed.returncode != 0:
+            raise SystemExit(f"{self.root}: git cannot list its files; run this in a clone")
+        self.files = frozenset(name for name in listed.stdout.decode().split("\0")
                                if name and (self.root / name).is_file())
         self.folders = frozenset(str(folder) for name in self.files
                                  for folder in pathlib.PurePosixPath(name).parents)
