@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -96,6 +97,28 @@ void require_moderate_size(const std::string& file, std::string_view text,
 /// Lists longer than any study's: what is made of their entries may take each with each other.
 constexpr std::size_t longest_list = 1000;
 
+constexpr const char* whole_number = "whole number";
+
+/// A value as TOML writes it.
+template <typename Value>
+std::optional<std::string> text_of(const std::optional<Value>& value) {
+  return value ? std::optional(fmt::format("{}", *value)) : std::nullopt;
+}
+
+template <typename Value>
+TomlKeyRule rule_of(const char* type, const std::optional<Value>& value, Value minimum,
+                    Value maximum) {
+  return {.type = type,
+          .minimum = static_cast<double>(minimum),
+          .maximum = static_cast<double>(maximum),
+          .words = {},
+          .default_text = text_of(value)};
+}
+
+TomlKeyRule rule_of(std::string type) {
+  return {.type = std::move(type), .minimum = {}, .maximum = {}, .words = {}, .default_text = {}};
+}
+
 }  // namespace
 
 std::string read_toml_file(const fs::path& path) {
@@ -143,6 +166,9 @@ TomlReader::TomlReader(std::string file, const toml::table& table, std::string n
       notes_(std::make_shared<std::vector<std::string>>()) {}
 
 std::string_view TomlReader::present_name(std::string_view key, std::string_view former) {
+  if (TomlKeys* const keys = TomlKeys::listening()) {
+    keys->called_formerly(file_, name_, key, former);
+  }
   if (has(key) || !has(former)) {
     return key;
   }
@@ -152,17 +178,27 @@ std::string_view TomlReader::present_name(std::string_view key, std::string_view
 }
 
 void TomlReader::read(std::string_view key, std::string& value) {
-  if (const toml::node* node = find(key)) {
-    const auto text = node->value_exact<std::string>();
-    if (!text) {
-      fail(node->source(), full_name(key) + " must be a text", "put it in double quotes");
-    }
-    value = *text;
+  TomlKeyRule rule = rule_of("text");
+  if (!value.empty()) {
+    rule.default_text = value;
+  }
+  if (const toml::node* node = find(key, rule)) {
+    value = text_in(*node, key);
   }
 }
 
+std::string TomlReader::text_in(const toml::node& node, std::string_view key) const {
+  const auto text = node.value_exact<std::string>();
+  if (!text) {
+    fail(node.source(), full_name(key) + " must be a text", "put it in double quotes");
+  }
+  return *text;
+}
+
 void TomlReader::read(std::string_view key, bool& value) {
-  if (const toml::node* node = find(key)) {
+  TomlKeyRule rule = rule_of("true or false");
+  rule.default_text = fmt::format("{}", value);
+  if (const toml::node* node = find(key, rule)) {
     const auto flag = node->value_exact<bool>();
     if (!flag) {
       fail(node->source(), full_name(key) + " must be true or false", {});
@@ -177,9 +213,37 @@ void TomlReader::read(std::string_view key, int& value, int minimum, int maximum
   value = static_cast<int>(number);
 }
 
+void TomlReader::read(std::string_view key, std::optional<int>& value, int minimum, int maximum) {
+  std::int64_t number = value.value_or(0);
+  read_whole(key, number, rule_of(whole_number, value, minimum, maximum), minimum, maximum);
+  if (has(key)) {
+    value = static_cast<int>(number);
+  }
+}
+
 void TomlReader::read(std::string_view key, std::int64_t& value, std::int64_t minimum,
                       std::int64_t maximum) {
-  if (const toml::node* node = find(key)) {
+  read_whole(key, value, rule_of(whole_number, std::optional(value), minimum, maximum), minimum,
+             maximum);
+}
+
+void TomlReader::read(std::string_view key, int& value, const std::vector<int>& choices) {
+  TomlKeyRule rule = rule_of(whole_number, std::optional(value), choices.front(), choices.back());
+  for (const int choice : choices) {
+    rule.words.push_back(fmt::format("{}", choice));
+  }
+  std::int64_t number = value;
+  read_whole(key, number, rule, choices.front(), choices.back());
+  value = static_cast<int>(number);
+  if (has(key) && std::find(choices.begin(), choices.end(), value) == choices.end()) {
+    fail(source(key), fmt::format("{} cannot be {}", full_name(key), value),
+         fmt::format("choose {}", fmt::join(choices, " or ")));
+  }
+}
+
+void TomlReader::read_whole(std::string_view key, std::int64_t& value, const TomlKeyRule& rule,
+                            std::int64_t minimum, std::int64_t maximum) {
+  if (const toml::node* node = find(key, rule)) {
     const auto number = node->value_exact<std::int64_t>();
     if (!number || *number < minimum || *number > maximum) {
       fail(node->source(), full_name(key) + " is out of range",
@@ -190,28 +254,40 @@ void TomlReader::read(std::string_view key, std::int64_t& value, std::int64_t mi
 }
 
 void TomlReader::read(std::string_view key, double& value, double minimum, double maximum) {
-  if (const toml::node* node = find(key)) {
-    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!number || !(*number >= minimum && *number <= maximum)) {
-      fail(node->source(), full_name(key) + " is out of range",
-           fmt::format("give a number from {} to {}", minimum, maximum));
-    }
-    value = *number;
-  }
+  read_number(key, value, rule_of("number", std::optional(value), minimum, maximum));
 }
 
 void TomlReader::read(std::string_view key, std::optional<double>& value, double minimum,
                       double maximum) {
   double number = 0.0;
-  read(key, number, minimum, maximum);
+  read_number(key, number, rule_of("number", value, minimum, maximum));
   if (has(key)) {
     value = number;
   }
 }
 
+void TomlReader::read_number(std::string_view key, double& value, const TomlKeyRule& rule) {
+  if (const toml::node* node = find(key, rule)) {
+    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!number || !(*number >= *rule.minimum && *number <= *rule.maximum)) {
+      fail(node->source(), full_name(key) + " is out of range",
+           fmt::format("give a number from {} to {}", *rule.minimum, *rule.maximum));
+    }
+    value = *number;
+  }
+}
+
 template <typename Vector>
 void TomlReader::read_vector(std::string_view key, Vector& value, double minimum, double maximum) {
-  const toml::node* node = find(key);
+  std::vector<float> numbers;
+  for (int i = 0; i < Vector::length(); ++i) {
+    numbers.push_back(value[i]);
+  }
+  TomlKeyRule rule = rule_of(fmt::format("list of {} numbers", Vector::length()));
+  rule.minimum = minimum;
+  rule.maximum = maximum;
+  rule.default_text = fmt::format("[{}]", fmt::join(numbers, ", "));
+  const toml::node* node = find(key, rule);
   if (node == nullptr) {
     return;
   }
@@ -239,13 +315,16 @@ void TomlReader::read(std::string_view key, Vec3& value, double minimum, double 
   read_vector(key, value, minimum, maximum);
 }
 
-std::size_t TomlReader::find_word(std::string_view key,
-                                  const std::vector<std::string_view>& known) {
-  std::string text;
-  read(key, text);
-  if (!has(key)) {
+std::size_t TomlReader::find_word(std::string_view key, const std::vector<std::string_view>& known,
+                                  const std::optional<std::string>& default_text) {
+  TomlKeyRule rule = rule_of("text");
+  rule.words.assign(known.begin(), known.end());
+  rule.default_text = default_text;
+  const toml::node* node = find(key, rule);
+  if (node == nullptr) {
     return known.size();
   }
+  const std::string text = text_in(*node, key);
   const auto found = std::find(known.begin(), known.end(), text);
   if (found == known.end()) {
     fail(source(key), fmt::format("there is no {} '{}'", key, text),
@@ -256,13 +335,14 @@ std::size_t TomlReader::find_word(std::string_view key,
 }
 
 void TomlReader::require(std::string_view key) const {
+  note_required(key);
   if (!has(key)) {
     fail(source(), full_name(key) + " is missing", {});
   }
 }
 
 std::vector<TomlReader::Text> TomlReader::texts(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, rule_of("list of texts"));
   if (node == nullptr) {
     return {};
   }
@@ -285,6 +365,7 @@ std::vector<TomlReader::Text> TomlReader::texts(std::string_view key) {
 }
 
 std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
+  note_required(key);
   if (!has(key)) {
     fail(source(), full_name(key) + " is missing", "give a list of names");
   }
@@ -292,6 +373,7 @@ std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
 }
 
 std::string TomlReader::require_text(std::string_view key) {
+  note_required(key);
   std::string value;
   read(key, value);
   if (value.empty()) {
@@ -302,7 +384,7 @@ std::string TomlReader::require_text(std::string_view key) {
 
 TomlReader TomlReader::table(std::string_view key) {
   static const toml::table absent;
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, rule_of("table"));
   if (node != nullptr && !node->is_table()) {
     fail(node->source(), full_name(key) + " must be a table",
          fmt::format("write [{}] on a line of its own", full_name(key)));
@@ -311,7 +393,7 @@ TomlReader TomlReader::table(std::string_view key) {
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, rule_of("list of tables"));
   if (node == nullptr) {
     return {};
   }
@@ -328,6 +410,9 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
 }
 
 void TomlReader::reject_unknown_keys() const {
+  if (TomlKeys* const keys = TomlKeys::listening()) {
+    keys->finished(file_, name_, asked_);
+  }
   for (auto&& [key, node] : *table_) {
     if (!asked_.contains(key.str())) {
       fail(key.source(), fmt::format("unknown key '{}'", full_name(key.str())),
@@ -348,9 +433,18 @@ TomlReader TomlReader::inner(const toml::table& table, std::string_view key) con
   return reader;
 }
 
-const toml::node* TomlReader::find(std::string_view key) {
+const toml::node* TomlReader::find(std::string_view key, const TomlKeyRule& rule) {
   asked_.emplace(key);
+  if (TomlKeys* const keys = TomlKeys::listening()) {
+    keys->asked(file_, name_, key, rule);
+  }
   return table_->get(key);
+}
+
+void TomlReader::note_required(std::string_view key) const {
+  if (TomlKeys* const keys = TomlKeys::listening()) {
+    keys->required(file_, name_, key);
+  }
 }
 
 void TomlReader::require_moderate_length(std::string_view key, const toml::array& array) const {

@@ -14,6 +14,7 @@
 
 #include <toml++/toml.h>
 
+#include "renderer/base/toml_keys.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
@@ -51,6 +52,7 @@ class TomlReader {
   void read(std::string_view key, bool& value);
   /// Within [minimum, maximum].
   void read(std::string_view key, int& value, int minimum, int maximum);
+  void read(std::string_view key, std::optional<int>& value, int minimum, int maximum);
   void read(std::string_view key, std::int64_t& value, std::int64_t minimum, std::int64_t maximum);
   /// Finite and within [minimum, maximum]; a whole number will do.
   void read(std::string_view key, double& value, double minimum, double maximum);
@@ -58,15 +60,21 @@ class TomlReader {
   /// Arrays of as many numbers as the vector has components, each of them as above.
   void read(std::string_view key, Vec2& value, double minimum, double maximum);
   void read(std::string_view key, Vec3& value, double minimum, double maximum);
+  /// One of `choices`, which are in ascending order.
+  void read(std::string_view key, int& value, const std::vector<int>& choices);
   /// One of `words`.
   template <typename Value, std::size_t count>
   void read(std::string_view key, Value& value, const std::array<Word<Value>, count>& words) {
     std::vector<std::string_view> known;
+    std::optional<std::string> default_text;
     known.reserve(count);
     for (const Word<Value>& word : words) {
       known.push_back(word.text);
+      if (word.value == value) {
+        default_text = word.text;
+      }
     }
-    if (const std::size_t found = find_word(key, known); found < count) {
+    if (const std::size_t found = find_word(key, known, default_text); found < count) {
       value = words[found].value;
     }
   }
@@ -114,11 +122,18 @@ class TomlReader {
 
  private:
   TomlReader inner(const toml::table& table, std::string_view key) const;
-  const toml::node* find(std::string_view key);
+  /// Null if the key is absent.
+  const toml::node* find(std::string_view key, const TomlKeyRule& rule);
+  void read_whole(std::string_view key, std::int64_t& value, const TomlKeyRule& rule,
+                  std::int64_t minimum, std::int64_t maximum);
+  void read_number(std::string_view key, double& value, const TomlKeyRule& rule);
+  std::string text_in(const toml::node& node, std::string_view key) const;
+  void note_required(std::string_view key) const;
   void require_moderate_length(std::string_view key, const toml::array& array) const;
   std::string full_name(std::string_view key) const;
   /// The index in `known` of the text under `key`; known.size() if the key is absent.
-  std::size_t find_word(std::string_view key, const std::vector<std::string_view>& known);
+  std::size_t find_word(std::string_view key, const std::vector<std::string_view>& known,
+                        const std::optional<std::string>& default_text);
   template <typename Vector>
   void read_vector(std::string_view key, Vector& value, double minimum, double maximum);
 

@@ -85,8 +85,8 @@ void read_headset(TomlReader& table, DisplayProfile& display) {
     table.fail(table.source("width_px"), "two views side by side need an even width",
                "give the width of both together");
   }
+  TomlReader lens = table.table("lens");
   if (table.has("lens")) {
-    TomlReader lens = table.table("lens");
     lens.require("k1");
     lens.require("k2");
     display.lens = read_lens(lens, {});
@@ -174,8 +174,9 @@ DisplayProfile display_from(TomlReader table) {
 
 void read_open_gaze(TomlReader table, OpenGazeAddress& address) {
   int port = address.port;
-  if (table.has("host")) {
-    address.host = table.require_text("host");
+  table.read("host", address.host);
+  if (address.host.empty()) {
+    table.fail(table.source("host"), "open_gaze.host is empty", "name a computer, or leave it out");
   }
   table.read("port", port, 1, 65535);
   address.port = static_cast<std::uint16_t>(port);
@@ -232,6 +233,15 @@ auto read_profile(std::string_view folder, const std::string& name_or_path, cons
   return profile;
 }
 
+/// Reads a profile that was kept with `from`.
+template <typename From>
+auto profile_in(const std::string& toml, const std::string& where, const From& from) {
+  const toml::table content = parse_toml(where, toml, "restore it from a copy");
+  auto profile = from(TomlReader(where, content, ""));
+  profile.toml = toml;
+  return profile;
+}
+
 }  // namespace
 
 bool is_profile_path(const std::string& name_or_path) {
@@ -262,10 +272,11 @@ TrackerProfile read_tracker_profile(const std::string& name_or_path) {
 }
 
 DisplayProfile display_profile_in(const std::string& toml, const std::string& where) {
-  const toml::table content = parse_toml(where, toml, "restore it from a copy");
-  DisplayProfile profile = display_from(TomlReader(where, content, ""));
-  profile.toml = toml;
-  return profile;
+  return profile_in(toml, where, display_from);
+}
+
+TrackerProfile tracker_profile_in(const std::string& toml, const std::string& where) {
+  return profile_in(toml, where, tracker_from);
 }
 
 std::vector<std::string> tracker_profile_names() { return toml_names_in(profile_folder(trackers)); }

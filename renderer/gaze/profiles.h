@@ -97,8 +97,9 @@ Nanoseconds shortest_delay(const TrackerProfile& profile);
 DisplayProfile read_display_profile(const std::string& name_or_path);
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
 
-/// A display's profile from a text that was kept, without a name; `where` names it in messages.
+/// Profiles from texts that were kept, without a name; `where` names them in messages.
 DisplayProfile display_profile_in(const std::string& toml, const std::string& where);
+TrackerProfile tracker_profile_in(const std::string& toml, const std::string& where);
 
 /// The program's own, in alphabetical order.
 std::vector<std::string> tracker_profile_names();

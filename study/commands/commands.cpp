@@ -15,6 +15,7 @@ void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
   study->require_subcommand(1);
   add_check(*study, find_scene);
   add_plan(*study);
+  add_keys(*study);
   add_run(*study, find_scene, stop);
   add_watch(*study, stop);
   add_simulate(*study, find_scene, reporter, stop);

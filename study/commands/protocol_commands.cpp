@@ -13,6 +13,7 @@
 #include "study/person/missing_letters.h"
 #include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
+#include "study/protocol/protocol_reference.h"
 #include "study/stage/protocol_notes.h"
 #include "study/tables/design_tables.h"
 #include "study/tables/protocol_json.h"
@@ -129,6 +130,19 @@ void add_plan(CLI::App& study) {
   add_participants_and_seed(command, arguments->participants, arguments->seed);
   add_json(command, arguments->json);
   command->callback([arguments] { run_plan(*arguments); });
+}
+
+void add_keys(CLI::App& study) {
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* command = add_command(
+      study, "keys",
+      "Print every key that protocols, questionnaires' files and profiles may have: type, range, "
+      "default and meaning, as Markdown",
+      "keys > PROTOCOL.md");
+  add_json(command, *json);
+  command->callback([json] {
+    fmt::print("{}", *json ? protocol_reference_json().dump(2) + "\n" : protocol_reference());
+  });
 }
 
 }  // namespace foveola::study

@@ -1,4 +1,5 @@
-// foveola study check and plan: what a protocol means, before anybody takes part.
+// foveola study check, plan and keys: what a protocol means, before anybody takes part, and what
+// one can say.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,5 +10,6 @@ namespace foveola::study {
 
 void add_check(CLI::App& study, const SceneFinderBeside& find_scene);
 void add_plan(CLI::App& study);
+void add_keys(CLI::App& study);
 
 }  // namespace foveola::study

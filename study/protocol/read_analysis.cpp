@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -101,10 +102,10 @@ std::map<std::string, double> read_margins(TomlReader reader, const Protocol& pr
   std::map<std::string, double> margins;
   for (const Measure& measure : comparable_measures(protocol)) {
     const double smallest = measure.kind == MeasureKind::time ? 1.001 : 0.001;
-    double margin = 0.0;
+    std::optional<double> margin;
     reader.read(measure.id(), margin, smallest, largest_margin(measure));
-    if (reader.has(measure.id())) {
-      margins[measure.id()] = margin;
+    if (margin) {
+      margins[measure.id()] = *margin;
     }
   }
   reader.reject_unknown_keys();
@@ -116,11 +117,7 @@ std::map<std::string, double> read_margins(TomlReader reader, const Protocol& pr
 AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   AnalysisPlan plan;
   reader.read("alpha", plan.alpha, 1e-6, 0.5);
-  int participants = 1;
-  reader.read("participants", participants, 1, 100'000);
-  if (reader.has("participants")) {
-    plan.participants = participants;
-  }
+  reader.read("participants", plan.participants, 1, 100'000);
   reader.read("scenes", plan.scenes, scene_effects);
   reader.read("ratings", plan.ratings, rating_analyses);
   plan.primary = read_comparisons(reader, protocol);

@@ -39,7 +39,7 @@ void require_known_names(const TomlReader& reader, const std::string& id, const 
 Texts read_words(TomlReader reader) {
   Texts texts;
   for (const std::string& id : known_text_ids()) {
-    std::string text;
+    std::string text = text_of({}, id);
     reader.read(id, text);
     if (reader.has(id)) {
       require_known_names(reader, id, text);

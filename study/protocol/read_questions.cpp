@@ -85,11 +85,7 @@ void read_number(TomlReader& reader, Question& question) {
 
 Option read_option(TomlReader reader) {
   Option option{.label = reader.require_text("label")};
-  double value = 0.0;
-  reader.read("value", value, -largest_number, largest_number);
-  if (reader.has("value")) {
-    option.value = value;
-  }
+  reader.read("value", option.value, -largest_number, largest_number);
   reader.reject_unknown_keys();
   return option;
 }
@@ -238,17 +234,6 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
                    fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
 }
 
-Questionnaire read_file_of(const std::string& name, const std::string& toml) {
-  Questionnaire questionnaire{.file = name, .toml = toml};
-  const toml::table content =
-      parse_toml(name, toml, fmt::format("see those in {}", ready_questionnaires().string()));
-  TomlReader reader(name, content, "");
-  read_content(reader, questionnaire);
-  reader.reject_unknown_keys();
-  require_content(reader, questionnaire);
-  return questionnaire;
-}
-
 /// The questionnaire of the file that the table names; an empty one if it names none.
 Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files) {
   std::string name;
@@ -261,7 +246,7 @@ Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files
                 "leave out one of them");
   }
   try {
-    return read_file_of(name, files(name));
+    return read_questionnaire_file(name, files(name));
   } catch (const std::runtime_error& reason) {
     reader.fail(reader.source("file"), fmt::format("'{}': {}", name, reason.what()),
                 "name one that comes with Foveola, or a file in the folder of the protocol");
@@ -292,6 +277,19 @@ std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
     ids.push_back(questions.back().id);
   }
   return questions;
+}
+
+Questionnaire read_questionnaire_file(const std::string& name, const std::string& toml) {
+  Questionnaire questionnaire{.file = name, .toml = toml};
+  const toml::table content =
+      parse_toml(name, toml, fmt::format("see those in {}", ready_questionnaires().string()));
+  TomlReader reader(name, content, "");
+  reader.require("title");
+  reader.require("question");
+  read_content(reader, questionnaire);
+  reader.reject_unknown_keys();
+  require_content(reader, questionnaire);
+  return questionnaire;
 }
 
 QuestionnaireFiles questionnaire_files_in(const fs::path& folder) {

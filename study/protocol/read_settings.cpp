@@ -107,12 +107,7 @@ void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
 ValidationSettings read_validation(TomlReader reader) {
   constexpr double largest_deg = 45.0;
   ValidationSettings validation;
-  reader.read("points", validation.points, 5, 9);
-  if (validation.points != 5 && validation.points != 9) {
-    reader.fail(reader.source("points"),
-                fmt::format("there is no grid of {} targets", validation.points),
-                "choose 5 or 9 points");
-  }
+  reader.read("points", validation.points, {5, 9});
   reader.read("max_accuracy_deg", validation.gate.max_accuracy_deg, 0.0, largest_deg);
   reader.read("max_precision_deg", validation.gate.max_precision_deg, 0.0, largest_deg);
   reader.read("max_data_loss", validation.gate.max_data_loss, 0.0, 1.0);
@@ -122,15 +117,10 @@ ValidationSettings read_validation(TomlReader reader) {
   return validation;
 }
 
-/// Leaves `value` alone where the key is absent.
-void read_in(TomlReader& reader, std::string_view key, const SettingRange& range, double& value) {
+/// Leaves `value`, which may be optional, alone where the key is absent.
+template <typename Value>
+void read_in(TomlReader& reader, std::string_view key, const SettingRange& range, Value& value) {
   reader.read(key, value, range.least, range.most);
-}
-void read_in(TomlReader& reader, std::string_view key, const SettingRange& range,
-             std::optional<double>& value) {
-  if (reader.has(key)) {
-    read_in(reader, key, range, value.emplace());
-  }
 }
 
 OneEuroSettings read_one_euro(TomlReader reader) {

@@ -1,0 +1,83 @@
+// Which keys TOML files may have, learnt from the readers themselves while they read: what is
+// written about the keys can then be made from this, or held against it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace foveola {
+
+/// What a reader asks of a key's value.
+struct TomlKeyRule {
+  std::string type;               ///< in words: "whole number"
+  std::optional<double> minimum;  ///< of each number of a list
+  std::optional<double> maximum;
+  std::vector<std::string> words;  ///< the only texts or numbers that it takes; empty: any
+  std::optional<std::string>
+      default_text;  ///< what counts if the key is absent; empty: nothing does
+};
+
+/// A key that readers asked for.
+struct TomlKey {
+  std::string file;   ///< as the reader has it for messages
+  std::string table;  ///< "tracker.validation", also of each of a list of tables; empty: the file
+  std::string key;
+  std::vector<std::string> types;  ///< in the order of asking; any of them will do
+  std::optional<double> minimum;
+  std::optional<double> maximum;
+  std::vector<std::string> words;
+  std::optional<std::string> default_text;  ///< as TomlKeyRule's; empty if it varies, too
+  bool default_varies = false;              ///< with other keys, or with where the table stands
+  bool is_required = false;                 ///< in every such table
+  bool is_sometimes_required = false;       ///< in some, as other keys say
+  std::string former;  ///< the name that it had in earlier versions; may be empty
+};
+
+/// While one lives, the TOML readers of its thread tell it what they ask for.
+class TomlKeys {
+ public:
+  TomlKeys();
+  ~TomlKeys();
+  TomlKeys(const TomlKeys&) = delete;
+  TomlKeys& operator=(const TomlKeys&) = delete;
+
+  /// The one that the thread's readers tell; null if there is none.
+  static TomlKeys* listening();
+
+  /// In the order in which they were first asked for.
+  std::vector<TomlKey> keys() const;
+
+  void asked(const std::string& file, const std::string& table, std::string_view key,
+             const TomlKeyRule& rule);
+  /// All of a table was read, for which the reader asked for these keys.
+  void finished(const std::string& file, const std::string& table,
+                const std::set<std::string, std::less<>>& asked);
+  void required(const std::string& file, const std::string& table, std::string_view key);
+  void called_formerly(const std::string& file, const std::string& table, std::string_view key,
+                       std::string_view former);
+
+ private:
+  struct Account {
+    TomlKey key;
+    std::set<std::optional<std::string>> defaults;
+    bool is_awaited = false;  ///< it is required, and will be asked for: no default will do
+    int asked = 0;
+    int required = 0;
+    int tables = 0;  ///< that were finished and asked for it
+  };
+  Account& account_of(const std::string& file, const std::string& table, std::string_view key);
+
+  std::vector<Account> accounts_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places_;
+  std::map<std::pair<std::string, std::string>, int> finished_;  ///< by file and table
+  TomlKeys* outer_;
+};
+
+}  // namespace foveola

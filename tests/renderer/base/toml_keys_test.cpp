@@ -1,0 +1,80 @@
+#include "renderer/base/toml_keys.h"
+
+#include <array>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/toml_reader.h"
+
+namespace foveola {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Reads such a file; whether a size is required depends on the word.
+void read_file_with(const char* content, int default_count) {
+  constexpr std::array words{Word<int>{"one", 1}, Word<int>{"two", 2}};
+  const toml::table table = parse_toml("a.toml", content, "");
+  TomlReader reader("a.toml", table, "");
+  std::string title = reader.require_text("title");
+  int count = default_count;
+  reader.read(reader.present_name("count", "number"), count, 0, 9);
+  TomlReader inner = reader.table("inner");
+  int word = 2;
+  inner.read("word", word, words);
+  if (word == 1) {
+    inner.require("size");
+  }
+  double size = 0.5;
+  inner.read("size", size, 0.0, 1.0);
+  inner.reject_unknown_keys();
+  reader.reject_unknown_keys();
+}
+
+TEST(TomlKeys, SayWhatWasAskedFor) {
+  const TomlKeys listener;
+  read_file_with("title = \"a\"\n", 3);
+  const std::vector<TomlKey> keys = listener.keys();
+  ASSERT_EQ(keys.size(), 5U);
+  EXPECT_EQ(keys[0].file, "a.toml");
+  EXPECT_EQ(keys[0].key, "title");
+  EXPECT_TRUE(keys[0].is_required);
+  EXPECT_EQ(keys[1].key, "count");
+  EXPECT_THAT(keys[1].types, ElementsAre("whole number"));
+  EXPECT_EQ(keys[1].minimum, 0.0);
+  EXPECT_EQ(keys[1].maximum, 9.0);
+  EXPECT_EQ(keys[1].default_text, "3");
+  EXPECT_EQ(keys[1].former, "number");
+  EXPECT_FALSE(keys[1].is_required);
+  EXPECT_THAT(keys[2].types, ElementsAre("table"));
+  EXPECT_EQ(keys[3].table, "inner");
+  EXPECT_THAT(keys[3].words, ElementsAre("one", "two"));
+  EXPECT_EQ(keys[3].default_text, "two");
+  EXPECT_EQ(keys[4].default_text, "0.5");
+}
+
+TEST(TomlKeys, WhatDependsOnOtherKeysIsTold) {
+  const TomlKeys listener;
+  read_file_with("title = \"a\"\n", 3);
+  read_file_with("title = \"a\"\ninner = { word = \"one\", size = 1 }\n", 4);
+  const std::vector<TomlKey> keys = listener.keys();
+  EXPECT_TRUE(keys.at(1).default_varies);
+  EXPECT_EQ(keys.at(1).default_text, std::nullopt);
+  EXPECT_FALSE(keys.at(4).is_required);
+  EXPECT_TRUE(keys.at(4).is_sometimes_required);
+  EXPECT_EQ(keys.at(4).default_text, "0.5") << "where it is not required";
+}
+
+TEST(TomlKeys, AreToldToTheInnermostListenerWhileItLives) {
+  const TomlKeys outer;
+  {
+    const TomlKeys inner;
+    read_file_with("title = \"a\"\n", 3);
+    EXPECT_EQ(inner.keys().size(), 5U);
+  }
+  EXPECT_TRUE(outer.keys().empty());
+  EXPECT_EQ(TomlKeys::listening(), &outer);
+}
+
+}  // namespace
+}  // namespace foveola
