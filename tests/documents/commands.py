@@ -2,8 +2,8 @@
 """Checks that whatever the documents say to type exists: each `foveola` command with its options
 and those of their values that are few, against the program's own manual page; what else `./foveola`
 takes; options that stand alone; presets and targets of CMake, names of tests, steps of .ci/long;
-and every path in code that begins with a folder of the repository, unless the page writes that file
-or its name says that it is the reader's own: my-tracker.toml.
+and every path in code that begins with a folder of the repository, unless it is the reader's own: the
+page writes that file, or has that folder made (-o analysis), or its name says so (my-tracker.toml).
 
 commands.py REPOSITORY PROGRAM
 """
@@ -218,12 +218,15 @@ class Checker:
             if path.split("/")[0] not in self.top_folders or "/" not in path:
                 continue
             for each in _alternatives(path):
-                is_own = each in written or re.search(r"[…<>$]|\bNAME\b|(^|/)my[-_]", each)
+                is_own = each in written or each.split("/")[0] in written
+                is_own = is_own or re.search(r"[…<>$]|\bNAME\b|(^|/)my[-_]", each)
                 if not is_own and not self.has(each):
                     yield f"the repository has no '{each}'"
 
     def faults_of_page(self, page):
         written = [block.file for block in page.blocks]
+        for block in page.blocks:
+            written += re.findall(r"\s(?:-o|--output)[ =](\S+)", block.code)
         for block in page.blocks:
             if block.language in SHELL_LANGUAGES and not block.file:
                 for number, line in logical_lines(block):

@@ -216,6 +216,7 @@ class Commands(OnARepository):
     def test_a_path_of_the_readers_own_is_not_missing(self):
         self.assertEqual(self.faults("`tests/my_test.cpp`, `tests/new.cpp`\n"
                                      "```cpp tests/new.cpp\n```\n"), [])
+        self.assertEqual(self.faults("```sh\nfoveola render x -o tests\ncat tests/x.csv\n```\n"), [])
 
     def test_a_manual_page_without_commands_is_refused(self):
         with self.assertRaises(ValueError):
