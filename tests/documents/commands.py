@@ -1,7 +1,7 @@
 #!/usr/bin/env -S python3 -B
 """Checks that whatever the documents say to type exists: each `foveola` command with its options
 and those of their values that are few, against the program's own manual page; what else `./foveola`
-takes; options that stand alone; presets and targets of CMake, names of tests, steps of .ci/long;
+takes; options that stand alone; presets and targets of CMake, tests, variables, steps of .ci/long;
 and every path in code that begins with a folder of the repository, unless it is the reader's own: the
 page writes that file, or has that folder made (-o analysis), or its name says so (my-tracker.toml).
 
@@ -203,6 +203,16 @@ class Checker:
             if name not in self.options:
                 yield f"no command and no script has an option {name}"
 
+    def faults_of_names(self, code):
+        """Of tests, as Suite.Case, and of what FOVEOLA_… sets."""
+        for word in code.split():
+            if re.fullmatch(r"[A-Z]\w+\.[A-Z]\w+", word) and word not in self.files.tests:
+                yield f"there is no test '{word}'"
+            name = re.match(r"-D(\w+)=|\$?(FOVEOLA_\w+)", word)
+            name = name and (name.group(1) or name.group(2))
+            if name and name.startswith("FOVEOLA_") and not self.files.mentions(name):
+                yield f"nothing reads {name}"
+
     # Paths.
 
     def has(self, path):
@@ -234,6 +244,7 @@ class Checker:
                         yield number, fault
         for piece in page.code_in_text:
             faults = list(self.faults_of_paths(piece.text, written))
+            faults += self.faults_of_names(piece.text)
             if re.match(r"(\./)?foveola\s|\.ci/long\s|cmake\s|ctest\s", piece.text):
                 faults += self.faults_of_line(piece.text)
             elif piece.text.startswith("-"):
@@ -244,6 +255,7 @@ class Checker:
         mentions = re.search(r"\bfoveola\b|\.ci/long|\bcmake\b|\bctest\b", uncommented(line))
         if block.language or mentions:
             yield from self.faults_of_paths(uncommented(line), written)
+            yield from self.faults_of_names(uncommented(line))
         if mentions:
             yield from self.faults_of_line(line)
 

@@ -62,7 +62,7 @@ FILES = {
     ".ci/long": "kills() {\n  true\n}\n",
     "tests/CMakeLists.txt": "foveola_test(\n  view_test\n  SOURCES a_test.cpp)\n",
     "tests/a_test.cpp": "TEST(ViewSampler, FollowsItsDensity) {}\n",
-    "tests/check": "#!/bin/sh\n[ $1 = --install ]\n",
+    "tests/check": "#!/bin/sh\n[ $1 = --install ] && cd \"$FOVEOLA_SOURCE\"\n",
     "README.md": "# Read me\n",
     "CHANGELOG.md": "# Changes\n\n## 0.1.0 - 2026-11-28\n",
     "CITATION.cff": "cff-version: 1.2.0\nmessage: Cite it.\ntitle: Foveola\ntype: software\n"
@@ -197,6 +197,13 @@ class Commands(OnARepository):
         self.assert_fault("`./foveola test -R NoSuchTest`\n", 1, "no test's name matches")
         self.assert_fault("`./foveola test --only no_test`\n", 1,
                           "no target or test program 'no_test'")
+
+    def test_an_unknown_name_of_a_test_or_a_variable(self):
+        self.assertEqual(self.faults("`ViewSampler.FollowsItsDensity`, `Psych-DS`\n"), [])
+        self.assert_fault("`ViewSampler.DoesNot`\n", 1, "no test 'ViewSampler.DoesNot'")
+        self.assert_fault("`FOVEOLA_SCENES_FOLDER`\n", 1, "nothing reads FOVEOLA_SCENES_FOLDER")
+        self.assert_fault("```sh\ncmake -B x -DFOVEOLA_NOTHING=ON\n```\n", 2,
+                          "nothing reads FOVEOLA_NOTHING")
 
     def test_an_unknown_preset(self):
         self.assert_fault("`cmake --preset nope`\n", 1, "no 'nope' among its configurePresets")

@@ -36,6 +36,11 @@ class Repository:
     def documents(self):
         return sorted(name for name in self.files if name.endswith(".md"))
 
+    def mentions(self, name):
+        """Whether anything but documents has the word."""
+        return subprocess.run(["git", "-C", str(self.root), "grep", "-q", "-w", "-F", name, "--",
+                               ":!*.md"], check=False).returncode == 0
+
     @functools.cached_property
     def scripts(self):
         """Files that say by what they are run."""
