@@ -19,6 +19,7 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/protocol/protocol.h"
 #include "study/simulation/simulate_study.h"
@@ -188,14 +189,14 @@ void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_sc
   const std::vector<ComparedNumber> cells = baseline_cells(tried.numbers, "");
   const std::string report = report_published_comparison(speeds.database(speed), arguments.folder);
   if (arguments.json) {
-    const nlohmann::ordered_json json = {
-        {"participants", arguments.participants},
-        {"seed", arguments.seed},
-        {"scale", arguments.scale},
-        {"participant_kind", "simulated"},
-        {"baseline_trials_out_of_time", tried.baseline_trials_out_of_time},
-        {"samples_per_second", json_of(fitted)},
-        {"cells", json_of(cells)}};
+    nlohmann::ordered_json json = bench_facts();
+    json.update({{"participants", arguments.participants},
+                 {"seed", arguments.seed},
+                 {"scale", arguments.scale},
+                 {"participant_kind", "simulated"},
+                 {"baseline_trials_out_of_time", tried.baseline_trials_out_of_time},
+                 {"samples_per_second", json_of(fitted)},
+                 {"cells", json_of(cells)}});
     fmt::print("{}\n", json.dump(2));
     return;
   }

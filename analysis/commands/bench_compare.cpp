@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/bench_ratios.h"
-#include "renderer/base/files.h"
 
 namespace foveola::analysis {
 namespace {
@@ -16,25 +19,136 @@ namespace {
 struct CompareArguments {
   std::string before;
   std::string after;
+  bool all = false;
   bool json = false;
 };
+
+const char* name_of(BenchMove move) {
+  switch (move) {
+    case BenchMove::alone:
+      return "alone";
+    case BenchMove::together:
+      return "together";
+    case BenchMove::exactly:
+      return "exactly";
+    case BenchMove::without_interval:
+      return "without_interval";
+    case BenchMove::none:
+      break;
+  }
+  return "no";
+}
+
+/// The figures that would be beyond their own 95 % intervals by chance.
+double expected_by_chance(const BenchComparison& comparison) {
+  return 0.05 * static_cast<double>(comparison.count(BenchFigureKind::with_interval));
+}
+
+nlohmann::ordered_json json_of(const BenchRatio& row) {
+  nlohmann::ordered_json json = {{"name", row.figure},
+                                 {"before", row.before},
+                                 {"after", row.after},
+                                 {"value", nullptr},
+                                 {"low", nullptr},
+                                 {"high", nullptr},
+                                 {"low_together", nullptr},
+                                 {"high_together", nullptr},
+                                 {"exact", row.kind == BenchFigureKind::exact},
+                                 {"moved", name_of(row.move)}};
+  if (row.ratio) {
+    json["value"] = *row.ratio;
+  }
+  if (row.interval) {
+    json["low"] = row.interval->low;
+    json["high"] = row.interval->high;
+  }
+  if (row.together) {
+    json["low_together"] = row.together->low;
+    json["high_together"] = row.together->high;
+  }
+  return json;
+}
 
 void print_json(const BenchComparison& comparison) {
   nlohmann::ordered_json ratios = nlohmann::ordered_json::array();
   for (const BenchRatio& row : comparison.ratios) {
-    nlohmann::ordered_json entry = {{"name", row.figure}, {"before", row.before},
-                                    {"after", row.after}, {"value", row.ratio},
-                                    {"low", nullptr},     {"high", nullptr}};
-    if (row.interval) {
-      entry["low"] = row.interval->low;
-      entry["high"] = row.interval->high;
-    }
-    ratios.push_back(std::move(entry));
+    ratios.push_back(json_of(row));
   }
-  const nlohmann::ordered_json json = {{"ratios", ratios},
-                                       {"differing_settings", comparison.differing},
-                                       {"without_ratio", comparison.unmatched}};
+  nlohmann::ordered_json differing = nlohmann::ordered_json::array();
+  for (const BenchDifference& difference : comparison.differing) {
+    differing.push_back({{"setting", difference.text}, {"files", difference.files}});
+  }
+  const nlohmann::ordered_json json = {
+      {"moved_together", comparison.moved(BenchMove::together).size()},
+      {"beyond_own_interval_alone", comparison.moved(BenchMove::alone).size()},
+      {"expected_beyond_by_chance", expected_by_chance(comparison)},
+      {"exact_that_differ", comparison.moved(BenchMove::exactly).size()},
+      {"differ_without_interval", comparison.moved(BenchMove::without_interval).size()},
+      {"figures_with_interval", comparison.count(BenchFigureKind::with_interval)},
+      {"level_of_each_together", comparison.level_of_each},
+      {"ratios", ratios},
+      {"differing_settings", differing},
+      {"in_one_run_only", comparison.unmatched},
+      {"files_only_before", comparison.only_before},
+      {"files_only_after", comparison.only_after}};
   fmt::print("{}\n", json.dump(2));
+}
+
+std::string ratio_text(const BenchRatio& row, const std::optional<Interval>& interval) {
+  if (!row.ratio) {
+    return "-";
+  }
+  return fmt::format(
+      "{:.3f}{}", *row.ratio,
+      interval ? fmt::format(" ({:.3f} to {:.3f})", interval->low, interval->high) : "");
+}
+
+/// Exact figures with all their digits: they may differ in the last.
+void print_rows(const std::vector<BenchRatio>& rows, BenchMove move) {
+  std::size_t width = 0;
+  for (const BenchRatio& row : rows) {
+    width = std::max(width, row.figure.size());
+  }
+  for (const BenchRatio& row : rows) {
+    if (row.kind == BenchFigureKind::exact) {
+      fmt::print("  {:<{}}  {}, now {}\n", row.figure, width, row.before, row.after);
+    } else {
+      fmt::print("  {:<{}}  {:.5g}, now {:.5g}: {}\n", row.figure, width, row.before, row.after,
+                 ratio_text(row, move == BenchMove::together ? row.together : row.interval));
+    }
+  }
+}
+
+std::string moved_heading(BenchMove move, const BenchComparison& comparison, std::size_t moved) {
+  const std::size_t intervals = comparison.count(BenchFigureKind::with_interval);
+  switch (move) {
+    case BenchMove::together:
+      return fmt::format(
+          "Moved: {} of {} figures with intervals, by intervals that hold for all together with "
+          "95 % ({:.3f} % each)",
+          moved, intervals, 100.0 * comparison.level_of_each);
+    case BenchMove::alone:
+      return fmt::format(
+          "Beyond their own 95 % intervals only: {}; of {} figures that did not move, about {:.2g} "
+          "would be so by chance",
+          moved, intervals, expected_by_chance(comparison));
+    case BenchMove::exactly:
+      return fmt::format("Exact figures that differ: {} of {}", moved,
+                         comparison.count(BenchFigureKind::exact));
+    default:
+      return fmt::format("Differ, without an interval: {}", moved);
+  }
+}
+
+void print_moves(const BenchComparison& comparison) {
+  for (const BenchMove move :
+       {BenchMove::together, BenchMove::exactly, BenchMove::alone, BenchMove::without_interval}) {
+    const std::vector<BenchRatio> rows = comparison.moved(move);
+    fmt::print("{}\n", moved_heading(move, comparison, rows.size()));
+    print_rows(rows, move);
+  }
+  fmt::print("Stayed: {} of {} figures\n", comparison.moved(BenchMove::none).size(),
+             comparison.ratios.size());
 }
 
 void print_table(const BenchComparison& comparison) {
@@ -42,19 +156,28 @@ void print_table(const BenchComparison& comparison) {
   for (const BenchRatio& row : comparison.ratios) {
     width = std::max(width, row.figure.size());
   }
-  fmt::print("{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "before", "after", "after / before");
+  fmt::print("\n{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "before", "after",
+             "after / before");
   for (const BenchRatio& row : comparison.ratios) {
-    const std::string interval =
-        row.interval ? fmt::format(" ({:.3f} to {:.3f})", row.interval->low, row.interval->high)
-                     : "";
-    fmt::print("{:<{}}  {:>12.5g}  {:>12.5g}  {:.3f}{}\n", row.figure, width, row.before, row.after,
-               row.ratio, interval);
+    fmt::print("{:<{}}  {:>12.5g}  {:>12.5g}  {}\n", row.figure, width, row.before, row.after,
+               ratio_text(row, row.interval));
   }
-  for (const std::string& setting : comparison.differing) {
-    fmt::print("Differs: {}\n", setting);
+}
+
+void print_differences(const BenchComparison& comparison) {
+  for (const BenchDifference& difference : comparison.differing) {
+    fmt::print(
+        "Differs: {}{}\n", difference.text,
+        difference.files.empty() ? "" : fmt::format(" ({})", fmt::join(difference.files, ", ")));
+  }
+  for (const std::string& name : comparison.only_before) {
+    fmt::print("Only before: {}\n", name);
+  }
+  for (const std::string& name : comparison.only_after) {
+    fmt::print("Only after: {}\n", name);
   }
   if (const std::size_t count = comparison.unmatched.size(); count > 0) {
-    fmt::print("{} figure{} without a ratio; --json names {}\n", count, count == 1 ? "" : "s",
+    fmt::print("{} figure{} in one run only; --json names {}\n", count, count == 1 ? "" : "s",
                count == 1 ? "it" : "them");
   }
 }
@@ -63,19 +186,32 @@ void print_table(const BenchComparison& comparison) {
 
 void add_bench_compare(CLI::App& bench) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      bench.add_subcommand("compare", "Compare two runs of a benchmark: ratios with intervals");
-  command->add_option("BEFORE", arguments->before, "What a bench command printed with --json")
+  CLI::App* command = bench.add_subcommand(
+      "compare",
+      "Compare two runs of a benchmark, or two folders of them: what moved beyond its interval");
+  command
+      ->add_option("BEFORE", arguments->before,
+                   "What a bench command printed with --json, or a folder of such files")
       ->required();
-  command->add_option("AFTER", arguments->after, "What the same command printed at another time")
+  command
+      ->add_option(
+          "AFTER", arguments->after,
+          "What the same command printed at another time, or a folder of files of the same names")
       ->required();
+  command->add_flag("--all", arguments->all, "Print all figures, not only those that moved");
   command->add_flag("--json", arguments->json, "Print the ratios as JSON");
-  command->footer("Example: foveola bench compare before.json after.json");
+  command->footer("Example: foveola bench compare data/baselines/0.1.0 now");
   command->callback([arguments] {
-    const BenchComparison comparison =
-        compare_benches(read_file(arguments->before), arguments->before,
-                        read_file(arguments->after), arguments->after);
-    arguments->json ? print_json(comparison) : print_table(comparison);
+    const BenchComparison comparison = compare_bench_files(arguments->before, arguments->after);
+    if (arguments->json) {
+      print_json(comparison);
+      return;
+    }
+    print_moves(comparison);
+    print_differences(comparison);
+    if (arguments->all) {
+      print_table(comparison);
+    }
   });
 }
 

@@ -18,6 +18,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_facts.h"
 #include "renderer/commands/former_option.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
@@ -120,7 +121,7 @@ void run_whole(const ConvergenceArguments& arguments, const SceneFinder& find_sc
                 "let it run longer, or try --quick");
   }
   const ConvergenceTables tables = tabulate(results.measurements);
-  const std::string json = convergence_json(run.plan, results.measurements, tables);
+  const std::string json = convergence_json(bench_facts(), run.plan, results.measurements, tables);
   write_results(arguments.output, results, tables, json);
   if (arguments.json) {
     fmt::print("{}", json);
@@ -262,7 +263,7 @@ void merge_convergence(const std::vector<BenchPart>& parts, const fs::path& fold
   MergedConvergence merged = merged_convergence(parts);
   const ConvergenceTables tables = tabulate(merged.measurements);
   const std::string text =
-      convergence_json(merged.plan, merged.measurements, tables, merged.machines);
+      convergence_json(program_facts(), merged.plan, merged.measurements, tables, merged.machines);
   write_results(folder,
                 {.measurements = std::move(merged.measurements), .crops = {}, .exposure_stops = {}},
                 tables, text);

@@ -3,12 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/statistics/normal.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
+
+namespace fs = std::filesystem;
 
 namespace foveola::analysis {
 namespace {
@@ -16,9 +24,9 @@ namespace {
 using BenchJson = nlohmann::ordered_json;
 
 /// The keys that distinguish the elements of an array.
-constexpr std::array<std::string_view, 12> identities = {
-    "name",   "kind",  "scene", "gaze",   "configuration", "region",
-    "metric", "level", "unit",  "method", "option",        "threads"};
+constexpr std::array<std::string_view, 14> identities = {
+    "name",  "kind", "scene",  "gaze",   "configuration", "region", "metric",
+    "level", "unit", "method", "option", "threads",       "what",   "claim"};
 
 bool is_identity(std::string_view key) {
   return std::find(identities.begin(), identities.end(), key) != identities.end();
@@ -28,6 +36,7 @@ struct BenchFigure {
   std::string place;
   double value = 0.0;
   std::optional<Interval> interval;
+  bool is_exact = false;
 };
 
 /// "threads=2", or the position where no key distinguishes it.
@@ -44,10 +53,11 @@ std::string identity_of(const BenchJson& element, std::size_t position) {
   return identity.empty() ? std::to_string(position) : identity;
 }
 
-/// {"value": 3, "low": 2, "high": 4}, or "median" for "value", is one figure; the ends may be null.
+/// {"value": 3, "low": 2, "high": 4}, or "median" or "percent" for "value", is one figure; the ends
+/// may be null.
 const BenchJson* estimated_value(const BenchJson& node) {
   if (node.is_object() && node.contains("low") && node.contains("high")) {
-    for (const char* key : {"value", "median"}) {
+    for (const char* key : {"value", "median", "percent"}) {
       if (const auto found = node.find(key); found != node.end() && found->is_number()) {
         return &*found;
       }
@@ -58,9 +68,9 @@ const BenchJson* estimated_value(const BenchJson& node) {
 
 void collect(const BenchJson& node, const std::string& place, std::vector<BenchFigure>& figures) {
   if (node.is_number()) {
-    figures.push_back({place, node.get<double>(), {}});
+    figures.push_back({place, node.get<double>(), {}, true});
   } else if (const BenchJson* value = estimated_value(node)) {
-    BenchFigure figure{place, value->get<double>(), {}};
+    BenchFigure figure{place, value->get<double>(), {}, false};
     if (node["low"].is_number() && node["high"].is_number()) {
       figure.interval = Interval{node["low"].get<double>(), node["high"].get<double>()};
     }
@@ -86,37 +96,51 @@ BenchJson parse(const std::string& text, const std::string& name) {
   return json;
 }
 
+bool is_of_figures(const BenchJson& value) {
+  return value.is_array() || estimated_value(value) != nullptr;
+}
+
 std::vector<BenchFigure> figures_of(const BenchJson& json) {
   std::vector<BenchFigure> figures;
   for (const auto& [key, value] : json.items()) {
-    if (value.is_array()) {
+    if (is_of_figures(value)) {
       collect(value, key, figures);
     }
   }
   return figures;
 }
 
-std::vector<std::string> differing_settings(const BenchJson& before, const BenchJson& after) {
-  std::vector<std::string> differing;
-  const auto text_of = [](const BenchJson& json, const std::string& key) {
-    const auto found = json.find(key);
-    return found != json.end() ? found->dump() : std::string("absent");
-  };
-  const auto compare = [&](const std::string& key) {
-    const std::string was = text_of(before, key);
-    const std::string is = text_of(after, key);
-    if (was != is) {
-      differing.push_back(fmt::format("{}: {}, now {}", key, was, is));
+/// The settings, those in objects as "plan.width".
+void collect_settings(const BenchJson& node, const std::string& place, BenchJson& settings) {
+  for (const auto& [key, value] : node.items()) {
+    if (is_of_figures(value) || (place.empty() && key == "date")) {
+      continue;
     }
-  };
-  for (const auto& [key, value] : before.items()) {
-    if (!value.is_array()) {
-      compare(key);
+    if (value.is_object()) {
+      collect_settings(value, place + key + ".", settings);
+    } else {
+      settings[place + key] = value;
     }
   }
-  for (const auto& [key, value] : after.items()) {
-    if (!value.is_array() && !before.contains(key)) {
-      compare(key);
+}
+
+std::vector<BenchDifference> differing_settings(const BenchJson& before, const BenchJson& after) {
+  BenchJson was = BenchJson::object();
+  BenchJson is = BenchJson::object();
+  collect_settings(before, "", was);
+  collect_settings(after, "", is);
+  std::vector<BenchDifference> differing;
+  for (const auto& [key, value] : was.items()) {
+    if (!is.contains(key)) {
+      differing.push_back({fmt::format("{}: {}, now absent", key, value.dump()), {}});
+    } else if (is.at(key) != value) {
+      differing.push_back(
+          {fmt::format("{}: {}, now {}", key, value.dump(), is.at(key).dump()), {}});
+    }
+  }
+  for (const auto& [key, value] : is.items()) {
+    if (!was.contains(key)) {
+      differing.push_back({fmt::format("{}: absent, now {}", key, value.dump()), {}});
     }
   }
   return differing;
@@ -133,10 +157,13 @@ BenchFigure magnitude(BenchFigure figure) {
   return figure;
 }
 
-std::optional<Interval> ratio_interval(const BenchFigure& before, const BenchFigure& after) {
+/// Intervals of 95 % are widened by a factor.
+std::optional<Interval> ratio_interval(const BenchFigure& before, const BenchFigure& after,
+                                       double widening) {
   const BenchFigure a = magnitude(before);
   const BenchFigure b = magnitude(after);
-  if (!a.interval || !b.interval || a.interval->low <= 0.0 || b.interval->low <= 0.0) {
+  if (before.value * after.value <= 0.0 || !a.interval || !b.interval || a.interval->low <= 0.0 ||
+      b.interval->low <= 0.0) {
     return std::nullopt;
   }
   const double ratio = b.value / a.value;
@@ -144,44 +171,201 @@ std::optional<Interval> ratio_interval(const BenchFigure& before, const BenchFig
       std::hypot(std::log(b.value / b.interval->low), std::log(a.interval->high / a.value));
   const double up =
       std::hypot(std::log(b.interval->high / b.value), std::log(a.value / a.interval->low));
-  return Interval{ratio * std::exp(-down), ratio * std::exp(up)};
+  return Interval{ratio * std::exp(-widening * down), ratio * std::exp(widening * up)};
 }
 
-}  // namespace
+/// Both must have an interval.
+Interval difference_interval(const BenchFigure& a, const BenchFigure& b, double widening) {
+  const double difference = b.value - a.value;
+  const double down = std::hypot(b.value - b.interval->low, a.interval->high - a.value);
+  const double up = std::hypot(b.interval->high - b.value, a.value - a.interval->low);
+  return {difference - widening * down, difference + widening * up};
+}
 
-BenchComparison compare_benches(const std::string& before, const std::string& before_name,
-                                const std::string& after, const std::string& after_name) {
-  const BenchJson before_json = parse(before, before_name);
-  const BenchJson after_json = parse(after, after_name);
-  const std::vector<BenchFigure> figures = figures_of(before_json);
-  std::vector<BenchFigure> others = figures_of(after_json);
-  BenchComparison comparison;
-  comparison.differing = differing_settings(before_json, after_json);
-  for (const BenchFigure& figure : figures) {
+bool is_outside(double value, const Interval& interval) {
+  return value < interval.low || value > interval.high;
+}
+
+/// Whether the figures differ by more than their intervals, so widened, allow.
+bool is_beyond(const BenchFigure& before, const BenchFigure& after, double widening) {
+  const std::optional<Interval> ratio = ratio_interval(before, after, widening);
+  return ratio ? is_outside(1.0, *ratio)
+               : is_outside(0.0, difference_interval(before, after, widening));
+}
+
+/// A figure of both runs.
+struct BenchPair {
+  BenchFigure before;
+  BenchFigure after;
+
+  BenchFigureKind kind() const {
+    if (before.is_exact && after.is_exact) {
+      return BenchFigureKind::exact;
+    }
+    return before.interval && after.interval ? BenchFigureKind::with_interval
+                                             : BenchFigureKind::without_interval;
+  }
+};
+
+BenchMove move_of(const BenchPair& pair, double widening) {
+  switch (pair.kind()) {
+    case BenchFigureKind::exact:
+      return pair.before.value != pair.after.value ? BenchMove::exactly : BenchMove::none;
+    case BenchFigureKind::without_interval:
+      return pair.before.value != pair.after.value ? BenchMove::without_interval : BenchMove::none;
+    case BenchFigureKind::with_interval:
+      break;
+  }
+  if (!is_beyond(pair.before, pair.after, 1.0)) {
+    return BenchMove::none;
+  }
+  return is_beyond(pair.before, pair.after, widening) ? BenchMove::together : BenchMove::alone;
+}
+
+BenchRatio judged(const BenchPair& pair, double widening) {
+  BenchRatio row{.figure = pair.before.place,
+                 .before = pair.before.value,
+                 .after = pair.after.value,
+                 .ratio = {},
+                 .interval = ratio_interval(pair.before, pair.after, 1.0),
+                 .together = ratio_interval(pair.before, pair.after, widening),
+                 .kind = pair.kind(),
+                 .move = move_of(pair, widening)};
+  if (pair.before.value * pair.after.value > 0.0) {
+    row.ratio = pair.after.value / pair.before.value;
+  }
+  return row;
+}
+
+/// What two outputs have in common; `prefix` comes before the figures' names.
+void pair_figures(const BenchJson& before, const BenchJson& after, const std::string& prefix,
+                  std::vector<BenchPair>& pairs, std::vector<std::string>& unmatched) {
+  std::vector<BenchFigure> others = figures_of(after);
+  for (BenchFigure& figure : figures_of(before)) {
     const auto other = std::find_if(others.begin(), others.end(),
                                     [&](const BenchFigure& o) { return o.place == figure.place; });
-    const bool has_ratio = other != others.end() && figure.value * other->value > 0.0;
-    if (has_ratio) {
-      comparison.ratios.push_back({.figure = figure.place,
-                                   .before = figure.value,
-                                   .after = other->value,
-                                   .ratio = other->value / figure.value,
-                                   .interval = ratio_interval(figure, *other)});
-    } else {
-      comparison.unmatched.push_back(figure.place);
+    figure.place.insert(0, prefix);
+    if (other == others.end()) {
+      unmatched.push_back(figure.place);
+      continue;
     }
-    if (other != others.end()) {
-      others.erase(other);
-    }
+    pairs.push_back({std::move(figure), std::move(*other)});
+    others.erase(other);
   }
   for (const BenchFigure& other : others) {
-    comparison.unmatched.push_back(other.place);
+    unmatched.push_back(prefix + other.place);
   }
+}
+
+constexpr double level = 0.95;
+
+void judge(const std::vector<BenchPair>& pairs, BenchComparison& comparison) {
+  const auto count = std::count_if(pairs.begin(), pairs.end(), [](const BenchPair& pair) {
+    return pair.kind() == BenchFigureKind::with_interval;
+  });
+  comparison.level_of_each = std::pow(level, 1.0 / static_cast<double>(std::max(count, 1L)));
+  const double widening =
+      normal_two_sided_quantile(comparison.level_of_each) / normal_two_sided_quantile(level);
+  for (const BenchPair& pair : pairs) {
+    comparison.ratios.push_back(judged(pair, widening));
+  }
+}
+
+void require_figures(const BenchComparison& comparison, const std::string& before_name,
+                     const std::string& after_name) {
   if (comparison.ratios.empty()) {
     throw Error(after_name, "has no figure in common with " + before_name,
                 "compare two outputs of the same bench command");
   }
+}
+
+/// The names of the .json files in a folder, in alphabetical order.
+std::vector<std::string> outputs_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> names_missing(const std::vector<std::string>& names,
+                                       const std::vector<std::string>& others) {
+  std::vector<std::string> missing;
+  std::set_difference(names.begin(), names.end(), others.begin(), others.end(),
+                      std::back_inserter(missing));
+  return missing;
+}
+
+void add_differences(const std::vector<BenchDifference>& found, const std::string& file,
+                     std::vector<BenchDifference>& all) {
+  for (const BenchDifference& difference : found) {
+    auto known = std::find_if(all.begin(), all.end(), [&](const BenchDifference& other) {
+      return other.text == difference.text;
+    });
+    if (known == all.end()) {
+      known = all.insert(all.end(), difference);
+    }
+    known->files.push_back(file);
+  }
+}
+
+BenchComparison compare_folders(const fs::path& before, const fs::path& after) {
+  const std::vector<std::string> were = outputs_in(before);
+  const std::vector<std::string> are = outputs_in(after);
+  BenchComparison comparison;
+  comparison.only_before = names_missing(were, are);
+  comparison.only_after = names_missing(are, were);
+  std::vector<BenchPair> pairs;
+  for (const std::string& name : names_missing(were, comparison.only_before)) {
+    const BenchJson was = parse(read_file(before / name), (before / name).string());
+    const BenchJson is = parse(read_file(after / name), (after / name).string());
+    pair_figures(was, is, fs::path(name).stem().string() + ": ", pairs, comparison.unmatched);
+    add_differences(differing_settings(was, is), name, comparison.differing);
+  }
+  judge(pairs, comparison);
+  require_figures(comparison, before.string(), after.string());
   return comparison;
+}
+
+}  // namespace
+
+std::size_t BenchComparison::count(BenchFigureKind kind) const {
+  return static_cast<std::size_t>(std::count_if(
+      ratios.begin(), ratios.end(), [kind](const BenchRatio& row) { return row.kind == kind; }));
+}
+
+std::vector<BenchRatio> BenchComparison::moved(BenchMove move) const {
+  std::vector<BenchRatio> rows;
+  std::copy_if(ratios.begin(), ratios.end(), std::back_inserter(rows),
+               [move](const BenchRatio& row) { return row.move == move; });
+  return rows;
+}
+
+BenchComparison compare_benches(const std::string& before, const std::string& before_name,
+                                const std::string& after, const std::string& after_name) {
+  const BenchJson was = parse(before, before_name);
+  const BenchJson is = parse(after, after_name);
+  BenchComparison comparison;
+  std::vector<BenchPair> pairs;
+  pair_figures(was, is, "", pairs, comparison.unmatched);
+  comparison.differing = differing_settings(was, is);
+  judge(pairs, comparison);
+  require_figures(comparison, before_name, after_name);
+  return comparison;
+}
+
+BenchComparison compare_bench_files(const std::string& before, const std::string& after) {
+  std::error_code ignored;
+  const bool was_folder = fs::is_directory(before, ignored);
+  if (was_folder != fs::is_directory(after, ignored)) {
+    throw Error(was_folder ? after : before, "is no folder, and the other one is",
+                "compare two files, or two folders");
+  }
+  return was_folder ? compare_folders(before, after)
+                    : compare_benches(read_file(before), before, read_file(after), after);
 }
 
 }  // namespace foveola::analysis

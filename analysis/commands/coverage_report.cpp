@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/commands/bench_facts.h"
 
 namespace foveola::analysis {
 
@@ -35,7 +36,7 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
   }
 }
 
-void print_json(nlohmann::ordered_json about, const std::vector<CoverageFigure>& figures) {
+void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageFigure>& figures) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const CoverageFigure& figure : figures) {
     nlohmann::ordered_json row = {
@@ -50,9 +51,11 @@ void print_json(nlohmann::ordered_json about, const std::vector<CoverageFigure>&
     }
     rows.push_back(std::move(row));
   }
-  about["participant_kind"] = "simulated";
-  about["figures"] = std::move(rows);
-  fmt::print("{}\n", about.dump(2));
+  nlohmann::ordered_json json = bench_facts();
+  json.update(about);
+  json["participant_kind"] = "simulated";
+  json["figures"] = std::move(rows);
+  fmt::print("{}\n", json.dump(2));
 }
 
 void require_all(const std::vector<CoverageFigure>& figures) {

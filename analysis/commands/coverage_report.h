@@ -18,7 +18,7 @@ void print_figure(const CoverageFigure& figure, std::size_t width);
 void print_table(const CoverageSettings& settings, const std::vector<CoverageFigure>& figures);
 
 /// One object on standard output: what is in `about`, then the figures.
-void print_json(nlohmann::ordered_json about, const std::vector<CoverageFigure>& figures);
+void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageFigure>& figures);
 
 /// Throws Error for the first figure that lies outside its required range.
 void require_all(const std::vector<CoverageFigure>& figures);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/csv.h"
 #include "renderer/measure/error_metrics.h"
 
@@ -152,11 +151,6 @@ json crops_json(const ConvergencePlan& plan) {
   return {{"seconds", plan.crop_seconds}, {"fov_deg", plan.crop_fov_deg}, {"left_to_right", order}};
 }
 
-json this_machine_json() {
-  const MachineInfo machine = machine_info();
-  return {{"processor", machine.processor}, {"cores", machine.cores}};
-}
-
 json machines_json(const std::vector<MeasuringMachine>& machines) {
   json list = json::array();
   for (const MeasuringMachine& machine : machines) {
@@ -285,14 +279,14 @@ std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measur
           {"overall.csv", overall_csv(tables)}};
 }
 
-std::string convergence_json(const ConvergencePlan& plan,
+std::string convergence_json(const nlohmann::ordered_json& facts, const ConvergencePlan& plan,
                              const std::vector<GazeMeasurement>& measurements,
                              const ConvergenceTables& tables,
                              const std::vector<MeasuringMachine>& machines) {
-  json result = {{"version", build_info().version},
-                 {"compiler", build_info().compiler},
-                 {"instruction_set", build_info().instruction_set}};
-  result.update(machines.empty() ? this_machine_json() : machines_json(machines));
+  json result = facts;
+  if (!machines.empty()) {
+    result.update(machines_json(machines));
+  }
   result.update({{"baseline", plan.configurations.front().name},
                  {"plan", plan_json(plan)},
                  {"crops", machines.empty() ? crops_json(plan) : json(nullptr)},

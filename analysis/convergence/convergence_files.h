@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "analysis/convergence/convergence_tables.h"
 #include "analysis/tables/text_file.h"
 
@@ -23,10 +25,10 @@ struct MeasuringMachine {
   std::vector<std::string> repetitions;  ///< "0 to 3 of arcade at 0,0"
 };
 
-/// The tables with the plan, the program and this machine, as a JSON object; every estimate is
-/// {"value", "low", "high"}, or null. With `machines`, those of all parts, in place of this
-/// machine; then there are no crops.
-std::string convergence_json(const ConvergencePlan& plan,
+/// The tables with the plan, as a JSON object that begins with `facts`: the program's, and the
+/// machine's unless there are `machines`, those of all parts; then there are no crops. Every
+/// estimate is {"value", "low", "high"}, or null.
+std::string convergence_json(const nlohmann::ordered_json& facts, const ConvergencePlan& plan,
                              const std::vector<GazeMeasurement>& measurements,
                              const ConvergenceTables& tables,
                              const std::vector<MeasuringMachine>& machines = {});

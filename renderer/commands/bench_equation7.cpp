@@ -3,12 +3,14 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/commands/bench_facts.h"
 #include "renderer/view/equation7_errors.h"
 
 namespace foveola {
@@ -103,7 +105,9 @@ void print_json() {
                     {"where", figure.where},
                     {"published", figure.published}});
   }
-  fmt::print("{}\n", nlohmann::ordered_json{{"figures", list}}.dump(2));
+  nlohmann::ordered_json json = bench_facts();
+  json["figures"] = std::move(list);
+  fmt::print("{}\n", json.dump(2));
 }
 
 }  // namespace

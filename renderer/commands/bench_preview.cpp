@@ -11,10 +11,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_facts.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/warnings.h"
@@ -111,14 +111,11 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
 
 /// The run's figures, with what was asked for and the machine it ran on.
 Json json_of(const PreviewRun& run, const PreviewArguments& arguments) {
-  Json json = {{"version", build_info().version},
-               {"compiler", build_info().compiler},
-               {"instruction_set", build_info().instruction_set},
-               {"processor", machine_info().processor},
-               {"scene", arguments.scene},
+  Json json = bench_facts();
+  json.update({{"scene", arguments.scene},
                {"method", arguments.method},
                {"size", arguments.size},
-               {"view", arguments.view}};
+               {"view", arguments.view}});
   json.update(preview_json(run));
   return json;
 }

@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/bench_density.h"
+#include "renderer/commands/bench_facts.h"
 #include "renderer/commands/medians.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/image/image_file.h"
@@ -162,11 +162,8 @@ void run(const std::vector<std::string>& methods, bool as_json) {
     entry.update(json_of(figure.median));
     list.push_back(entry);
   }
-  const nlohmann::ordered_json json = {{"version", build_info().version},
-                                       {"compiler", build_info().compiler},
-                                       {"instruction_set", build_info().instruction_set},
-                                       {"processor", machine_info().processor},
-                                       {"figures", list}};
+  nlohmann::ordered_json json = bench_facts();
+  json["figures"] = std::move(list);
   fmt::print("{}\n", json.dump(2));
 }
 

@@ -12,11 +12,11 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/bench_facts.h"
 #include "renderer/stability/finite_radiance.h"
 #include "renderer/stability/stability.h"
 
@@ -96,7 +96,7 @@ void print_json(const std::vector<StabilityFigure>& figures, nlohmann::json abou
   for (const StabilityFigure& figure : figures) {
     list.push_back(json_of(figure));
   }
-  about["version"] = build_info().version;
+  about.update(nlohmann::json(bench_facts()));
   about["figures"] = std::move(list);
   fmt::print("{}\n", about.dump(2));
 }
@@ -142,7 +142,7 @@ void run_stability(const StabilityArguments& arguments, const std::vector<SceneS
   }
   const double duration_s = seconds(clock.now() - start);
   if (arguments.json) {
-    print_json(figures, {{"threads", workers.threads()}, {"seconds", duration_s}});
+    print_json(figures, {{"threads", workers.threads()}, {"seconds", measured_once(duration_s)}});
   } else {
     print_table(figures, duration_s);
   }
@@ -259,7 +259,7 @@ void merge_stability(const std::vector<BenchPart>& parts, bool json) {
   });
   const std::vector<StabilityFigure> figures = {figure_of(all, scenes)};
   if (json) {
-    print_json(figures, {{"parts", parts.size()}, {"seconds", duration_s}});
+    print_json(figures, {{"parts", parts.size()}, {"seconds", measured_once(duration_s)}});
   } else {
     print_table(figures, duration_s);
   }

@@ -16,6 +16,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_facts.h"
 #include "renderer/commands/former_option.h"
 #include "renderer/commands/medians.h"
 #include "renderer/commands/scene_file_options.h"
@@ -73,11 +74,11 @@ std::size_t fastest_of(const EmbreeRepetitions& repetitions) {
 EmbreeFigure figure_of(const char* kind, const EmbreeRepetitions& repetitions) {
   EmbreeFigure figure{.kind = kind, .entry_point = "", .all = {}};
   for (std::size_t i = 0; i < repetitions.entry_points.size(); ++i) {
-    figure.all.push_back({repetitions.entry_points[i], median_of(repetitions.seconds[i]).value});
+    figure.all.emplace_back(repetitions.entry_points[i], median_of(repetitions.seconds[i]));
   }
-  const EmbreeTime& fastest = figure.all[fastest_of(repetitions)];
-  figure.entry_point = fastest.entry_point;
-  figure.seconds = fastest.seconds;
+  const auto& [entry_point, time_s] = figure.all[fastest_of(repetitions)];
+  figure.entry_point = entry_point;
+  figure.seconds = time_s.value;
   return figure;
 }
 
@@ -242,7 +243,9 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   }
   const std::vector<double> embree_s = embree_seconds(embree);
   figures.seconds = median_of(render_s);
-  figures.sampling_seconds = median_of(sampling_s).value;
+  figures.sampling_seconds = median_of(sampling_s);
+  figures.sampling_share =
+      median_of(ratios(sampling_s, render_s)) * (1.0 / static_cast<double>(figures.threads));
   figures.ratio_to_embree = median_of(ratios(render_s, embree_s));
   figures.embree_seconds = median_of(embree_s);
   if (with_general) {
@@ -259,19 +262,15 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
   for (const TracingFigures& figures : runs) {
     list.push_back(json_of(figures, settings.budget.samples));
   }
-  const nlohmann::ordered_json json = {{"version", build_info().version},
-                                       {"compiler", build_info().compiler},
-                                       {"instruction_set", build_info().instruction_set},
-                                       {"ray_tracer", build_info().ray_tracer},
-                                       {"processor", machine_info().processor},
-                                       {"scene", arguments.scene},
-                                       {"method", settings.method},
-                                       {"width", settings.progressive.film_size.x},
-                                       {"height", settings.progressive.film_size.y},
-                                       {"max_depth", settings.progressive.trace.max_depth},
-                                       {"paths", settings.budget.samples},
-                                       {"repetitions", arguments.repetitions},
-                                       {"runs", list}};
+  nlohmann::ordered_json json = bench_facts();
+  json.update({{"scene", arguments.scene},
+               {"method", settings.method},
+               {"width", settings.progressive.film_size.x},
+               {"height", settings.progressive.film_size.y},
+               {"max_depth", settings.progressive.trace.max_depth},
+               {"paths", settings.budget.samples},
+               {"repetitions", arguments.repetitions},
+               {"runs", std::move(list)}});
   fmt::print("{}\n", json.dump(2));
 }
 

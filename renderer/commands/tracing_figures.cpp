@@ -10,13 +10,13 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
   for (const RayKind& kind : ray_kinds) {
     rays[kind.name] = figures.rays.*kind.count;
     rays_per_second[kind.name] =
-        static_cast<double>(figures.rays.*kind.count) / figures.seconds.value;
+        json_of(static_cast<double>(figures.rays.*kind.count) / figures.seconds);
   }
   nlohmann::ordered_json embree;
   for (const EmbreeFigure& figure : figures.embree) {
     nlohmann::ordered_json all;
-    for (const EmbreeTime& time : figure.all) {
-      all[time.entry_point] = time.seconds;
+    for (const auto& [entry_point, time_s] : figure.all) {
+      all[entry_point] = json_of(time_s);
     }
     embree[figure.kind] = {{"fastest", figure.entry_point}, {"seconds", all}};
   }
@@ -33,8 +33,9 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
           {"paths_per_second", json_of(static_cast<double>(paths) / figures.seconds)},
           {"rays", rays},
           {"rays_per_second", rays_per_second},
-          {"sampling_ns_per_path", 1e9 * figures.sampling_seconds / static_cast<double>(paths)},
-          {"sampling_share", figures.sampling_share()},
+          {"sampling_ns_per_path",
+           json_of(figures.sampling_seconds * (1e9 / static_cast<double>(paths)))},
+          {"sampling_share", json_of(figures.sampling_share)},
           {"embree_seconds", json_of(figures.embree_seconds)},
           {"ratio_to_embree", json_of(figures.ratio_to_embree)},
           {"embree", embree}};
@@ -62,8 +63,8 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
         figures.ratio_to_embree.value, interval_text(figures.ratio_to_embree),
         runs.front().seconds.value / time_s);
     fmt::print("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
-               1e9 * figures.sampling_seconds / static_cast<double>(paths),
-               100.0 * figures.sampling_share());
+               1e9 * figures.sampling_seconds.value / static_cast<double>(paths),
+               100.0 * figures.sampling_share.value);
     if (figures.general) {
       fmt::print(
           "  the general path takes {:.2f}{} times as long; {:.2f} % of its picture's pixels "

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +34,7 @@ struct EmbreeFigure {
   std::string kind;
   std::string entry_point;  ///< the fastest
   double seconds = 0.0;
-  std::vector<EmbreeTime> all;
+  std::vector<std::pair<std::string, Median>> all;  ///< seconds by entry point
 };
 
 /// The general path compared with the fast path.
@@ -49,15 +50,13 @@ struct TracingFigures {
   int threads = 0;
   std::vector<std::string> warnings;  ///< what loading the scene warned of
   Median seconds;                     ///< seconds for all paths: sampled, traced and filmed
-  double sampling_seconds = 0.0;      ///< seconds for points and directions alone, on one thread
+  Median sampling_seconds;            ///< seconds for points and directions alone, on one thread
+  Median sampling_share;              ///< the part of the time of all threads that draws directions
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
   Median embree_seconds;   ///< seconds for the same rays, each kind by its fastest entry point
   Median ratio_to_embree;  ///< median over the repetitions, both measured in the same one
   std::optional<GeneralFigures> general;
-
-  /// The part of the time of all threads that draws directions.
-  double sampling_share() const { return sampling_seconds / (threads * seconds.value); }
 };
 
 /// paths: the number of paths of each repetition.

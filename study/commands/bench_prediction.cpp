@@ -8,6 +8,7 @@
 
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
+#include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/protocol/protocol.h"
 #include "study/simulation/prediction_agreement.h"
@@ -85,11 +86,12 @@ void run_bench(const BenchArguments& arguments, const SceneFinderBeside& find_sc
   const std::vector<MarkAgreement> agreements = prediction_agreement(
       read_study(folder / "rendered.sqlite"), read_study(folder / "predicted.sqlite"));
   if (arguments.json) {
-    const nlohmann::json report = {{"scale", arguments.scale},
-                                   {"seed", arguments.seed},
-                                   {"rendered_sessions_wall_seconds", rendered.sessions_wall_s},
-                                   {"predicted_sessions_wall_seconds", predicted.sessions_wall_s},
-                                   {"agreement", json_of(agreements)}};
+    nlohmann::ordered_json report = bench_facts();
+    report.update({{"scale", arguments.scale},
+                   {"seed", arguments.seed},
+                   {"rendered_sessions_wall_seconds", measured_once(rendered.sessions_wall_s)},
+                   {"predicted_sessions_wall_seconds", measured_once(predicted.sessions_wall_s)},
+                   {"agreement", json_of(agreements)}});
     fmt::print("{}\n", report.dump(2));
   } else {
     fmt::print("{}", text_of(agreements));

@@ -13,6 +13,7 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/participant/population_file.h"
 #include "study/protocol/protocol.h"
@@ -182,11 +183,12 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinderBeside& f
   }
   const std::vector<Outcome> outcomes = simulate_all(arguments, find_scene, stop);
   if (arguments.json) {
-    const nlohmann::json report = {{"simulated", true},
-                                   {"scale", arguments.scale},
-                                   {"seed", arguments.seed},
-                                   {"participants", arguments.participants},
-                                   {"outcomes", json_of(outcomes)}};
+    nlohmann::ordered_json report = bench_facts();
+    report.update({{"simulated", true},
+                   {"scale", arguments.scale},
+                   {"seed", arguments.seed},
+                   {"participants", arguments.participants},
+                   {"outcomes", json_of(outcomes)}});
     fmt::print("{}\n", report.dump(2));
   } else {
     fmt::print(

@@ -98,7 +98,14 @@ TEST(BenchCompare, PrintsRatiosOfWhatABenchPrinted) {
     EXPECT_LE(ratio["low"].get<double>(), 0.5);
     EXPECT_GE(ratio["high"].get<double>(), 0.5);
   }
-  EXPECT_THAT(run_foveola({"bench", "compare", before, before}).output, HasSubstr("1.000"));
+  const std::string same = run_foveola({"bench", "compare", before, before}).output;
+  EXPECT_THAT(same, HasSubstr("Moved: 0 of 7 figures with intervals"));
+  EXPECT_THAT(same, HasSubstr("Stayed: 7 of 7 figures\n"));
+  EXPECT_THAT(run_foveola({"bench", "compare", before, before, "--all"}).output,
+              HasSubstr("1.000"));
+  EXPECT_FALSE(later.at("processor").get<std::string>().empty());
+  EXPECT_GT(later.at("memory_gb"), 0.0);
+  EXPECT_EQ(later.at("date").get<std::string>().size(), 10U);
   EXPECT_EQ(run_foveola({"bench", "compare", before, (folder / "none.json").string()}).exit_code,
             1);
 }
@@ -165,9 +172,9 @@ TEST(Bench, TracingIsMeasuredAgainstEmbreeAlone) {
     EXPECT_NEAR(run["general_path"]["relative_mean"], 1.0, 0.01);
     EXPECT_EQ(run["rays"], json["runs"][0]["rays"]);
     EXPECT_GE(run["rays"]["primary"], 20000);
-    EXPECT_GT(run["rays_per_second"]["shadow"], 0.0);
-    for (const char* figure :
-         {"seconds", "paths_per_second", "embree_seconds", "ratio_to_embree"}) {
+    EXPECT_GT(run["rays_per_second"]["shadow"]["low"], 0.0);
+    for (const char* figure : {"seconds", "paths_per_second", "embree_seconds", "ratio_to_embree",
+                               "sampling_ns_per_path", "sampling_share"}) {
       const auto& median = run[figure];
       EXPECT_GT(median["low"], 0.0) << figure;
       EXPECT_LE(median["low"], median["median"]) << figure;
