@@ -4,17 +4,6 @@
 #include <utility>
 
 namespace foveola {
-namespace {
-
-thread_local TomlKeys* innermost = nullptr;
-
-}  // namespace
-
-TomlKeys::TomlKeys() : outer_(std::exchange(innermost, this)) {}
-
-TomlKeys::~TomlKeys() { innermost = outer_; }
-
-TomlKeys* TomlKeys::listening() { return innermost; }
 
 std::vector<TomlKey> TomlKeys::keys() const {
   std::vector<TomlKey> keys;
@@ -24,7 +13,7 @@ std::vector<TomlKey> TomlKeys::keys() const {
       continue;
     }
     TomlKey key = account.key;
-    const auto tables = finished_.find({key.file, key.table});
+    const auto tables = finished_.find(key.table);
     key.is_required = account.required >= account.asked && tables != finished_.end() &&
                       account.tables == tables->second;
     key.is_sometimes_required = !key.is_required && account.required > 0;
@@ -37,9 +26,8 @@ std::vector<TomlKey> TomlKeys::keys() const {
   return keys;
 }
 
-void TomlKeys::asked(const std::string& file, const std::string& table, std::string_view key,
-                     const TomlKeyRule& rule) {
-  Account& account = account_of(file, table, key);
+void TomlKeys::asked(const std::string& table, std::string_view key, const TomlKeyRule& rule) {
+  Account& account = account_of(table, key);
   ++account.asked;
   if (!std::exchange(account.is_awaited, false)) {
     account.defaults.insert(rule.default_text);
@@ -55,31 +43,28 @@ void TomlKeys::asked(const std::string& file, const std::string& table, std::str
   account.key.words = rule.words;
 }
 
-void TomlKeys::finished(const std::string& file, const std::string& table,
-                        const std::set<std::string, std::less<>>& asked) {
-  ++finished_[{file, table}];
+void TomlKeys::finished(const std::string& table, const std::set<std::string, std::less<>>& asked) {
+  ++finished_[table];
   for (const std::string& key : asked) {
-    ++account_of(file, table, key).tables;
+    ++account_of(table, key).tables;
   }
 }
 
-void TomlKeys::required(const std::string& file, const std::string& table, std::string_view key) {
-  Account& account = account_of(file, table, key);
+void TomlKeys::required(const std::string& table, std::string_view key) {
+  Account& account = account_of(table, key);
   ++account.required;
   account.is_awaited = true;
 }
 
-void TomlKeys::called_formerly(const std::string& file, const std::string& table,
-                               std::string_view key, std::string_view former) {
-  account_of(file, table, key).key.former = former;
+void TomlKeys::called_formerly(const std::string& table, std::string_view key,
+                               std::string_view former) {
+  account_of(table, key).key.former = former;
 }
 
-TomlKeys::Account& TomlKeys::account_of(const std::string& file, const std::string& table,
-                                        std::string_view key) {
-  const auto [place, is_new] =
-      places_.try_emplace({file, table, std::string(key)}, accounts_.size());
+TomlKeys::Account& TomlKeys::account_of(const std::string& table, std::string_view key) {
+  const auto [place, is_new] = places_.try_emplace({table, std::string(key)}, accounts_.size());
   if (is_new) {
-    accounts_.push_back({.key = {.file = file, .table = table, .key = std::string(key)}});
+    accounts_.push_back({.key = {.table = table, .key = std::string(key)}});
   }
   return accounts_[place->second];
 }

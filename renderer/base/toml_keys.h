@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,6 @@ struct TomlKeyRule {
 
 /// A key that readers asked for.
 struct TomlKey {
-  std::string file;   ///< as the reader has it for messages
   std::string table;  ///< "tracker.validation", also of each of a list of tables; empty: the file
   std::string key;
   std::vector<std::string> types;  ///< in the order of asking; any of them will do
@@ -40,28 +38,17 @@ struct TomlKey {
   std::string former;  ///< the name that it had in earlier versions; may be empty
 };
 
-/// While one lives, the TOML readers of its thread tell it what they ask for.
+/// What the readers of files of one kind asked for: each is given it, and tells it.
 class TomlKeys {
  public:
-  TomlKeys();
-  ~TomlKeys();
-  TomlKeys(const TomlKeys&) = delete;
-  TomlKeys& operator=(const TomlKeys&) = delete;
-
-  /// The one that the thread's readers tell; null if there is none.
-  static TomlKeys* listening();
-
   /// In the order in which they were first asked for.
   std::vector<TomlKey> keys() const;
 
-  void asked(const std::string& file, const std::string& table, std::string_view key,
-             const TomlKeyRule& rule);
+  void asked(const std::string& table, std::string_view key, const TomlKeyRule& rule);
   /// All of a table was read, for which the reader asked for these keys.
-  void finished(const std::string& file, const std::string& table,
-                const std::set<std::string, std::less<>>& asked);
-  void required(const std::string& file, const std::string& table, std::string_view key);
-  void called_formerly(const std::string& file, const std::string& table, std::string_view key,
-                       std::string_view former);
+  void finished(const std::string& table, const std::set<std::string, std::less<>>& asked);
+  void required(const std::string& table, std::string_view key);
+  void called_formerly(const std::string& table, std::string_view key, std::string_view former);
 
  private:
   struct Account {
@@ -72,12 +59,11 @@ class TomlKeys {
     int required = 0;
     int tables = 0;  ///< that were finished and asked for it
   };
-  Account& account_of(const std::string& file, const std::string& table, std::string_view key);
+  Account& account_of(const std::string& table, std::string_view key);
 
   std::vector<Account> accounts_;
-  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places_;
-  std::map<std::pair<std::string, std::string>, int> finished_;  ///< by file and table
-  TomlKeys* outer_;
+  std::map<std::pair<std::string, std::string>, std::size_t> places_;  ///< by table and key
+  std::map<std::string, int> finished_;                                ///< by table
 };
 
 }  // namespace foveola

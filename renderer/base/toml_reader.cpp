@@ -159,15 +159,16 @@ std::vector<std::string> toml_names_if_any(const fs::path& folder) {
   return fs::is_directory(folder, ignored) ? toml_names_in(folder) : std::vector<std::string>();
 }
 
-TomlReader::TomlReader(std::string file, const toml::table& table, std::string name)
+TomlReader::TomlReader(std::string file, const toml::table& table, std::string name, TomlKeys* keys)
     : file_(std::move(file)),
       table_(&table),
       name_(std::move(name)),
+      keys_(keys),
       notes_(std::make_shared<std::vector<std::string>>()) {}
 
 std::string_view TomlReader::present_name(std::string_view key, std::string_view former) {
-  if (TomlKeys* const keys = TomlKeys::listening()) {
-    keys->called_formerly(file_, name_, key, former);
+  if (keys_ != nullptr) {
+    keys_->called_formerly(name_, key, former);
   }
   if (has(key) || !has(former)) {
     return key;
@@ -410,8 +411,8 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
 }
 
 void TomlReader::reject_unknown_keys() const {
-  if (TomlKeys* const keys = TomlKeys::listening()) {
-    keys->finished(file_, name_, asked_);
+  if (keys_ != nullptr) {
+    keys_->finished(name_, asked_);
   }
   for (auto&& [key, node] : *table_) {
     if (!asked_.contains(key.str())) {
@@ -428,22 +429,22 @@ void TomlReader::fail(const toml::source_region& source, const std::string& what
 }
 
 TomlReader TomlReader::inner(const toml::table& table, std::string_view key) const {
-  TomlReader reader(file_, table, full_name(key));
+  TomlReader reader(file_, table, full_name(key), keys_);
   reader.notes_ = notes_;
   return reader;
 }
 
 const toml::node* TomlReader::find(std::string_view key, const TomlKeyRule& rule) {
   asked_.emplace(key);
-  if (TomlKeys* const keys = TomlKeys::listening()) {
-    keys->asked(file_, name_, key, rule);
+  if (keys_ != nullptr) {
+    keys_->asked(name_, key, rule);
   }
   return table_->get(key);
 }
 
 void TomlReader::note_required(std::string_view key) const {
-  if (TomlKeys* const keys = TomlKeys::listening()) {
-    keys->required(file_, name_, key);
+  if (keys_ != nullptr) {
+    keys_->required(name_, key);
   }
 }
 

@@ -45,8 +45,10 @@ struct Word {
 /// Error where it has another type or lies out of range.
 class TomlReader {
  public:
-  /// `name` is the table's, for messages; empty for the file itself.
-  TomlReader(std::string file, const toml::table& table, std::string name);
+  /// `name` is the table's, for messages; empty for the file itself. keys: is told what is asked
+  /// for, of this table and of those in it, and must outlive them; null: nobody is.
+  TomlReader(std::string file, const toml::table& table, std::string name,
+             TomlKeys* keys = nullptr);
 
   void read(std::string_view key, std::string& value);
   void read(std::string_view key, bool& value);
@@ -140,6 +142,7 @@ class TomlReader {
   std::string file_;
   const toml::table* table_;
   std::string name_;
+  TomlKeys* keys_;
   std::set<std::string, std::less<>> asked_;
   std::shared_ptr<std::vector<std::string>> notes_;  ///< shared by all tables of the file
 };

@@ -235,9 +235,10 @@ auto read_profile(std::string_view folder, const std::string& name_or_path, cons
 
 /// Reads a profile that was kept with `from`.
 template <typename From>
-auto profile_in(const std::string& toml, const std::string& where, const From& from) {
+auto profile_in(const std::string& toml, const std::string& where, const From& from,
+                TomlKeys* keys) {
   const toml::table content = parse_toml(where, toml, "restore it from a copy");
-  auto profile = from(TomlReader(where, content, ""));
+  auto profile = from(TomlReader(where, content, "", keys));
   profile.toml = toml;
   return profile;
 }
@@ -271,12 +272,14 @@ TrackerProfile read_tracker_profile(const std::string& name_or_path) {
   return tracker;
 }
 
-DisplayProfile display_profile_in(const std::string& toml, const std::string& where) {
-  return profile_in(toml, where, display_from);
+DisplayProfile display_profile_in(const std::string& toml, const std::string& where,
+                                  TomlKeys* keys) {
+  return profile_in(toml, where, display_from, keys);
 }
 
-TrackerProfile tracker_profile_in(const std::string& toml, const std::string& where) {
-  return profile_in(toml, where, tracker_from);
+TrackerProfile tracker_profile_in(const std::string& toml, const std::string& where,
+                                  TomlKeys* keys) {
+  return profile_in(toml, where, tracker_from, keys);
 }
 
 std::vector<std::string> tracker_profile_names() { return toml_names_in(profile_folder(trackers)); }

@@ -20,6 +20,7 @@
 
 namespace foveola {
 
+class TomlKeys;
 class TomlReader;
 
 /// What a display was found to be with instruments; what was not measured is empty.
@@ -98,8 +99,10 @@ DisplayProfile read_display_profile(const std::string& name_or_path);
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
 
 /// Profiles from texts that were kept, without a name; `where` names them in messages.
-DisplayProfile display_profile_in(const std::string& toml, const std::string& where);
-TrackerProfile tracker_profile_in(const std::string& toml, const std::string& where);
+DisplayProfile display_profile_in(const std::string& toml, const std::string& where,
+                                  TomlKeys* keys = nullptr);
+TrackerProfile tracker_profile_in(const std::string& toml, const std::string& where,
+                                  TomlKeys* keys = nullptr);
 
 /// The program's own, in alphabetical order.
 std::vector<std::string> tracker_profile_names();

@@ -70,14 +70,14 @@ fs::path find_protocol(const std::string& name_or_path) {
 
 Protocol load_protocol(const fs::path& path) { return read_protocol(read_toml_file(path), path); }
 
-Protocol read_protocol(const std::string& text, const fs::path& path) {
+Protocol read_protocol(const std::string& text, const fs::path& path, TomlKeys* keys) {
   Protocol protocol;
   protocol.path = path;
   protocol.text = text;
   protocol.sha256 = sha256(std::string_view(text));
   const toml::table table =
       parse_toml(path.string(), text, "see protocols/demo.toml for an example");
-  TomlReader reader(path.string(), table, "");
+  TomlReader reader(path.string(), table, "", keys);
   refuse_old_tables(reader, table);
   protocol.name = reader.require_text("name");
   protocol.title = reader.require_text("title");

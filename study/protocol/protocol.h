@@ -263,8 +263,9 @@ std::filesystem::path find_protocol(const std::string& name_or_path);
 Protocol load_protocol(const std::filesystem::path& path);
 
 /// Reads a protocol from a text that was kept; `path` is that of its file, for messages and for the
-/// files that it names.
-Protocol read_protocol(const std::string& text, const std::filesystem::path& path);
+/// files that it names. keys: see TomlReader.
+Protocol read_protocol(const std::string& text, const std::filesystem::path& path,
+                       TomlKeys* keys = nullptr);
 
 /// Reads of a study's protocol what its analysis needs, and what no file on this machine can
 /// change: scenes, methods, film and timing, orders, marks, ratings, practice and catch trials,

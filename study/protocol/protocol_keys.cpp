@@ -12,16 +12,13 @@ namespace {
 
 /// What the readers ask for in files with these tables.
 std::vector<TomlKey> keys_read(const std::vector<SchemaTable>& tables) {
-  const TomlKeys listener;
+  TomlKeys keys;
   for (const SchemaTable& table : tables) {
     for (const SchemaJson& example : table.examples) {
-      table.complaint(example);
+      table.complaint(example, &keys);
     }
   }
-  std::vector<TomlKey> keys = listener.keys();
-  // Not those of other files that an example names.
-  std::erase_if(keys, [](const TomlKey& key) { return key.file != schema_file_name; });
-  return keys;
+  return keys.keys();
 }
 
 DescribedKey described(const TomlKey& key, const SchemaJson& property) {

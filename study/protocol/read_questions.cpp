@@ -279,11 +279,12 @@ std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
   return questions;
 }
 
-Questionnaire read_questionnaire_file(const std::string& name, const std::string& toml) {
+Questionnaire read_questionnaire_file(const std::string& name, const std::string& toml,
+                                      TomlKeys* keys) {
   Questionnaire questionnaire{.file = name, .toml = toml};
   const toml::table content =
       parse_toml(name, toml, fmt::format("see those in {}", ready_questionnaires().string()));
-  TomlReader reader(name, content, "");
+  TomlReader reader(name, content, "", keys);
   reader.require("title");
   reader.require("question");
   read_content(reader, questionnaire);

@@ -20,8 +20,10 @@ std::string read_new_id(TomlReader& reader, const std::vector<std::string>& take
 std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
                                      const std::vector<std::string>& taken);
 
-/// The questionnaire, without an id, of a file of this text; `name` is the file's. Throws Error.
-Questionnaire read_questionnaire_file(const std::string& name, const std::string& toml);
+/// The questionnaire, without an id, of a file of this text; `name` is the file's. keys: see
+/// TomlReader. Throws Error.
+Questionnaire read_questionnaire_file(const std::string& name, const std::string& toml,
+                                      TomlKeys* keys = nullptr);
 
 /// The content of a questionnaire's file, by the name that the protocol has for it. Throws
 /// std::runtime_error if there is no such file.

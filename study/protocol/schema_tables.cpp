@@ -12,6 +12,8 @@
 namespace foveola::study {
 namespace {
 
+constexpr const char* example_name = "example.toml";
+
 /// TOML that fits on one line.
 std::string toml_of(const SchemaJson& value) {
   std::string text;
@@ -127,9 +129,9 @@ std::string SchemaTable::toml_with(const SchemaJson& content) const {
   return text;
 }
 
-std::string SchemaTable::complaint(const SchemaJson& content) const {
+std::string SchemaTable::complaint(const SchemaJson& content, TomlKeys* keys) const {
   try {
-    file->read(toml_with(content));
+    file->read(toml_with(content), keys);
     return "";
   } catch (const Error& error) {
     return error.what();
@@ -143,14 +145,21 @@ std::vector<SchemaTable> schema_tables() {
   std::vector<SchemaTable> tables;
   for (SchemaFile file : {
            SchemaFile{"protocol", root,
-                      [](const std::string& toml) { read_protocol(toml, schema_file_name); }},
-           SchemaFile{
-               "questionnaire file", definitions.at("questionnaire_file"),
-               [](const std::string& toml) { read_questionnaire_file(schema_file_name, toml); }},
+                      [](const std::string& toml, TomlKeys* keys) {
+                        read_protocol(toml, example_name, keys);
+                      }},
+           SchemaFile{"questionnaire file", definitions.at("questionnaire_file"),
+                      [](const std::string& toml, TomlKeys* keys) {
+                        read_questionnaire_file(example_name, toml, keys);
+                      }},
            SchemaFile{"display profile", definitions.at("display_profile"),
-                      [](const std::string& toml) { display_profile_in(toml, schema_file_name); }},
+                      [](const std::string& toml, TomlKeys* keys) {
+                        display_profile_in(toml, example_name, keys);
+                      }},
            SchemaFile{"tracker profile", definitions.at("tracker_profile"),
-                      [](const std::string& toml) { tracker_profile_in(toml, schema_file_name); }},
+                      [](const std::string& toml, TomlKeys* keys) {
+                        tracker_profile_in(toml, example_name, keys);
+                      }},
        }) {
     for (SchemaTable& table : SchemaWalk(root, std::move(file)).tables()) {
       tables.push_back(std::move(table));

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/toml_keys.h"
+
 namespace foveola::study {
 
 /// Keeps the schema's order.
@@ -18,10 +20,9 @@ using SchemaJson = nlohmann::ordered_json;
 struct SchemaFile {
   std::string name;  ///< as "questionnaire file"
   SchemaJson schema;
-  /// Reads a text as such a file, which it calls schema_file_name. Throws Error.
-  std::function<void(const std::string& toml)> read;
+  /// Reads a text as such a file; keys: see TomlReader. Throws Error.
+  std::function<void(const std::string& toml, TomlKeys* keys)> read;
 };
-inline constexpr const char* schema_file_name = "example.toml";
 
 struct SchemaTable {
   std::shared_ptr<const SchemaFile> file;
@@ -35,8 +36,8 @@ struct SchemaTable {
 
   /// The file with this table in place of its own, as TOML.
   std::string toml_with(const SchemaJson& content) const;
-  /// What the reader says against that; empty if it accepts it.
-  std::string complaint(const SchemaJson& content) const;
+  /// What the reader says against that; empty if it accepts it. keys: see TomlReader.
+  std::string complaint(const SchemaJson& content, TomlKeys* keys = nullptr) const;
 };
 
 /// Every table of protocols, questionnaires' files, and profiles of displays and trackers, by
