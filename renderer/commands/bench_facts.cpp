@@ -34,6 +34,13 @@ std::string distribution() {
   return {};
 }
 
+/// "Linux 6.1" of "Linux 6.1.0-18-amd64": what follows is each system's own.
+std::string kernel_series(const std::string& system) {
+  const std::size_t major_end = system.find('.');
+  return major_end == std::string::npos ? system
+                                        : system.substr(0, system.find('.', major_end + 1));
+}
+
 }  // namespace
 
 nlohmann::ordered_json program_facts() {
@@ -51,7 +58,7 @@ nlohmann::ordered_json bench_facts() {
   facts.update({{"processor", machine.processor},
                 {"cores", machine.cores},
                 {"memory_gb", memory_gb()},
-                {"system", machine.system},
+                {"system", kernel_series(machine.system)},
                 {"distribution", distribution()},
                 {"date", utc_now().substr(0, std::string_view("2026-01-31").size())}});
   return facts;

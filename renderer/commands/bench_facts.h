@@ -9,7 +9,7 @@ namespace foveola {
 nlohmann::ordered_json program_facts();
 
 /// The same, and processor, cores (those that this process may use), memory_gb (10^9 bytes), system
-/// (the kernel), distribution and date (UTC). No name of the machine, no paths.
+/// (the series of the kernel), distribution and date (UTC). No name of the machine, no paths.
 nlohmann::ordered_json bench_facts();
 
 /// A measured figure that was measured once, as `bench compare` reads it: {"value": 3, "low": null,
