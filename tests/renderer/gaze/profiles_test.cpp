@@ -298,7 +298,7 @@ TEST(Profiles, WhatIsWrongWithATrackerIsSaidWithItsPlace) {
         {"duration_ms = 2", "duration_ms = -2", "transfer.duration_ms is out of range"},
         {"duration_ms = 2", "duration_ms = 2000", "transfer.duration_ms is out of range"},
         {"port = 4343", "port = 65536", "open_gaze.port is out of range"},
-        {"\"tracker.example\"", "\"\"", "open_gaze.host is missing or empty"},
+        {"\"tracker.example\"", "\"\"", "open_gaze.host is empty"},
         {"[open_gaze]", "[simulated]", "unknown key 'simulated'"},
         {"port = 4343", "porto = 4343", "unknown key 'open_gaze.porto'"}}) {
     EXPECT_THAT(error_of([&] { tracker_from(with(tracker, f.from, f.to)); }),
