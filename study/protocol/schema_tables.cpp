@@ -40,7 +40,7 @@ class SchemaWalk {
     SchemaTable whole = table_of("", false, file_->schema.value("description", ""), file_->schema,
                                  SchemaJson::json_pointer());
     whole.document = whole.examples.front();
-    add(std::move(whole));
+    add(whole);
   }
 
   std::vector<SchemaTable> tables() && { return std::move(tables_); }
