@@ -13,6 +13,7 @@
 #include "renderer/base/confined_path.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
 #include "scenes/builtin_files.h"
 #include "scenes/file_search.h"

@@ -5,7 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml_file.h"
 #include "scenes/file_search.h"
 
 namespace fs = std::filesystem;

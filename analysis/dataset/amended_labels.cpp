@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
 #include "study/protocol/read_procedure.h"
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -18,21 +17,6 @@
 #include "renderer/base/vec.h"
 
 namespace foveola {
-
-/// The content of a TOML file, which is still to be parsed. Throws Error as read_file() does, and
-/// for a file of over four million bytes, of which no more are read.
-std::string read_toml_file(const std::filesystem::path& path);
-
-/// Throws Error with the place of what is no TOML, of a key of over 16 parts, of lists or tables
-/// nested over 16 deep, or if the text has over four million bytes: files are untrusted.
-toml::table parse_toml(const std::string& file, const std::string& text, const std::string& remedy);
-
-/// The names of the TOML files in one of Foveola's own folders, without .toml, in alphabetical
-/// order. Throws Error if it cannot be read.
-std::vector<std::string> toml_names_in(const std::filesystem::path& folder);
-
-/// The same; none where there is no such folder.
-std::vector<std::string> toml_names_if_any(const std::filesystem::path& folder);
 
 /// A text that may stand in a file, and what it stands for.
 template <typename Value>

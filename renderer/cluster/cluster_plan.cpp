@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/shard.h"
+#include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
 
 namespace fs = std::filesystem;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/toml_file.h"
+
 namespace foveola::study {
 
 ProtocolPlaces::ProtocolPlaces(const Protocol& protocol)

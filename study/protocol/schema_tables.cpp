@@ -14,6 +14,22 @@ namespace {
 
 constexpr const char* example_name = "example.toml";
 
+void read_example_protocol(const std::string& toml, TomlKeys* keys) {
+  read_protocol(toml, example_name, keys);
+}
+
+void read_example_questionnaire(const std::string& toml, TomlKeys* keys) {
+  read_questionnaire_file(example_name, toml, keys);
+}
+
+void read_example_display(const std::string& toml, TomlKeys* keys) {
+  display_profile_in(toml, example_name, keys);
+}
+
+void read_example_tracker(const std::string& toml, TomlKeys* keys) {
+  tracker_profile_in(toml, example_name, keys);
+}
+
 /// TOML that fits on one line.
 std::string toml_of(const SchemaJson& value) {
   std::string text;
@@ -143,24 +159,12 @@ std::vector<SchemaTable> schema_tables() {
       read_file(resource_folder() / "protocols" / "foveola-protocol.schema.json"));
   const SchemaJson& definitions = root.at("definitions");
   std::vector<SchemaTable> tables;
-  for (SchemaFile file : {
-           SchemaFile{"protocol", root,
-                      [](const std::string& toml, TomlKeys* keys) {
-                        read_protocol(toml, example_name, keys);
-                      }},
-           SchemaFile{"questionnaire file", definitions.at("questionnaire_file"),
-                      [](const std::string& toml, TomlKeys* keys) {
-                        read_questionnaire_file(example_name, toml, keys);
-                      }},
-           SchemaFile{"display profile", definitions.at("display_profile"),
-                      [](const std::string& toml, TomlKeys* keys) {
-                        display_profile_in(toml, example_name, keys);
-                      }},
-           SchemaFile{"tracker profile", definitions.at("tracker_profile"),
-                      [](const std::string& toml, TomlKeys* keys) {
-                        tracker_profile_in(toml, example_name, keys);
-                      }},
-       }) {
+  for (SchemaFile file :
+       {SchemaFile{"protocol", root, read_example_protocol},
+        SchemaFile{"questionnaire file", definitions.at("questionnaire_file"),
+                   read_example_questionnaire},
+        SchemaFile{"display profile", definitions.at("display_profile"), read_example_display},
+        SchemaFile{"tracker profile", definitions.at("tracker_profile"), read_example_tracker}}) {
     for (SchemaTable& table : SchemaWalk(root, std::move(file)).tables()) {
       tables.push_back(std::move(table));
     }

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
 
 namespace foveola {

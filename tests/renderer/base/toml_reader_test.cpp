@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/toml_file.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
