@@ -6,8 +6,8 @@ namespace foveola {
 
 const char* words_for(HeadsetChange change) {
   switch (change) {
-    case HeadsetChange::recentered:
-      return "the headset was recentered";
+    case HeadsetChange::recentred:
+      return "the headset was recentred";
     case HeadsetChange::lost_focus:
       return "the headset shows something else";
     case HeadsetChange::got_focus:

@@ -15,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/similar_word.h"
+#include "renderer/base/toml_file.h"
 #include "renderer/gaze/profiles.h"
 
 namespace fs = std::filesystem;
