@@ -167,7 +167,7 @@ void HeadsetPresenter::serve_nobody(FramePainter& painter, Nanoseconds duration,
 }
 
 void HeadsetPresenter::tell(HeadsetChange change) {
-  if (change == HeadsetChange::recentered || change == HeadsetChange::lost) {
+  if (change == HeadsetChange::recentred || change == HeadsetChange::lost) {
     motion_.forget_past();
   }
   events_->push({.time = clock_->now(), .what = HeadsetChanged{change}});

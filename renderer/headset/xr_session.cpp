@@ -51,7 +51,7 @@ void XrSessionOwner::follow_events(std::vector<HeadsetChange>& changes) {
     } else if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
       const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
       if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL) {
-        changes.push_back(HeadsetChange::recentered);
+        changes.push_back(HeadsetChange::recentred);
       }
     } else if (event.type == XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR) {
       has_mask_changed_ = true;

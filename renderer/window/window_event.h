@@ -57,7 +57,7 @@ struct MonitorFound {
 struct CloseWanted {};
 
 enum class HeadsetChange {
-  recentered,  ///< straight ahead is elsewhere from now on
+  recentred,   ///< straight ahead is elsewhere from now on
   lost_focus,  ///< it shows something else, or nothing: nothing is seen or pressed
   got_focus,
   taken_off,

@@ -147,7 +147,7 @@ TEST_F(HeadsetRun, AWholeSessionNeedsNoKeyboard) {
 // Late enough for a slow machine to have begun the session, and early enough for it not to be over.
 TEST_F(HeadsetRun, APauseComesWithWhateverIsSeenInstead) {
   const ScriptedHeadset headset(
-      script(R"(, "events": [{"time": 14, "event": "recenter", "yaw_deg": 20},
+      script(R"(, "events": [{"time": 14, "event": "recentre", "yaw_deg": 20},
                              {"time": 16, "event": "focus_lost"},
                              {"time": 17, "event": "focus_gained"},
                              {"time": 19, "event": "session_loss", "session": 1}])"));
@@ -156,7 +156,7 @@ TEST_F(HeadsetRun, APauseComesWithWhateverIsSeenInstead) {
   EXPECT_EQ(participant_.program().wait_for_end(), 0) << participant_.program().said();
   EXPECT_THAT(
       notes(),
-      AllOf(Contains("the headset was recentered"), Contains("the headset shows something else"),
+      AllOf(Contains("the headset was recentred"), Contains("the headset shows something else"),
             Contains("the headset was lost"), Contains("the headset was found again")));
   EXPECT_GE(participant_.ask("SELECT 1 FROM event WHERE type = 'pause_requested'").size(), 1U);
   EXPECT_EQ(participant_.ask("SELECT 1 FROM event WHERE type = 'rated'").size(), 2U);

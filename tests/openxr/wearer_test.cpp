@@ -160,7 +160,7 @@ TEST_F(OpenXrWearerTest, TouchControllersTakeThePlaceOfSimpleOnes) {
 }
 
 TEST_F(OpenXrWearerTest, LocalSpaceIsRecentered) {
-  wear(R"("events": [{"time": 0.1, "event": "recenter", "yaw_deg": 90, "position_m": [1, 0, 0],
+  wear(R"("events": [{"time": 0.1, "event": "recentre", "yaw_deg": 90, "position_m": [1, 0, 0],
                       "after_s": 0.05}])");
   application().frame();
   application().poll();

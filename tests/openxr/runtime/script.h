@@ -52,7 +52,7 @@
 // What happens:
 //   events             [{time, event, session, ...}, ...], each in the session of that number of
 //                      the process's sessions with this file: 1. By event:
-//     recenter           yaw_deg, position_m: the new LOCAL in the one before; after_s: how long
+//     recentre           yaw_deg, position_m: the new LOCAL in the one before; after_s: how long
 //                        after the event it changes
 //     focus_lost         -> VISIBLE
 //     hidden             -> SYNCHRONIZED
@@ -144,7 +144,7 @@ struct InputStep {
 };
 
 enum class EventKind {
-  recenter,
+  recentre,
   focus_lost,
   focus_gained,
   hidden,
@@ -159,11 +159,11 @@ enum class EventKind {
 };
 struct ScriptedEvent {
   double time_s = 0.0;
-  EventKind kind = EventKind::recenter;
+  EventKind kind = EventKind::recentre;
   std::string name;
   int session = 1;
-  Pose pose;             ///< of recenter
-  double after_s = 0.0;  ///< of recenter
+  Pose pose;             ///< of recentre
+  double after_s = 0.0;  ///< of recentre
 };
 
 struct ScriptedFailure {

@@ -128,7 +128,7 @@ ScriptedEvent read_event(const ScriptPart& part) {
   ScriptedEvent event;
   event.time_s = part.need<double>("time");
   event.kind = word_of<EventKind>(part, "event",
-                                  {{"recenter", EventKind::recenter},
+                                  {{"recentre", EventKind::recentre},
                                    {"focus_lost", EventKind::focus_lost},
                                    {"focus_gained", EventKind::focus_gained},
                                    {"hidden", EventKind::hidden},

@@ -16,7 +16,7 @@ void let_go_up_to(Session& session, XrSessionState highest) {
   settle(session);
 }
 
-void recenter(Session& session, const ScriptedEvent& event) {
+void recentre(Session& session, const ScriptedEvent& event) {
   const XrTime display_time = session.frames.back().display_time;
   const XrTime change_time = display_time + nanoseconds(event.after_s);
   session.local_origins.emplace_back(change_time, session.local_origins.back().second * event.pose);
@@ -41,8 +41,8 @@ void lose(Session& session, bool is_instance_lost) {
 
 void play(Session& session, const ScriptedEvent& event) {
   switch (event.kind) {
-    case EventKind::recenter:
-      recenter(session, event);
+    case EventKind::recentre:
+      recentre(session, event);
       break;
     case EventKind::taken_off:
       tell_presence(session, false);

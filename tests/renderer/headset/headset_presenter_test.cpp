@@ -226,13 +226,13 @@ TEST_F(HeadsetPresenterTest, PassesOnWhatAGamepadSays) {
 }
 
 TEST_F(HeadsetPresenterTest, TellsOfRecenteringAndOfFocus) {
-  wear(R"(, "events": [{"time": 0.2, "event": "recenter", "yaw_deg": 90},
+  wear(R"(, "events": [{"time": 0.2, "event": "recentre", "yaw_deg": 90},
                        {"time": 0.4, "event": "focus_lost"},
                        {"time": 0.6, "event": "hidden"},
                        {"time": 0.8, "event": "focus_gained"}])");
   EXPECT_THAT(
       worn_->changes_until(HeadsetChange::lost_focus),
-      ElementsAre(HeadsetChange::got_focus, HeadsetChange::recentered, HeadsetChange::lost_focus));
+      ElementsAre(HeadsetChange::got_focus, HeadsetChange::recentred, HeadsetChange::lost_focus));
   EXPECT_THAT(worn_->changes_until(HeadsetChange::got_focus),
               ElementsAre(HeadsetChange::got_focus));
 }
