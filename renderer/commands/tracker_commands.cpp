@@ -27,24 +27,6 @@ using Json = nlohmann::ordered_json;
 
 // --- list ---
 
-const char* name_of(TrackerSource source) {
-  switch (source) {
-    case TrackerSource::hid:
-      return "hid";
-    case TrackerSource::open_gaze:
-      return "open-gaze";
-    case TrackerSource::openxr:
-      return "openxr";
-    case TrackerSource::pointer:
-      return "pointer";
-    case TrackerSource::recorded:
-      return "recorded";
-    case TrackerSource::simulated:
-      break;
-  }
-  return "simulated";
-}
-
 std::vector<TrackerProfile> profiles() {
   std::vector<TrackerProfile> list;
   for (const std::string& name : tracker_profile_names()) {

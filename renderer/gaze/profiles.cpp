@@ -42,6 +42,14 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
   return profile_folder(folder) / (name_or_path + ".toml");
 }
 
+/// The text of `value`, which is one of those of `words`.
+template <typename Value, std::size_t count>
+const char* word_for(Value value, const std::array<Word<Value>, count>& words) {
+  return std::find_if(words.begin(), words.end(),
+                      [&](const auto& word) { return word.value == value; })
+      ->text.data();
+}
+
 /// The value whose text stands under `key`, which must be there.
 template <typename Value, std::size_t count>
 Value require_word(TomlReader& table, std::string_view key,
@@ -192,16 +200,19 @@ void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
   table.reject_unknown_keys();
 }
 
+constexpr std::array sources{
+    Word<TrackerSource>{"hid", TrackerSource::hid},
+    Word<TrackerSource>{"open-gaze", TrackerSource::open_gaze},
+    Word<TrackerSource>{"openxr", TrackerSource::openxr},
+    Word<TrackerSource>{"pointer", TrackerSource::pointer},
+    Word<TrackerSource>{"recorded", TrackerSource::recorded},
+    Word<TrackerSource>{"simulated", TrackerSource::simulated},
+};
+
 TrackerProfile tracker_from(TomlReader table) {
-  constexpr std::array words{Word<TrackerSource>{"hid", TrackerSource::hid},
-                             Word<TrackerSource>{"open-gaze", TrackerSource::open_gaze},
-                             Word<TrackerSource>{"openxr", TrackerSource::openxr},
-                             Word<TrackerSource>{"pointer", TrackerSource::pointer},
-                             Word<TrackerSource>{"recorded", TrackerSource::recorded},
-                             Word<TrackerSource>{"simulated", TrackerSource::simulated}};
   TrackerProfile tracker;
   tracker.title = table.require_text("title");
-  tracker.source = require_word(table, "source", words);
+  tracker.source = require_word(table, "source", sources);
   tracker.rate_hz = require_number(table, "rate_hz", 1.0, 10000.0);
   tracker.exposure = require_duration(table, "exposure");
   tracker.transfer = require_duration(table, "transfer");
@@ -250,11 +261,9 @@ bool is_profile_path(const std::string& name_or_path) {
   return name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
 }
 
-const char* name_of(WindowCorner corner) {
-  return std::find_if(corners.begin(), corners.end(),
-                      [&](const auto& word) { return word.value == corner; })
-      ->text.data();
-}
+const char* name_of(WindowCorner corner) { return word_for(corner, corners); }
+
+const char* name_of(TrackerSource source) { return word_for(source, sources); }
 
 Nanoseconds shortest_delay(const TrackerProfile& profile) {
   return nanoseconds_from_seconds(0.5 * profile.exposure.duration_s + profile.transfer.duration_s +

@@ -75,6 +75,9 @@ struct DisplayProfile {
 
 enum class TrackerSource { hid, open_gaze, openxr, pointer, recorded, simulated };
 
+/// "open-gaze" and so on, as profiles have it.
+const char* name_of(TrackerSource source);
+
 struct TrackerProfile {
   std::string name;  ///< the file's, without .toml
   std::string title;

@@ -143,22 +143,26 @@ double sum_of_weights(const std::vector<HybridPart>& parts) {
 
 struct NamedMaker {
   std::string_view name;
+  bool follows_gaze;
   std::unique_ptr<ViewSampler> (*make)(MethodText& settings, const FindWeights& find_weights);
 };
 
 constexpr NamedMaker makers[] = {
-    {"od", [](MethodText&, const FindWeights&) { return make_rectangle_sampler({}); }},
-    {"vp", [](MethodText&, const FindWeights&) { return make_viewport_sampler(); }},
-    {"vp-rect", [](MethodText&, const FindWeights&) { return make_viewport_rectangle_sampler(); }},
-    {"fv", [](MethodText& settings, const FindWeights&) { return make_foveated(settings); }},
-    {"fv-paper",
+    {"od", false, [](MethodText&, const FindWeights&) { return make_rectangle_sampler({}); }},
+    {"vp", false, [](MethodText&, const FindWeights&) { return make_viewport_sampler(); }},
+    {"vp-rect", false,
+     [](MethodText&, const FindWeights&) { return make_viewport_rectangle_sampler(); }},
+    {"fv", true, [](MethodText& settings, const FindWeights&) { return make_foveated(settings); }},
+    {"fv-paper", true,
      [](MethodText&, const FindWeights&) -> std::unique_ptr<ViewSampler> {
        return std::make_unique<FoveatedSampler>(std::make_unique<Equation7Distribution>());
      }},
-    {"fv-map", make_map},
-    {"mask", make_mask},
-    {pointer_name, [](MethodText& settings, const FindWeights&) { return make_pointer(settings); }},
-    {"crop", [](MethodText& settings, const FindWeights&) { return make_crop(settings); }}};
+    {"fv-map", true, make_map},
+    {"mask", false, make_mask},
+    {pointer_name, false,  // but see follows_pointer()
+     [](MethodText& settings, const FindWeights&) { return make_pointer(settings); }},
+    {"crop", false, [](MethodText& settings, const FindWeights&) { return make_crop(settings); }},
+};
 
 const NamedMaker& maker_of(const MethodText& method) {
   const auto* const found =
@@ -215,8 +219,7 @@ bool follows_gaze(std::string_view method) {
     return std::any_of(parts.begin(), parts.end(),
                        [](const HybridPart& part) { return follows_gaze(part.method); });
   }
-  const std::string name = MethodText(method).name();
-  return name == "fv" || name == "fv-paper" || name == "fv-map" || follows_pointer(method);
+  return maker_of(MethodText(method)).follows_gaze || follows_pointer(method);
 }
 
 std::vector<std::string> method_notes(std::string_view method) {

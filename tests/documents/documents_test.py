@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
+import changes
 import commands
 import links
 import markdown
@@ -350,6 +351,48 @@ class Pages(unittest.TestCase):
         page = markdown.Page("a `b\nc` d ``e`f``\n")
         self.assertEqual([(piece.line, piece.text) for piece in page.code_in_text],
                          [(1, "b c"), (2, "e`f")])
+
+
+class Changes(unittest.TestCase):
+    FILES = {"src/a.cpp": "one\n  two\n\nthree\ntwice\ntwice\n"}
+
+    def changed(self, text):
+        return changes.changed_files(markdown.Page(text), self.FILES.get, {"src"})
+
+    def fault(self, text):
+        with self.assertRaises(changes.Fault) as raised:
+            self.changed(text)
+        return raised.exception.line, str(raised.exception)
+
+    def test_lines_are_added_and_taken_away_where_the_others_are(self):
+        self.assertEqual(
+            self.changed("```diff src/a.cpp\n one\n-  two\n+  2\n+  2.5\n\n three\n```\n"),
+            {"src/a.cpp": "one\n  2\n  2.5\n\nthree\ntwice\ntwice\n"})
+
+    def test_one_change_follows_another(self):
+        self.assertEqual(
+            self.changed("```diff src/a.cpp\n-one\n+1\n```\n\n```diff src/a.cpp\n-1\n+0\n```\n"),
+            {"src/a.cpp": "0\n  two\n\nthree\ntwice\ntwice\n"})
+
+    def test_a_block_in_a_folder_of_the_repository_is_a_new_file(self):
+        self.assertEqual(
+            self.changed("```cpp src/b.cpp\nb\n```\n\n```toml my.toml\na = 1\n```\n"),
+            {"src/b.cpp": "b\n"})
+
+    def test_what_cannot_be_changed_is_said_with_its_line(self):
+        self.assertEqual(self.fault("a\n\n```diff src/a.cpp\n four\n+5\n```\n"),
+                         (4, "the file has these lines 0 times, and not once"))
+        self.assertEqual(self.fault("```diff src/a.cpp\n twice\n+5\n```\n"),
+                         (2, "the file has these lines 2 times, and not once"))
+        self.assertEqual(self.fault("```diff src/b.cpp\n one\n+5\n```\n"),
+                         (2, "there is no src/b.cpp"))
+        self.assertEqual(self.fault("```cpp src/a.cpp\n one\n```\n"),
+                         (2, "src/a.cpp is there already"))
+        self.assertEqual(self.fault("```diff src/a.cpp\none\n+5\n```\n"),
+                         (2, "a line of a change begins with a blank, with + or with -"))
+        for code in (" one", "+5"):
+            self.assertEqual(self.fault(f"```diff src/a.cpp\n{code}\n```\n"),
+                             (2, "this changes nothing, or does not say where"))
 
 
 if __name__ == "__main__":
