@@ -40,6 +40,7 @@ at_once() {
   "$2"
   wait "$first" || passed=no
   cat "$said"
+  rm -f "$said"
   [ "$passed" = yes ]
 }
 

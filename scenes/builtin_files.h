@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/modelling/model.h"
+#include "scenes/default_seed.h"
 
 namespace foveola::scenes {
 

@@ -68,7 +68,7 @@ struct MethodComparison {
   /// Holm's adjusted P of equivalence, over the planned comparisons that have a margin, a family of
   /// their own; exploratory ones are not adjusted.
   std::optional<double> p_equivalent_holm;
-  std::optional<double> margin;
+  std::optional<double> margin;  ///< a ratio above 1 for times, points for ratings
   CompleteCases complete;
   /// Empty without a primary analysis, with fewer than three participants, or with more than 2000,
   /// of whom none has much influence.

@@ -45,7 +45,7 @@ struct AmendedLabels {
 
 struct Dataset {
   std::string kind;  ///< All analysed sessions are "human", "pilot" or "simulated".
-  /// What verifying the study's file found: "verified", "changed", or "none" if there was no file.
+  /// What verifying the study's file found: "verified" or "changed"; "none" where nobody verified.
   std::string record = "none";
   std::vector<std::string> participants;  ///< In the order of their codes.
   std::vector<std::string> scenes;        ///< In the protocol's order.
@@ -82,9 +82,9 @@ struct Dataset {
 };
 
 /// Takes the completed sessions of one kind: of people if there are any, else pilots, else
-/// simulated ones; they are never mixed. Throws Error if nothing can be analysed, or if a value is
-/// impossible (a time that is not above zero, a rating that its scale does not have, a trial
-/// twice), naming it.
+/// simulated ones; they are never mixed. Verifies nothing: see `record`. Throws Error if nothing
+/// can be analysed, or if a value is impossible (a time that is not above zero, a rating that its
+/// scale does not have, a trial twice), naming it.
 Dataset select_for_analysis(const study::StudyRecords& records);
 
 /// For each session of the records, the index of its participant in the set; empty for a session

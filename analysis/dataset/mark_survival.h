@@ -15,8 +15,8 @@ struct MarkSurvival {
   std::string mark;    ///< Its id.
   std::string method;  ///< Its id.
   SurvivalCurve curve;
-  /// To the earliest time at which any method's time was right-censored, or else to the longest
-  /// time of the mark: the same for all methods.
+  /// In seconds, to the earliest time at which any method's time was right-censored, or else to the
+  /// longest time of the mark: the same for all methods.
   std::optional<RestrictedMean> restricted;
   std::optional<Interval> limits_s;  ///< The earliest and latest of its right-censored times.
 };

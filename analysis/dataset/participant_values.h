@@ -39,6 +39,7 @@ struct PairedTrials {
   std::vector<double> participant_means() const;
 };
 
+/// measure, method and reference are indices in the set.
 PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t method,
                            std::size_t reference);
 

@@ -57,7 +57,7 @@ std::optional<PrimaryResult> primary_of_times(const PrimarySources& sources,
                                               const study::AnalysisPlan& plan);
 
 /// The primary analysis of ratings, by the plan: signed ranks, or the cumulative link mixed model
-/// of a scale with few points and, of one with too many for thresholds, what times have.
+/// of a scale that has_points (few enough for thresholds) and, of any other, what times have.
 std::optional<PrimaryResult> primary_of_ratings(const PrimarySources& sources,
                                                 const study::AnalysisPlan& plan, bool has_points);
 

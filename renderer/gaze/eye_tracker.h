@@ -16,7 +16,7 @@ namespace foveola {
 enum class GazeMark : std::uint8_t { none, fixation, saccade, blink };
 
 struct GazeSample {
-  Nanoseconds time{0};                ///< when the eye was there; see is_time_known
+  Nanoseconds time{0};  ///< when the eye was there, by the same clock as `now`; see is_time_known
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, in the head's axes (-Z forward)
   bool valid = false;
   GazeMark mark = GazeMark::none;  ///< no tracker knows it: see GazeMarker
@@ -26,8 +26,9 @@ struct GazeSample {
 class EyeTracker {
  public:
   virtual ~EyeTracker() = default;
-  /// Appends what has arrived since the last call, by `now`, to `arrived`: all samples, valid or
-  /// not, in the order of their arrival. Time may not go backwards between calls.
+  /// Appends what has arrived since the last call, by `now`, to `arrived`, without waiting for
+  /// more: all samples, valid or not, in the order of their arrival. One thread calls it, once a
+  /// frame, and `now` does not go backwards between calls.
   virtual void poll(Nanoseconds now, std::vector<GazeSample>& arrived) = 0;
   /// Why no samples come, for the user; empty if all is well.
   virtual std::string status() const { return {}; }

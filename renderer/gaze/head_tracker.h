@@ -25,6 +25,7 @@ HeadPose head_pose(Nanoseconds time, const Quat& orientation);
 class HeadTracker {
  public:
   virtual ~HeadTracker() = default;
+  /// The newest pose at `now`, which does not go backwards between calls; waits for nothing.
   virtual HeadPose pose(Nanoseconds now) = 0;
   /// The pose at `then`, when the eye tracker saw the eye that is followed at `now`. That of `now`
   /// where no past is known.

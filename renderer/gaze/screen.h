@@ -20,7 +20,7 @@ struct Screen {
 /// (below 0, above 1) are on its plane.
 Vec3 direction_at(const Screen& screen, const DVec2& fraction);
 
-/// The direction of a point that is so many metres right of and below the top left corner.
+/// The fraction at a point that is so many metres right of and below the top left corner.
 DVec2 fraction_of(const Screen& screen, const DVec2& metres);
 
 }  // namespace foveola

@@ -26,7 +26,7 @@ struct PreviewSettings {
   FieldOfView field_of_view;
   IVec2 view_size = usual_view_size;                   ///< pixels of the presented image
   UnsampledPixels unsampled = UnsampledPixels::black;  ///< in the presented image
-  double exposure_stops = 0.0;
+  double exposure_stops = 0.0;  ///< what is presented is brightened by 2^stops
   /// What the frames' gaze goes through, in the head's axes as the eye tracker gives it. A restart
   /// goes on with it.
   GazeFilterSettings gaze_filter;
@@ -38,7 +38,7 @@ struct FrameReport {
   Nanoseconds time{0};           ///< when head and gaze were polled
   AzimuthElevation head;         ///< world
   double head_roll_rad = 0.0;    ///< as HeadPose has it
-  Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< world, the one that was used
+  Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world: the one that was used
   /// Whether the newest sample that the filter let through was valid. If not, the last valid one
   /// holds in the head's axes, or straight ahead if there was none yet.
   bool gaze_valid = false;
@@ -48,16 +48,18 @@ struct FrameReport {
   std::uint64_t rays = 0;
 };
 
-/// Renders frame after frame with one method until it is restarted with another. It refers to the
-/// tracer, the trackers and the workers, which must outlive it; its owner keeps the clock.
+/// Renders frame after frame with the method of the last restart, of which the first comes before
+/// any frame. It refers to the tracer, the trackers and the workers, which must outlive it; its
+/// owner keeps the clock.
 class Preview {
  public:
+  /// Throws Error for a film size, or a field of view, that cannot be.
   Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeTracker& eye,
           HeadTracker& head, const Workers& workers);
   ~Preview();
 
   /// Clears the film and renders with `method` (as make_view_sampler reads it) from the next frame
-  /// on. Points and paths are drawn anew from `seed`.
+  /// on. Points and paths are drawn anew from `seed`. Throws Error as make_view_sampler does.
   void restart(std::string_view method, std::uint32_t seed);
   /// Restarts with a sampler that was made before.
   void restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed);
@@ -100,7 +102,7 @@ class Preview {
   const RgbImage& present();
   /// The view of the last frame.
   const Viewport& viewport() const { return viewport_; }
-  /// The gaze that the last frame used, world.
+  /// The gaze that the last frame used: unit length, world.
   const Vec3& gaze() const { return last_gaze_; }
   /// The sampler that chooses its directions; there is one after a restart.
   const ViewSampler& sampler() const { return *sampler_; }

@@ -22,9 +22,10 @@
 
 namespace foveola {
 
-/// When a render is done: after a number of samples, or after a time. At least one is set.
+/// When a render is done: after a number of samples or after a time, whichever comes first; without
+/// either, when it is stopped.
 struct RenderBudget {
-  double samples_per_pixel = 0.0;  ///< of the image, on average; 0: no limit
+  double samples_per_pixel = 0.0;  ///< of the image, on average; 0: as `samples` says
   std::uint64_t samples = 0;       ///< samples in all; 0: no limit
   double seconds = 0.0;            ///< seconds of tracing; 0: no limit
 };
@@ -121,7 +122,8 @@ struct Rendering {
 /// The gaze that settings ask for in a scene: where the head points, if they ask for none.
 AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& loaded);
 
-/// Renders `source`, showing progress. Throws Error for what is wrong with the scene or settings.
+/// Renders `source`, showing progress. If it is stopped, what there is. Throws Error for what is
+/// wrong with the scene or settings.
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop);
 
 /// The same of a scene that was loaded before, without showing progress. It has that scene's

@@ -48,7 +48,8 @@ struct LoadedScene {
   /// One line each: what loading warned of, where one stands if neither the scene nor the choices
   /// say so (see choose_standpoint), and what the scene lacks.
   std::vector<std::string> warnings;
-  /// Where the choices say, else the source, else the file's first, else by choose_standpoint.
+  /// Where the choices say, else the source, else the file's first, else by choose_standpoint; in
+  /// the scene's coordinates (see Scene::origin).
   CameraView camera;
   /// Whether no light comes to the camera's place from outside the scene.
   bool camera_is_enclosed = false;

@@ -17,8 +17,8 @@
 namespace foveola {
 
 struct ProgressiveSettings {
-  Vec3 viewpoint{0.0F};
-  IVec2 film_size{2048, 1024};  ///< pixels
+  Vec3 viewpoint{0.0F};         ///< in the scene's coordinates (see Scene::origin), metres
+  IVec2 film_size{2048, 1024};  ///< pixels, as EquirectFilm takes them
   /// The angle of the film's pixels; default: those of a 360-degree image.
   std::optional<float> pixel_angle_rad;
   /// Its seed is that of the paths. Its pixel angle is that of the film, whatever stands here.
@@ -44,6 +44,7 @@ constexpr std::uint64_t adaptive_pass = 1 << 16;
 /// workers, which must outlive it.
 class ProgressiveRender {
  public:
+  /// Throws Error for a film size that cannot be.
   ProgressiveRender(const PathTracer& tracer, const ProgressiveSettings& settings,
                     const Workers& workers);
 
@@ -82,14 +83,16 @@ class ProgressiveRender {
   /// Goes on with another tracer, of the same scene or, before a restart, of another.
   void use(const PathTracer& tracer) { tracer_ = &tracer; }
 
-  /// Draws so many points and traces what adaptive sampling and the filter leave of them.
+  /// Draws so many points, all in memory at once, by a sampler that was aimed, and traces what
+  /// adaptive sampling and the filter leave of them.
   TracedSamples advance(const ViewSampler& sampler, std::uint64_t points);
 
   /// Draws so many points and returns their jobs. They are only traced where the samples decide
   /// where the next ones go, in adaptive sampling; else the film gets black ones.
   std::vector<SampleJob> pass_over(const ViewSampler& sampler, std::uint64_t points);
 
-  /// As pass_over, but returns the job of one sample of one pixel, if it is among them.
+  /// As pass_over, but returns the job of one sample of one pixel, if it is among them. pixel: its
+  /// row times the film's width, plus its column.
   std::optional<SampleJob> find_job(const ViewSampler& sampler, std::uint64_t points,
                                     std::uint32_t pixel, std::uint32_t sample_number);
 

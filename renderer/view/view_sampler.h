@@ -17,7 +17,7 @@ namespace foveola {
 /// A direction to trace (unit length, world) and its place in the equirect image.
 struct ViewSample {
   Vec3 direction{0.0F, 0.0F, -1.0F};
-  Vec2 image{0.5F};
+  Vec2 image{0.5F};  ///< as equirect_from_direction gives it: from the top left, in [0, 1]
 };
 
 /// What a sampler is aimed with, once a frame.
@@ -32,9 +32,10 @@ struct Aim {
 class ViewSampler {
  public:
   virtual ~ViewSampler() = default;
+  /// Before each frame, never while samples are drawn.
   virtual void aim(const Aim& aim) = 0;
-  /// Maps points of the unit square [0, 1)^2 to samples, one to one. samples.size() ==
-  /// points.size().
+  /// Maps points of the unit square [0, 1)^2 to as many samples, one to one. Several threads call
+  /// it at once, each for a part of the points.
   virtual void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const = 0;
   /// The probability density of `direction` per steradian; integrates to 1 over the sphere.
   virtual double density_per_sr(const Vec3& direction) const = 0;

@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
+#include "scenes/default_seed.h"
 #include "scenes/modelling/seed.h"
 #include "scenes/modelling/shapes.h"
 
 namespace foveola::scenes {
 
-/// The seed of the scenes that the descriptors describe.
-constexpr std::uint32_t default_seed = 0;
-static_assert(mix(default_seed) == 0);
+static_assert(mix(default_seed) == 0, "the built-in scenes are not varied");
 
 /// Eight bits a channel: red, green, blue (sRGB-encoded) and alpha; row-major from the top.
 struct Image {

@@ -124,7 +124,7 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   const auto arguments = std::make_shared<RunArguments>();
   CLI::App* command =
       add_command(study, "run", "Run one person's session in a window, from consent to debrief",
-                  "run koskela2018 --db study.sqlite --participant P07 --full-screen");
+                  "run koskela2018 --db study.sqlite --participant P07 --headset");
   add_protocol(command, arguments->protocol);
   command
       ->add_option(

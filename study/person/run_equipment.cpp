@@ -40,6 +40,19 @@ Protocol protocol_of(const RunSettings& settings) {
   return protocol;
 }
 
+IVec2 smallest_film(const Protocol& protocol) {
+  IVec2 smallest{protocol.film.width, protocol.film.height};
+  for (const SceneEntry& scene : protocol.scenes) {
+    for (const std::string& method : protocol.methods) {
+      const FilmSettings film = settings_of(protocol, scene.name, method).film;
+      if (film.width < smallest.x) {
+        smallest = {film.width, film.height};
+      }
+    }
+  }
+  return smallest;
+}
+
 bool is_nobodys_eye(TrackerSource source) {
   return source == TrackerSource::simulated || source == TrackerSource::recorded;
 }

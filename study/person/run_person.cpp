@@ -179,6 +179,7 @@ class PersonRun {
                           .gaze = measured.gaze,
                           .display = profile_,
                           .found_display = as_measured(found_display_, display),
+                          .film_px = smallest_film(protocol_),
                           .free_bytes = free_bytes_for(settings_.database),
                           .is_clock_set = is_clock_synchronised()};
     const std::vector<PreflightCheck> checks = check_preflight(found, protocol_.preflight);

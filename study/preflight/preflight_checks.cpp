@@ -21,6 +21,9 @@ constexpr double usual_late_percent = 1.0;
 constexpr double usual_gaze_loss = 0.3;
 constexpr double usual_gaze_age_s = 0.05;
 constexpr double usual_free_gb = 1.0;
+/// Of the 360-degree image on the horizon. Where an eye looks it resolves thirty times finer, so
+/// that coarser pixels are seen as blocks however long is rendered.
+constexpr double usual_film_pixel_deg = 0.5;
 /// The part of its profile's rate at which a tracker should run.
 constexpr double usual_gaze_rate = 0.9;
 
@@ -138,6 +141,16 @@ PreflightCheck check_display(const Preflight& preflight, const PreflightGate& ga
       .verdict = judged(gate.stated_display, differences.empty())};
 }
 
+/// No protocol asks for it: the film is its own.
+PreflightCheck check_film(const Preflight& preflight) {
+  const double pixel_deg = 360.0 / preflight.film_px.x;
+  return {.name = "film",
+          .found = fmt::format("{} x {} pixels of {:.2g} degrees", preflight.film_px.x,
+                               preflight.film_px.y, pixel_deg),
+          .limit = fmt::format("at most {:g} degrees, ours: see [film]", usual_film_pixel_deg),
+          .verdict = judged(false, pixel_deg <= usual_film_pixel_deg)};
+}
+
 PreflightCheck check_disk(const Preflight& preflight, const PreflightGate& gate) {
   const double free_gb = static_cast<double>(preflight.free_bytes) / bytes_per_gb;
   const double limit_gb = gate.min_free_gb.value_or(usual_free_gb);
@@ -226,8 +239,8 @@ std::vector<PreflightCheck> check_preflight(const Preflight& preflight, const Pr
   return {check_frames(preflight, gate),    check_samples(preflight, gate),
           check_eye(preflight, gate),       check_gaze_rate(preflight, gate),
           check_gaze_loss(preflight, gate), check_gaze_age(preflight, gate),
-          check_display(preflight, gate),   check_disk(preflight, gate),
-          check_clock(preflight, gate)};
+          check_display(preflight, gate),   check_film(preflight),
+          check_disk(preflight, gate),      check_clock(preflight, gate)};
 }
 
 void require_gate(const std::vector<PreflightCheck>& checks) {
@@ -261,6 +274,7 @@ nlohmann::ordered_json preflight_json(const Preflight& preflight,
           {"monitor_px", {found.monitor_px.x, found.monitor_px.y}},
           {"monitor_width_m", found.monitor_width_m},
           {"full_screen", found.is_full_screen},
+          {"film_px", {preflight.film_px.x, preflight.film_px.y}},
           {"free_bytes", preflight.free_bytes},
           {"clock_is_set", preflight.is_clock_set ? Json(*preflight.is_clock_set) : Json()},
           {"checks", verdicts}};

@@ -85,7 +85,7 @@ TEST_F(FrontDoor, SaysPlainlyThatTheNetworkFailed) {
 }
 
 // On a machine with ninja, but without make, CMake would configure for make without being told.
-TEST_F(FrontDoor, ADemoIsFollowedByTests) {
+TEST_F(FrontDoor, WhatIsConfiguredChangesOnlyInWhatIsAskedFor) {
   stand_in("dpkg-query", "for p; do echo \"ii  $p\"; done");
   stand_in("ninja", "");
   stand_in("cmake", R"([ "$1" != --build ] || exit 1
@@ -93,15 +93,23 @@ cd build/release
 [ ! -f CMakeCache.txt ] || echo "in what was configured:" >>calls
 echo "$@" >>calls
 echo BUILD_TESTING:BOOL=OFF >CMakeCache.txt
+echo CMAKE_COMPILE_WARNING_AS_ERROR:UNINITIALIZED=OFF >>CMakeCache.txt
 touch build.ninja)");
-  for (const char* const command : {"demo", "demo", "test"}) {
-    EXPECT_THAT(open({{"FOVEOLA_WARNINGS_ARE_ERRORS", ""}}, command).errors,
+  const auto call = [&](const char* command, const char* warnings_are_errors) {
+    EXPECT_THAT(open({{"FOVEOLA_WARNINGS_ARE_ERRORS", warnings_are_errors}}, command).errors,
                 HasSubstr("building failed"));
-  }
+  };
+  call("demo", "");
+  call("demo", "");
+  call("demo", "OFF");
+  call("demo", "ON");
+  call("test", "");
   EXPECT_EQ(read_file(folder_ / "build" / "release" / "calls"),
             "--preset release -G Ninja -DBUILD_TESTING=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF\n"
             "in what was configured:\n"
-            "--preset release -DBUILD_TESTING=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF\n");
+            "--preset release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON\n"
+            "in what was configured:\n"
+            "--preset release -DBUILD_TESTING=ON\n");
 }
 
 TEST_F(FrontDoor, ANewerCompilersWarningsDoNotStopAUsersBuild) {

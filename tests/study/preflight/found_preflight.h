@@ -41,6 +41,7 @@ inline Preflight good_preflight() {
           .gaze = {.samples = 240, .valid = 230, .duration_s = 2.0, .median_age_s = 0.012},
           .display = stated_monitor(),
           .found_display = found_monitor(),
+          .film_px = {2048, 1024},
           .free_bytes = 50'000'000'000,
           .is_clock_set = true};
 }

@@ -35,6 +35,7 @@ Preflight bad_preflight() {
   bad.tracker.source = TrackerSource::simulated;
   bad.gaze = {.samples = 20, .valid = 5, .duration_s = 2.0, .median_age_s = 0.2};
   bad.found_display.refresh_rate_hz = 30.0;
+  bad.film_px = {320, 160};
   bad.free_bytes = 1000;
   bad.is_clock_set = false;
   return bad;
@@ -53,8 +54,8 @@ constexpr PreflightGate full_gate{.max_late_percent = 2.0,
 TEST(PreflightChecks, AGoodMachinePassesAnyGate) {
   for (const PreflightGate& gate : {PreflightGate{}, full_gate}) {
     const auto checks = check_preflight(good_preflight(), gate);
-    EXPECT_EQ(checks.size(), 9U);
-    EXPECT_EQ(named(checks, PreflightVerdict::good).size(), 9U);
+    EXPECT_EQ(checks.size(), 10U);
+    EXPECT_EQ(named(checks, PreflightVerdict::good).size(), 10U);
   }
 }
 
@@ -62,7 +63,7 @@ TEST(PreflightChecks, WithoutAGateABadOneIsWarnedOf) {
   const auto checks = check_preflight(bad_preflight(), {});
   EXPECT_THAT(named(checks, PreflightVerdict::warned),
               ElementsAre("frames in time", "eye", "gaze rate", "gaze lost", "gaze age", "display",
-                          "disk", "clock"));
+                          "film", "disk", "clock"));
   EXPECT_THAT(named(checks, PreflightVerdict::refused), IsEmpty());
 }
 
@@ -110,6 +111,17 @@ TEST(PreflightChecks, TheTableSaysWhereItIsSlowest) {
   EXPECT_THAT(table, HasSubstr("REFUSED  20.0 % late at most (hall with fv)"));
   EXPECT_THAT(table, HasSubstr("od 1e+06 in hall, fv 900 in hall"));
   EXPECT_THAT(table, HasSubstr("at most 2 % late, the protocol's"));
+}
+
+TEST(PreflightChecks, AFilmWhosePixelsShowAsBlocksIsWarnedOf) {
+  Preflight preflight = good_preflight();
+  preflight.film_px = {720, 360};
+  EXPECT_THAT(named(check_preflight(preflight, full_gate), PreflightVerdict::warned), IsEmpty());
+  preflight.film_px = {719, 360};
+  const auto checks = check_preflight(preflight, full_gate);
+  EXPECT_THAT(named(checks, PreflightVerdict::warned), ElementsAre("film"));
+  EXPECT_THAT(preflight_table(check_preflight(bad_preflight(), {})),
+              HasSubstr("WARNING  320 x 160 pixels of 1.1 degrees"));
 }
 
 TEST(PreflightChecks, TheRecordHasFiguresAndVerdicts) {
