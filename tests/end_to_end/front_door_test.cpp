@@ -105,7 +105,7 @@ touch build.ninja)");
   call("demo", "ON");
   call("test", "");
   EXPECT_EQ(read_file(folder_ / "build" / "release" / "calls"),
-            "--preset release -G Ninja -DBUILD_TESTING=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF\n"
+            "--preset release -DBUILD_TESTING=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=OFF -G Ninja\n"
             "in what was configured:\n"
             "--preset release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON\n"
             "in what was configured:\n"
