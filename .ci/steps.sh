@@ -8,11 +8,10 @@ trap print_minutes EXIT
 where_threads_meet=(base_test film_test gaze_test preview_test window_test headset_test record_test)
 
 # Those that the sanitizer for addresses and undefined behaviour looks at on every submission: they
-# read files and devices, or write the record. The others and the program as a whole have their turn
-# in .ci/long sanitized.
+# read files and devices, or write the record. What is built upon them (commands, replays, the analysis)
+# takes as long to compile as all of these, and has its turn with the rest in .ci/long sanitized.
 where_data_are_read_and_kept=(base_test glb_test image_test film_test scene_test scenes_test
-  gaze_test renderer_commands_test design_test protocol_test record_test replay_test
-  study_tables_test analysis_dataset_test fuzz_corpus_test)
+  gaze_test design_test protocol_test record_test study_tables_test fuzz_corpus_test)
 
 # Those that meet what differs from one Debian release to another: the libraries that read scenes and
 # pictures, trace rays, draw in windows and terminals, talk to devices and keep the record.
