@@ -86,15 +86,17 @@ TEST_F(PreflightRun, ARehearsalOfAHeadsetsProtocolIsToldAndOfferedAMonitor) {
 TEST_F(PreflightRun, ItsFiguresAreInTheRecord) {
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin();
-  EXPECT_THAT(participant_.program().said(), Not(HasSubstr("HEADSET")));
+  EXPECT_THAT(participant_.program().said(),
+              AllOf(Not(HasSubstr("HEADSET")), HasSubstr("128 x 64 pixels of 2.8 degrees")));
   participant_.program().type_line("quit");
   participant_.program().wait_for_end();
   EXPECT_THAT(participant_.ask("SELECT devices ->> '$.preflight.speeds[0].scene',"
                                " devices ->> '$.preflight.speeds[0].frames' > 5,"
                                " devices ->> '$.preflight.speeds[0].samples_per_second' > 1,"
                                " devices ->> '$.preflight.free_bytes' > 1,"
+                               " devices ->> '$.preflight.film_px',"
                                " json_array_length(devices, '$.preflight.checks') FROM session"),
-              ElementsAre("hall|1|1|1|9"));
+              ElementsAre("hall|1|1|1|[128,64]|10"));
 }
 
 }  // namespace
