@@ -14,8 +14,13 @@ class Fault(Exception):
         self.line = line
 
 
-def changed_text(block, text):
-    """The file's text after the change that the block says. Raises Fault."""
+def _places(lines, wanted):
+    """Where these lines stand one after the other."""
+    return [i for i in range(len(lines) - len(wanted) + 1) if lines[i:i + len(wanted)] == wanted]
+
+
+def _before_and_after(block):
+    """The lines that the block changes, and what they become. Raises Fault."""
     lines = block.code.split("\n")
     if any(line and line[0] not in " +-" for line in lines):
         raise Fault(block.line, "a line of a change begins with a blank, with + or with -")
@@ -23,21 +28,42 @@ def changed_text(block, text):
     after = [line[1:] for line in lines if not line.startswith("-")]
     if not before or before == after:
         raise Fault(block.line, "this changes nothing, or does not say where")
-    there = text.split("\n")
-    found = [i for i in range(len(there) - len(before) + 1) if there[i:i + len(before)] == before]
+    return before, after
+
+
+def changed_text(block, text):
+    """The file's text after the change that the block says. Raises Fault."""
+    before, after = _before_and_after(block)
+    lines = text.split("\n")
+    found = _places(lines, before)
     if len(found) != 1:
         raise Fault(block.line, f"the file has these lines {len(found)} times, and not once")
-    return "\n".join(there[:found[0]] + after + there[found[0] + len(before):])
+    return "\n".join(lines[:found[0]] + after + lines[found[0] + len(before):])
+
+
+def _changes(page, top_folders):
+    """The page's blocks that change or add a file of the repository."""
+    for block in page.blocks:
+        path = pathlib.PurePosixPath(block.file)
+        if len(path.parts) > 1 and path.parts[0] in top_folders:
+            yield block
+
+
+def are_made(page, text_of, top_folders):
+    """Whether somebody has made all of the page's changes. Raises Fault."""
+    def is_made(block):
+        text = text_of(block.file)
+        if block.language != "diff":
+            return text == block.code + "\n"
+        return text is not None and bool(_places(text.split("\n"), _before_and_after(block)[1]))
+    return all(is_made(block) for block in _changes(page, top_folders))
 
 
 def changed_files(page, text_of, top_folders):
     """{path: text} of all that the page changes or adds. text_of(path) is a file's text now, or None.
     Raises Fault."""
     files = {}
-    for block in page.blocks:
-        path = pathlib.PurePosixPath(block.file)
-        if len(path.parts) < 2 or path.parts[0] not in top_folders:
-            continue
+    for block in _changes(page, top_folders):
         before = files.get(block.file, text_of(block.file))
         if block.language != "diff":
             if before is not None:

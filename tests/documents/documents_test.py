@@ -379,6 +379,14 @@ class Changes(unittest.TestCase):
             self.changed("```cpp src/b.cpp\nb\n```\n\n```toml my.toml\na = 1\n```\n"),
             {"src/b.cpp": "b\n"})
 
+    def test_whoever_has_followed_a_page_has_made_its_changes(self):
+        page = markdown.Page("```diff src/a.cpp\n one\n+1.5\n   two\n```\n\n```cpp src/b.cpp\nb\n```\n")
+        after = self.changed(page.text)
+        self.assertTrue(changes.are_made(page, {**self.FILES, **after}.get, {"src"}))
+        self.assertFalse(changes.are_made(page, self.FILES.get, {"src"}))
+        for name, text in after.items():
+            self.assertFalse(changes.are_made(page, {**self.FILES, name: text}.get, {"src"}))
+
     def test_what_cannot_be_changed_is_said_with_its_line(self):
         self.assertEqual(self.fault("a\n\n```diff src/a.cpp\n four\n+5\n```\n"),
                          (4, "the file has these lines 0 times, and not once"))
