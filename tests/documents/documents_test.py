@@ -203,8 +203,12 @@ class Commands(OnARepository):
         self.assertEqual(self.faults("`ViewSampler.FollowsItsDensity`, `Psych-DS`\n"), [])
         self.assert_fault("`ViewSampler.DoesNot`\n", 1, "no test 'ViewSampler.DoesNot'")
         self.assert_fault("`FOVEOLA_SCENES_FOLDER`\n", 1, "nothing reads FOVEOLA_SCENES_FOLDER")
-        self.assert_fault("```sh\ncmake -B x -DFOVEOLA_NOTHING=ON\n```\n", 2,
+        self.assert_fault("```sh\ncmake -G Ninja -B x -DFOVEOLA_NOTHING=ON\n```\n", 2,
                           "nothing reads FOVEOLA_NOTHING")
+
+    def test_a_build_by_make(self):
+        self.assertEqual(self.faults("```sh\ncmake -G Ninja -B x\n```\n"), [])
+        self.assert_fault("```sh\ncmake -B x\n```\n", 2, "without -G Ninja")
 
     def test_an_unknown_preset(self):
         self.assert_fault("`cmake --preset nope`\n", 1, "no 'nope' among its configurePresets")
