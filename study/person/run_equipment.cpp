@@ -1,5 +1,7 @@
 #include "study/person/run_equipment.h"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
@@ -41,7 +43,7 @@ Protocol protocol_of(const RunSettings& settings) {
 }
 
 IVec2 smallest_film(const Protocol& protocol) {
-  IVec2 smallest{protocol.film.width, protocol.film.height};
+  IVec2 smallest{std::numeric_limits<int>::max()};
   for (const SceneEntry& scene : protocol.scenes) {
     for (const std::string& method : protocol.methods) {
       const FilmSettings film = settings_of(protocol, scene.name, method).film;

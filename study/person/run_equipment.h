@@ -15,7 +15,7 @@ TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol)
 /// The protocol with the settings' filter of the gaze. Throws Error if it cannot be read.
 Protocol protocol_of(const RunSettings& settings);
 
-/// The size of the smallest 360-degree image of any trial, in pixels.
+/// The size of the narrowest 360-degree image of any trial, in pixels.
 IVec2 smallest_film(const Protocol& protocol);
 
 /// Whether it is nobody's who sits there: simulated, or recorded before.

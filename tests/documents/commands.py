@@ -155,7 +155,7 @@ class Checker:
     def faults_of_cmake(self, words):
         kind = "buildPresets" if "--build" in words else "configurePresets"
         if "-B" in words and "-G" not in words:
-            yield "cmake takes make without -G Ninja, and a machine of ours need not have it"
+            yield "give -G Ninja: without it CMake takes make, which may not be installed"
         for index, word in enumerate(words):
             option, equals, value = word.partition("=")
             if option == "--preset":

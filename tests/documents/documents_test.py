@@ -208,7 +208,7 @@ class Commands(OnARepository):
 
     def test_a_build_by_make(self):
         self.assertEqual(self.faults("```sh\ncmake -G Ninja -B x\n```\n"), [])
-        self.assert_fault("```sh\ncmake -B x\n```\n", 2, "without -G Ninja")
+        self.assert_fault("```sh\ncmake -B x\n```\n", 2, "give -G Ninja")
 
     def test_an_unknown_preset(self):
         self.assert_fault("`cmake --preset nope`\n", 1, "no 'nope' among its configurePresets")

@@ -29,6 +29,21 @@ film.height = 64
   EXPECT_EQ(smallest_film(protocol), IVec2(512, 128));
 }
 
+TEST(SmallestFilm, IsOfATrialAndNotOfSettingsThatNoTrialHas) {
+  const Protocol protocol = read_protocol(R"(
+name = "a"
+title = "A"
+scenes = ["room"]
+methods = ["od", "fv"]
+film = { width = 64, height = 32 }
+[[override]]
+scene = "room"
+film = { width = 2048, height = 1024 }
+)",
+                                          "a.toml");
+  EXPECT_EQ(smallest_film(protocol), IVec2(2048, 1024));
+}
+
 TEST(RunEquipment, APersonsSessionThatCountsHasAPersonsEye) {
   for (const TrackerSource source : {TrackerSource::simulated, TrackerSource::recorded}) {
     const TrackerProfile tracker{.name = "t", .source = source};
