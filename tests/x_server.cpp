@@ -302,7 +302,10 @@ struct XUser::Connection {
   mutable ::Window hidden = 0;
 };
 
-XUser::XUser(const std::string& display) : connection_(std::make_unique<Connection>(display)) {}
+XUser::XUser(const std::string& display) : connection_(std::make_unique<Connection>(display)) {
+  // On a busy machine a key may be held long enough to repeat.
+  XAutoRepeatOff(connection_->display);
+}
 
 XUser::~XUser() = default;
 

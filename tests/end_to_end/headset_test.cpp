@@ -144,15 +144,19 @@ TEST_F(HeadsetRun, AWholeSessionNeedsNoKeyboard) {
                                      ContainsRegex("hall, fv.*the same, bit for bit")));
 }
 
-// Late enough for a slow machine to have begun the session, and early enough for it not to be over.
+// The script starts once the session has begun. In the first 2.5 seconds of it the buttons are not
+// pressed often enough to end the session.
 TEST_F(HeadsetRun, APauseComesWithWhateverIsSeenInstead) {
   const ScriptedHeadset headset(
-      script(R"(, "events": [{"time": 14, "event": "recentre", "yaw_deg": 20},
-                             {"time": 16, "event": "focus_lost"},
-                             {"time": 17, "event": "focus_gained"},
-                             {"time": 19, "event": "session_loss", "session": 1}])"));
+      script(R"(, "events": [{"time": 0.5, "event": "recentre", "yaw_deg": 20},
+                             {"time": 1, "event": "focus_lost"},
+                             {"time": 1.5, "event": "focus_gained"},
+                             {"time": 2.5, "event": "session_loss", "session": 1}],
+                 "starts_with": ")" +
+             (participant_.folder() / "begun").string() + "\""));
   participant_.write_protocol(session_keys, session_tables());
   participant_.begin({"--headset"});
+  participant_.folder().write("begun", "");
   EXPECT_EQ(participant_.program().wait_for_end(), 0) << participant_.program().said();
   EXPECT_THAT(
       notes(),

@@ -31,6 +31,7 @@ TEST_F(StudyRun, TellsMachinesAllOfIt) {
   participant_.answer_page("Return");  // welcome
   participant_.answer_page("Return");  // choosing
   time_trial();
+  participant_.program().wait_for("\"last_mark\":\"material was marked after");
   participant_.program().type_line("note it rings");
   participant_.program().type_line("lunch");
   participant_.program().wait_for("help says what there is");

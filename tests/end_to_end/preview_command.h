@@ -2,14 +2,13 @@
 #pragma once
 
 #include <string>
-#include <thread>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/end_to_end/program.h"
+#include "tests/end_to_end/running_program.h"
 #include "tests/waiting.h"
 #include "tests/x_server.h"
 
@@ -17,24 +16,34 @@ namespace foveola::test {
 
 class PreviewCommand : public ::testing::Test {
  protected:
-  ProgramResult preview(std::vector<std::string> options) const {
+  std::vector<std::string> command(const std::vector<std::string>& options) const {
     std::vector<std::string> arguments = {"preview",  scene_,    "--size", "512x256",
                                           "--window", "200x160", "--json"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    return run_foveola(arguments);
+    return arguments;
   }
 
-  /// What the preview says at its end, after a user has done something with its window.
+  ProgramResult preview(const std::vector<std::string>& options) const {
+    return run_foveola(command(options));
+  }
+
+  /// What the preview says at its end, after a user has done something with its window. act: takes
+  /// the user, or the user and the program. display: where the window is; empty: on server_.
   template <typename Act>
-  nlohmann::json preview_while(const Act& act, std::vector<std::string> options = {}) const {
-    const std::jthread user_thread([&] {
-      XUser user(server_.display());
-      user.point_at(title_, 100, 80);
+  nlohmann::json preview_while(const Act& act, const std::vector<std::string>& options = {},
+                               const std::string& display = {}) const {
+    RunningProgram program(command(options));
+    XUser user(display.empty() ? server_.display() : display);
+    user.point_at(title_, 100, 80);
+    if constexpr (std::is_invocable_v<Act, XUser&, RunningProgram&>) {
+      act(user, program);
+    } else {
       act(user);
-    });
-    const ProgramResult result = preview(std::move(options));
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
-    return nlohmann::json::parse(result.output);
+    }
+    EXPECT_EQ(program.wait_for_end(), 0) << program.said();
+    const std::string said = program.said();  // notes, too
+    const std::size_t begin = said.find("{\n  \"version\"");
+    return nlohmann::json::parse(said.substr(begin, said.rfind("\n}") + 2 - begin));
   }
 
   /// Waits until the check of the gaze shows its target there, black with a white middle, or until

@@ -1,24 +1,19 @@
 // The preview of a scene whose files change, as its user sees it.
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "renderer/glb/glb_document.h"
 #include "tests/end_to_end/preview_command.h"
-#include "tests/end_to_end/running_program.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// A row of the picture that no message covers.
 constexpr int above_messages_px = 20;
@@ -52,23 +47,20 @@ TEST_F(PreviewCommand, ShowsTheSceneThatTakesItsFilesPlace) {
 }
 
 TEST_F(PreviewCommand, KeepsTheSceneWhereTheChangedOneDoesNotLoad) {
-  const std::jthread user_thread([&] {
-    XUser user(server_.display());
-    user.point_at(title_, 100, 80);
-    wait_until("the first picture",
-               [&] { return user.brightness_at(title_, 100, above_messages_px) > 0.2; });
-    for (int i = 0; i < 10; ++i) {
-      std::filesystem::rename(folder_.write("new", "no scene at all"), scene_);
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    wait_until("the old scene",
-               [&] { return user.brightness_at(title_, 100, above_messages_px) > 0.2; });
-    user.ask_to_close(title_);
-  });
-  const ProgramResult result = preview({"--fill-unsampled"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("does not load: " + scene_));
-  const auto json = nlohmann::json::parse(result.output);
+  const auto json = preview_while(
+      [&](XUser& user, RunningProgram& program) {
+        const auto is_scene_shown = [&] {
+          return user.brightness_at(title_, 100, above_messages_px) > 0.2;
+        };
+        wait_until("the first picture", is_scene_shown);
+        for (int i = 0; i < 10; ++i) {
+          std::filesystem::rename(folder_.write("new", "no scene at all"), scene_);
+          program.wait_for("does not load: " + scene_);
+        }
+        wait_until("the old scene", is_scene_shown);
+        user.ask_to_close(title_);
+      },
+      {"--fill-unsampled"});
   for (const auto& change : json.at("changes")) {
     EXPECT_TRUE(change.at("is_refused"));
   }

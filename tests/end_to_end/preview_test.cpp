@@ -140,14 +140,17 @@ struct LastView {
   double fov_deg = 0.0;
 };
 
-LastView last_view(const nlohmann::json& json) {
+LastView view_of(const std::string& text) {
   LastView view;
-  const auto text = json.at("last_view").get<std::string>();
   EXPECT_EQ(std::sscanf(text.c_str(), "--camera %lf,%lf,%lf --head %lf,%lf --fov %lf", &view.x,
                         &view.y, &view.z, &view.azimuth_deg, &view.elevation_deg, &view.fov_deg),
             6)
       << text;
   return view;
+}
+
+LastView last_view(const nlohmann::json& json) {
+  return view_of(json.at("last_view").get<std::string>());
 }
 
 TEST_F(PreviewCommand, BeginsAsWideAsAPictureUnlessTrueAnglesAreAskedFor) {
@@ -167,9 +170,12 @@ TEST_F(PreviewCommand, BeginsAsWideAsAPictureUnlessTrueAnglesAreAskedFor) {
 TEST_F(PreviewCommand, IsMovedThroughAndZoomed) {
   constexpr unsigned wheel_away = 4;
   const auto json = preview_while(
-      [](XUser& user) {
+      [](XUser& user, RunningProgram& program) {
         user.hold("Prior");
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        wait_until("a higher view", [&] {
+          user.type("o");  // prints the view
+          return view_of(program.wait_for("--camera ")).y > 0.0;
+        });
         user.let_go("Prior");
         user.press_button(wheel_away);
         user.release_button(wheel_away);
@@ -252,19 +258,16 @@ TEST_F(PreviewCommand, GoesOnWithoutItsMonitor) {
   } catch (const std::runtime_error& reason) {
     GTEST_SKIP() << reason.what();
   }
-  const std::jthread user_thread([&] {
-    XUser user(monitors->display());
-    user.point_at(title_, 100, 80);
-    wait_until("the window that fills DUMMY1", [&] {
-      const XUser::Place place = user.place_of(title_);
-      return place.x == 1024 && place.width == 800 && place.height == 600;
-    });
-    monitors->take_away("DUMMY1");
-    user.ask_to_close(title_);
-  });
-  const ProgramResult result = preview({"--full-screen", "--monitor", "1"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
-  const auto json = nlohmann::json::parse(result.output);
+  const auto json = preview_while(
+      [&](XUser& user) {
+        wait_until("the window that fills DUMMY1", [&] {
+          const XUser::Place place = user.place_of(title_);
+          return place.x == 1024 && place.width == 800 && place.height == 600;
+        });
+        monitors->take_away("DUMMY1");
+        user.ask_to_close(title_);
+      },
+      {"--full-screen", "--monitor", "1"}, monitors->display());
   EXPECT_THAT(json.at("lost_monitors"), ElementsAre("DUMMY1"));
 }
 

@@ -106,12 +106,16 @@ TEST_F(RenderParts, OneThatWasStoppedGoesOnAsIfNothingHadBeen) {
   Options arguments = {"render", (folder_ / "room.gltf").string(), "-o",
                        (folder_ / "stopped.film").string(), "--resume"};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  {
+  constexpr int max_tries = 20;
+  int exit_code = 0;
+  for (int i = 0; exit_code == 0 && i < max_tries; ++i) {  // a busy machine may stop it too late
+    std::filesystem::remove(folder_ / "stopped.film");
     RunningProgram stopped(arguments);
     stopped.wait_for("samples per pixel");
     stopped.kill(SIGTERM);
-    EXPECT_EQ(stopped.wait_for_end(), 130);
+    exit_code = stopped.wait_for_end();
   }
+  ASSERT_EQ(exit_code, 130);
   Options rest = options;
   rest.back() = "2/2";
   ASSERT_EQ(render("rest.film", rest).exit_code, 0);

@@ -3,12 +3,15 @@
 
 PROGRAM is `foveola`; BUILT holds the examples' programs, each in a folder of its example's name.
 """
+import array
+import fcntl
 import json
 import math
 import re
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import unittest
 from pathlib import Path
@@ -27,6 +30,14 @@ steps = here.parents[1] / "examples" / "python" / "first_steps.py"
 def run(*arguments, **options):
     return subprocess.run([str(argument) for argument in arguments], check=True,
                           capture_output=True, text=True, **options)
+
+
+def wait_until_read(process):
+    """Waits until it has taken all of its standard input: it first loads a scene."""
+    unread = array.array("i", [1])
+    while unread[0] > 0 and process.poll() is None:
+        time.sleep(0.01)
+        fcntl.ioctl(process.stdin, termios.FIONREAD, unread)
 
 
 def eccentricities_deg(pixels, azimuth_deg, elevation_deg):
@@ -74,6 +85,7 @@ class Examples(unittest.TestCase):
         for line in ("40 10", "blink", "40 10"):
             eye.stdin.write(line + "\n")
             eye.stdin.flush()
+            wait_until_read(eye)
             time.sleep(1.0)
         said, _ = eye.communicate()
         self.assertEqual(eye.returncode, 0)

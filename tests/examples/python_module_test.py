@@ -101,8 +101,8 @@ class Renders(unittest.TestCase):
     def test_an_interrupt_stops_it_soon(self):
         interrupt = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
         began = time.monotonic()
-        interrupt.start()
         with self.assertRaises(KeyboardInterrupt):
+            interrupt.start()
             foveola.render(self.scene, "od", seconds=600.0)
         self.assertLess(time.monotonic() - began, 60.0)
 

@@ -1,17 +1,14 @@
 #include "tests/openxr/scripted_headset.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 namespace foveola::test {
-namespace {
-
-void set(const char* variable, const std::string& value) { ::setenv(variable, value.c_str(), 1); }
-
-}  // namespace
 
 ScriptedHeadset::ScriptedHeadset(const std::string& script, Validation validation) {
+  const auto set = [this](const char* variable, const std::string& value) {
+    environment_.emplace_back(variable, value);
+  };
   play(script);
   set("XR_RUNTIME_JSON", OPENXR_MANIFEST);
   set("XR_ENABLE_API_LAYERS",
@@ -27,16 +24,29 @@ void ScriptedHeadset::play(const std::string& script) const {
   folder_.write("script.json", script);
 }
 
-std::vector<nlohmann::json> ScriptedHeadset::log(const std::string& kind) const {
+std::vector<std::string> ScriptedHeadset::log_lines(const std::string& kind) const {
   std::ifstream file(folder_ / "log");
-  std::vector<nlohmann::json> lines;
-  for (std::string text; std::getline(file, text);) {
-    nlohmann::json line = nlohmann::json::parse(text);
-    if (line.at("kind") == kind) {
+  std::vector<std::string> lines;
+  const std::string entry = "\"kind\":\"" + kind + "\"";
+  // A line without its end is still being written.
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    if (line.find(entry) != std::string::npos) {
       lines.push_back(std::move(line));
     }
   }
   return lines;
+}
+
+std::vector<nlohmann::json> ScriptedHeadset::log(const std::string& kind) const {
+  std::vector<nlohmann::json> entries;
+  for (const std::string& line : log_lines(kind)) {
+    entries.push_back(nlohmann::json::parse(line));
+  }
+  return entries;
+}
+
+nlohmann::json ScriptedHeadset::newest_log(const std::string& kind) const {
+  return nlohmann::json::parse(log_lines(kind).back());
 }
 
 std::string ScriptedHeadset::found_invalid() const {
@@ -50,5 +60,9 @@ std::string ScriptedHeadset::found_invalid() const {
 }
 
 std::map<std::string, std::string> ScriptedHeadset::pictures() const { return pictures_.content(); }
+
+std::filesystem::path ScriptedHeadset::picture_file(std::int64_t frame, int eye) const {
+  return pictures_ / (std::to_string(frame) + "-" + std::to_string(eye) + ".ppm");
+}
 
 }  // namespace foveola::test

@@ -1,12 +1,16 @@
 // A headset without a headset, for whatever speaks OpenXR in a test.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <list>
 #include <map>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::test {
@@ -19,15 +23,18 @@ class ScriptedHeadset {
   /// some of what is wrong from the runtime.
   enum class Validation { on, off };
 
-  /// script: in JSON. The environment is set until another one sets it.
+  /// script: in JSON. The environment is restored at the end.
   explicit ScriptedHeadset(const std::string& script = "{}",
                            Validation validation = Validation::on);
 
   /// Another script, for the next instance.
   void play(const std::string& script) const;
 
-  /// The log's lines of a kind so far.
+  /// The whole lines of a kind that the log has so far.
   std::vector<nlohmann::json> log(const std::string& kind) const;
+
+  /// The last of them, of which there is one.
+  nlohmann::json newest_log(const std::string& kind) const;
 
   /// What the validation layer found wrong: nothing, if all is well.
   std::string found_invalid() const;
@@ -36,9 +43,15 @@ class ScriptedHeadset {
   /// 12-0.ppm.
   std::map<std::string, std::string> pictures() const;
 
+  /// The file of a saved frame's picture for eye 0 or 1, complete once the log has the frame.
+  std::filesystem::path picture_file(std::int64_t frame, int eye) const;
+
  private:
+  std::vector<std::string> log_lines(const std::string& kind) const;
+
   TemporaryFolder folder_;
   TemporaryFolder pictures_;
+  std::list<scenes::EnvironmentVariable> environment_;
 };
 
 }  // namespace foveola::test

@@ -5,11 +5,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -24,11 +24,8 @@ using testing::ThrowsMessage;
 
 class AnalyzeStudy : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(root); }
-  void TearDown() override { fs::remove_all(root); }
-
-  const fs::path root =
-      fs::path(testing::TempDir()) / ("foveola_analyze_" + std::to_string(::getpid()));
+  const test::TemporaryFolder temporary;
+  const fs::path root = temporary.path();
   const fs::path folder = root / "results";
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 #include <fmt/format.h>
@@ -43,9 +44,14 @@ void sleep_until(XrTime time) {
   runtime().mutex.lock();
 }
 
+bool has_script_started(const Session& session) {
+  const std::filesystem::path& file = runtime().script.starts_with;
+  return session.was_focused && (file.empty() || std::filesystem::exists(file));
+}
+
 Frame next_frame(Session& session, XrTime wake_up) {
   Frame frame;
-  if (session.was_focused) {
+  if (has_script_started(session)) {
     frame.number = session.frames_since_focus++;
     frame.time_s = static_cast<double>(frame.number) / runtime().script.refresh_hz;
   }

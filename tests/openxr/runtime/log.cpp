@@ -16,7 +16,8 @@ void Log::open(const std::filesystem::path& file) {
 
 void Log::write(const nlohmann::json& line) {
   if (stream_.is_open()) {
-    stream_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n'
+    // One string, which is written by one call: lines of several processes stay whole.
+    stream_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n'
             << std::flush;
   }
 }

@@ -8,6 +8,9 @@
 // the same frames as a fast one. Before the first focus nothing of the script happens but what its
 // first keys say. Whatever has a time has to come in the order of times.
 //
+// A test can start these times itself:
+//   starts_with        name of a file: until it exists, all is as before the first focus
+//
 // Angles are degrees, lengths m. A positive yaw turns to the left, a positive pitch up, and a
 // positive roll tilts to the left. Intervals are {from, to}; without an end they have none.
 //
@@ -174,6 +177,7 @@ struct ScriptedFailure {
 };
 
 struct Script {
+  std::filesystem::path starts_with;  ///< empty: the script starts with the first focus
   std::string system_name = "Test headset";
   double refresh_hz = 90.0;
   bool is_real_time = true;

@@ -249,7 +249,8 @@ Script read_script(const std::filesystem::path& file) {
     content = nlohmann::json::parse(stream);
   }
   const ScriptPart part(content, "it",
-                        {"system_name",
+                        {"starts_with",
+                         "system_name",
                          "refresh_hz",
                          "real_time",
                          "extensions",
@@ -270,6 +271,7 @@ Script read_script(const std::filesystem::path& file) {
                          "failures",
                          "save_frames"});
   Script script;
+  script.starts_with = part.get("starts_with", std::string());
   read_headset(part, script);
   read_wearer(part, script);
   read_happenings(part, script);

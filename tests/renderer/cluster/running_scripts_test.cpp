@@ -37,6 +37,10 @@ echo x >>"$part"
          "\nwc -l <\"$part\" >\"$part.count\"\nmv \"$part.count\" \"$part\"\n";
 }
 
+/// For `behaves`: waits until the script waits for the program, and so has set its traps.
+const std::string once_awaited =
+    "until grep -q '^State:.S' /proc/$PPID/status; do sleep 0.01; done\n";
+
 class Shards : public testing::Test {
  protected:
   void begin(const std::vector<std::string>& words, const std::string& behaves) {
@@ -127,10 +131,11 @@ TEST_F(Shards, KeepWhatTheyHaveWhenTheirTimeIsUp) {
        {std::vector<std::string>{"render"}, std::vector<std::string>{"study", "simulate"}}) {
     begin(words,
           "if [ $(wc -l <\"$part\") = 1 ]; then\n"
-          "  trap 'exit 130' TERM\n"
-          "  kill -USR1 $PPID\n"
-          "  while :; do sleep 0.1; done\n"
-          "fi");
+          "  trap 'exit 130' TERM\n" +
+              once_awaited +
+              "  kill -USR1 $PPID\n"
+              "  while :; do sleep 0.1; done\n"
+              "fi");
     EXPECT_THAT(run({1}), IsEmpty());
     EXPECT_THAT(log(1), HasSubstr("Part 1 is to go on: its time was up"));
     EXPECT_EQ(part(1), "2\n");
@@ -141,9 +146,10 @@ TEST_F(Shards, KeepWhatTheyHaveWhenTheirTimeIsUp) {
 TEST_F(Shards, ThatComeNoFurtherInTheirTimeFail) {
   begin({"bench", "statistics"},
         "rm \"$part\"\n"
-        "trap 'exit 130' TERM\n"
-        "kill -USR1 $PPID\n"
-        "while :; do sleep 0.1; done");
+        "trap 'exit 130' TERM\n" +
+            once_awaited +
+            "kill -USR1 $PPID\n"
+            "while :; do sleep 0.1; done");
   ASSERT_EQ(run({1}).size(), 1U);
   EXPECT_THAT(last_line(folder_->log(Stage::shards, 1)),
               HasSubstr("came no further in its time: give it more"));
@@ -152,10 +158,11 @@ TEST_F(Shards, ThatComeNoFurtherInTheirTimeFail) {
 TEST_F(Shards, KeepWhatTheyHaveWhenTheyAreStopped) {
   begin({"study", "simulate"},
         "if [ $(wc -l <\"$part\") = 1 ]; then\n"
-        "  trap 'exit 130' TERM\n"
-        "  touch begun\n"
-        "  while :; do sleep 0.1; done\n"
-        "fi");
+        "  trap 'exit 130' TERM\n" +
+            once_awaited +
+            "  touch begun\n"
+            "  while :; do sleep 0.1; done\n"
+            "fi");
   std::stop_source stop;
   std::jthread stopper([&](const std::stop_token& over) {
     while (!std::filesystem::exists(results_ / "begun") && !over.stop_requested()) {

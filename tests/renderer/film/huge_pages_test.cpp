@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
 #include <set>
 #include <thread>
 #include <utility>
@@ -50,9 +49,16 @@ void wait_until_all_are_ready(const HugePages& pages) {
   test::wait_until("pages that are ready", [&] { return pages.ready() == HugePages::most_ready; });
 }
 
-std::size_t threads() {
+/// The numbers of this process's threads. Joined threads may be there for a moment longer.
+std::set<std::filesystem::path> threads() {
   const std::filesystem::directory_iterator tasks("/proc/self/task");
-  return static_cast<std::size_t>(std::distance(begin(tasks), end(tasks)));
+  return {begin(tasks), end(tasks)};
+}
+
+std::size_t threads_since(const std::set<std::filesystem::path>& before) {
+  const std::set<std::filesystem::path> now = threads();
+  return static_cast<std::size_t>(
+      std::ranges::count_if(now, [&](const auto& thread) { return !before.contains(thread); }));
 }
 
 TEST(HugePages, WhatIsTakenIsZeros) {
@@ -103,19 +109,19 @@ TEST(HugePages, NoMoreAreReadyThanSaid) {
 }
 
 TEST(HugePages, AThreadStartsWhereMoreThanAFewAreTaken) {
-  const std::size_t without = threads();
+  const std::set<std::filesystem::path> before = threads();
   {
     HugePages pages;
     std::vector<HugePage> taken = take(pages, HugePages::taken_without_thread);
     pages.make_ready();
-    EXPECT_EQ(threads(), without);
+    EXPECT_EQ(threads_since(before), 0U);
     taken.push_back(pages.take());
-    EXPECT_EQ(threads(), without);
+    EXPECT_EQ(threads_since(before), 0U);
     pages.make_ready();
     pages.make_ready();
-    EXPECT_EQ(threads(), without + 1);
+    EXPECT_EQ(threads_since(before), 1U);
   }
-  test::wait_until("the thread's end", [&] { return threads() == without; });
+  test::wait_until("the thread's end", [&] { return threads_since(before) == 0; });
 }
 
 TEST(HugePages, ManyThreadsTakeThemWhileOneMakesThem) {

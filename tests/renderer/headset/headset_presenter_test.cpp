@@ -34,9 +34,9 @@ const std::string small_eyes = R"("eyes": [
 
 class HeadsetPresenterTest : public ::testing::Test {
  protected:
-  /// A headset at 60 Hz with such a wearer.
-  void wear(const std::string& script) {
-    headset_.emplace("{\"refresh_hz\": 60, " + small_eyes + script + "}");
+  /// A headset with such a wearer.
+  void wear(const std::string& script, const std::string& refresh_hz = "60") {
+    headset_.emplace("{\"refresh_hz\": " + refresh_hz + ", " + small_eyes + script + "}");
     worn_.emplace();
   }
 
@@ -59,19 +59,20 @@ class HeadsetPresenterTest : public ::testing::Test {
 };
 
 TEST_F(HeadsetPresenterTest, TellsWhatTheRuntimeTells) {
-  wear(R"(, "system_name": "A headset")");
+  // A frame is shown ten seconds after it was asked for, and no machine is later than that.
+  wear(R"(, "system_name": "A headset", "real_time": false)", "0.1");
   const HeadsetFacts& facts = presenter().facts();
   EXPECT_EQ(facts.headset, "A headset");
   EXPECT_TRUE(facts.has_eye_tracker);
   EXPECT_EQ(facts.eye_px[1], IVec2(120, 100));
-  EXPECT_NEAR(facts.refresh_rate_hz, 60.0, 0.01);
+  EXPECT_NEAR(facts.refresh_rate_hz, 0.1, 1e-6);
   EXPECT_NEAR(facts.cant_deg(0), 5.0, 1e-3);
   EXPECT_NEAR(facts.cant_deg(1), 5.0, 1e-3);
   EXPECT_GT(facts.eyes[0].lens.axis.x, 0.5F) << "it sees farther to the left";
   EXPECT_LT(facts.eyes[1].lens.axis.x, 0.5F);
   EXPECT_GT(facts.both.horizontal_deg, 108.0);
   EXPECT_GT(facts.display_delay, Nanoseconds(0));
-  EXPECT_LT(facts.display_delay, std::chrono::milliseconds(200));
+  EXPECT_LE(facts.display_delay, std::chrono::seconds(10));
 }
 
 TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
@@ -281,7 +282,7 @@ TEST_F(HeadsetPresenterTest, SaysThatTheHeadsetIsNotThere) {
 }
 
 TEST_F(HeadsetPresenterTest, SaysThatThereIsNoRuntime) {
-  ::setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
+  const scenes::EnvironmentVariable runtime("XR_RUNTIME_JSON", "/nowhere/runtime.json");
   EXPECT_THAT([&] { worn_.emplace(); }, ThrowsMessage<Error>(HasSubstr("runtime")));
 }
 

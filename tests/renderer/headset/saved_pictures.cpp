@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "renderer/base/files.h"
 #include "tests/waiting.h"
 
 namespace foveola::test {
@@ -16,7 +17,7 @@ std::string all_frames() {
 }
 
 std::int64_t newest_frame(const ScriptedHeadset& headset) {
-  return headset.log("frame").back().at("frame");
+  return headset.newest_log("frame").at("frame");
 }
 
 void wait_for_frame(const ScriptedHeadset& headset, std::int64_t number) {
@@ -24,8 +25,7 @@ void wait_for_frame(const ScriptedHeadset& headset, std::int64_t number) {
 }
 
 RgbImage saved_picture(const ScriptedHeadset& headset, std::int64_t frame, int eye) {
-  const std::string pixmap =
-      headset.pictures().at(std::to_string(frame) + "-" + std::to_string(eye) + ".ppm");
+  const std::string pixmap = read_file(headset.picture_file(frame, eye));
   std::istringstream header(pixmap);
   std::string kind;
   int width = 0;

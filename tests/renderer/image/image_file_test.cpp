@@ -4,12 +4,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_codec.h"
 #include "tests/encoded_image.h"
+#include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -22,10 +22,6 @@ using testing::ThrowsMessage;
 class ImageFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("images_" + std::to_string(::getpid()) + "_" +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
     image_.color = RgbImage(3, 2);
     for (int i = 0; i < 6; ++i) {
       image_.color.pixels[static_cast<std::size_t>(i)] =
@@ -33,13 +29,13 @@ class ImageFile : public testing::Test {
       image_.samples.push_back(static_cast<std::uint32_t>(i * 1000));
     }
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::ptrdiff_t entries() const {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
   FilmImage image_;
 };
 

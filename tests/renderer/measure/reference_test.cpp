@@ -14,6 +14,7 @@
 #include "renderer/image/image_file.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/preview/box_room.h"
+#include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -26,15 +27,11 @@ using testing::ElementsAre;
 class ReferenceImage : public testing::Test {
  protected:
   void SetUp() override {
-    cache_ = fs::path(testing::TempDir()) /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(cache_);
     settings_.width = 64;
     settings_.height = 32;
     settings_.max_depth = 3;
     settings_.samples_per_pixel = 4;
   }
-  void TearDown() override { fs::remove_all(cache_); }
 
   FilmImage render(const std::string& key = "scene", std::stop_token stop = {}) {
     return reference_image(
@@ -55,7 +52,8 @@ class ReferenceImage : public testing::Test {
   Scene scene_ = box_room(0.5F);
   Workers workers_{2};
   PathTracer tracer_{scene_, workers_};
-  fs::path cache_;
+  test::TemporaryFolder folder_;
+  const fs::path cache_ = folder_ / "cache";
   ReferenceSettings settings_;
   std::vector<double> progress_;
 };

@@ -14,8 +14,7 @@
 #include "renderer/view/equirect.h"
 #include "renderer/view/radial_distribution.h"
 #include "tests/renderer/preview/box_room.h"
-
-namespace fs = std::filesystem;
+#include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
@@ -323,19 +322,17 @@ TEST_F(PreviewTest, SharesNoNoiseWithTheReferenceOfItsSeed) {
   Preview preview(tracer_, settings, ahead_, still_, workers_);
   preview.restart("od", 5);
   preview.render_frame(preview_frame_time, 64 * 32);
-  const fs::path cache = fs::path(testing::TempDir()) / "preview_and_reference";
-  fs::remove_all(cache);
+  const test::TemporaryFolder cache;
   const auto reference = [&](int samples_per_pixel, std::uint32_t seed) {
     const ReferenceSettings same{.width = settings.render.film_size.x,
                                  .height = settings.render.film_size.y,
                                  .max_depth = settings.render.trace.max_depth,
                                  .seed = seed,
                                  .samples_per_pixel = samples_per_pixel};
-    return reference_image(tracer_, "room", same, workers_, cache, [](double) {}, {});
+    return reference_image(tracer_, "room", same, workers_, cache.path(), [](double) {}, {});
   };
   const FilmImage truth = reference(64, 99);
   const FilmImage same_seed = reference(1, 5);
-  fs::remove_all(cache);
   double covariance = 0.0;
   double variance_preview = 0.0;
   double variance_reference = 0.0;
