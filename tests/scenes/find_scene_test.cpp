@@ -32,7 +32,7 @@ class FindScene : public testing::Test {
   TemporaryFolder folder;
 
  private:
-  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", (folder.path() / "cache").string()};
+  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", common_cache()};
   EnvironmentVariable data_home_{"XDG_DATA_HOME", (folder.path() / "data").string()};
   EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", (folder.path() / "real").string()};
 };

@@ -39,7 +39,7 @@ class OwnScenes : public testing::Test {
   fs::path users = folder / "data/foveola/scenes";
 
  private:
-  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", (folder / "cache").string()};
+  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", common_cache()};
   EnvironmentVariable data_home_{"XDG_DATA_HOME", (folder / "data").string()};
   EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", ""};
 };

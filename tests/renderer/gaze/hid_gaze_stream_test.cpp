@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/renderer/gaze/gaze_expectations.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {
@@ -30,15 +31,6 @@ HidEyeReports parsed_reports(const Bytes& descriptor) {
 HidGazeStream stream_of(HidGazeSettings settings = {}) {
   settings.screen = stream_screen;
   return {parsed_reports(test::reference_descriptor()), settings};
-}
-
-void expect_along(const Vec3& direction, const Vec3& expected) {
-  EXPECT_LT(glm::distance(direction, glm::normalize(expected)), 1e-6F);
-}
-
-/// The gaze of the last tracking report of a read.
-std::optional<GazeSample> newest(const std::vector<GazeSample>& samples) {
-  return samples.empty() ? std::nullopt : std::optional(samples.back());
 }
 
 /// The report number `index` of a 100 Hz tracker, with its time.

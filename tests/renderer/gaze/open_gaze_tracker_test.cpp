@@ -12,6 +12,7 @@
 #include <netdb.h>
 
 #include "renderer/base/error.h"
+#include "tests/renderer/gaze/gaze_expectations.h"
 #include "tests/renderer/gaze/tracker_server.h"
 #include "tests/waiting.h"
 
@@ -38,11 +39,6 @@ std::string timed_record(double time_s) {
 
 bool is_near(const Vec3& direction, const Vec3& expected) {
   return glm::distance(direction, glm::normalize(expected)) < 1e-6F;
-}
-
-/// The last of them.
-std::optional<GazeSample> newest(const std::vector<GazeSample>& samples) {
-  return samples.empty() ? std::nullopt : std::optional(samples.back());
 }
 
 OpenGazeDecoder decoder_with(const OpenGazeSettings& settings) { return {settings, {}}; }

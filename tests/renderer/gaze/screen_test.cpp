@@ -4,35 +4,30 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/renderer/gaze/gaze_expectations.h"
+
 namespace foveola {
 namespace {
 
 // A screen of 0.6 m x 0.3 m that is seen from 0.3 m fills 90 degrees and 53.13 degrees.
-constexpr Screen half_metre{.width_m = 0.6,
-                            .height_m = 0.3,
-                            .horizontal_fov_deg = 90.0,
-                            .vertical_fov_deg = 53.13010235415598};
+constexpr Screen near_screen{.width_m = 0.6,
+                             .height_m = 0.3,
+                             .horizontal_fov_deg = 90.0,
+                             .vertical_fov_deg = 53.13010235415598};
 
-void expect_along(const Vec3& direction, const Vec3& expected) {
-  const Vec3 unit = glm::normalize(expected);
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(direction[axis], unit[axis], 1e-6F);
-  }
-}
-
-TEST(Screen, ItsMiddleIsAhead) { expect_along(direction_at(half_metre, {0.5, 0.5}), {0, 0, -1}); }
+TEST(Screen, ItsMiddleIsAhead) { expect_along(direction_at(near_screen, {0.5, 0.5}), {0, 0, -1}); }
 
 TEST(Screen, ItsCornersAreAtTheViewsEdges) {
-  expect_along(direction_at(half_metre, {0.0, 0.0}), {-0.3F, 0.15F, -0.3F});
-  expect_along(direction_at(half_metre, {1.0, 1.0}), {0.3F, -0.15F, -0.3F});
+  expect_along(direction_at(near_screen, {0.0, 0.0}), {-0.3F, 0.15F, -0.3F});
+  expect_along(direction_at(near_screen, {1.0, 1.0}), {0.3F, -0.15F, -0.3F});
 }
 
 TEST(Screen, GoesOnBeyondItsEdges) {
-  expect_along(direction_at(half_metre, {1.5, 0.5}), {0.6F, 0.0F, -0.3F});
+  expect_along(direction_at(near_screen, {1.5, 0.5}), {0.6F, 0.0F, -0.3F});
 }
 
 TEST(Screen, MetresAreFromTheTopLeft) {
-  const DVec2 fraction = fraction_of(half_metre, {0.15, 0.225});
+  const DVec2 fraction = fraction_of(near_screen, {0.15, 0.225});
   EXPECT_DOUBLE_EQ(fraction.x, 0.25);
   EXPECT_DOUBLE_EQ(fraction.y, 0.75);
 }

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string square_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 class LoadObj : public InTemporaryFolder {
  protected:
@@ -91,7 +91,7 @@ TEST_F(LoadObj, PolygonsAreCutIntoTriangles) {
 
 /// Of a cube with smooth normals: one vertex for each position and normal that go together.
 TEST_F(LoadObj, VerticesAreSharedWhereAllTheirValuesAre) {
-  const Scene scene = load(square + "v 2 0 0\nv 2 1 0\nvn 0 0 1\nvn 0 0.6 0.8\n" +
+  const Scene scene = load(square_vertices + "v 2 0 0\nv 2 1 0\nvn 0 0 1\nvn 0 0.6 0.8\n" +
                            "f 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//2\n");
   ASSERT_EQ(scene.meshes.size(), 1U);
   const Mesh& mesh = scene.meshes[0];
@@ -117,7 +117,8 @@ TEST_F(LoadObj, UselessNormalsAreReplaced) {
 
 TEST_F(LoadObj, AMeshIsAnObjectInAMaterial) {
   const Scene scene =
-      load(square + "o chair\ng seat\nf 1 2 3\nusemtl a\nf 1 3 4\no table\nf 1 2 4\nusemtl b\n" +
+      load(square_vertices +
+           "o chair\ng seat\nf 1 2 3\nusemtl a\nf 1 3 4\no table\nf 1 2 4\nusemtl b\n" +
            "f 2 3 4\no chair\nusemtl a\nf 2 3 4\n");
   std::vector<std::pair<std::string, std::string>> names;
   for (const Mesh& mesh : scene.meshes) {
@@ -133,7 +134,7 @@ TEST_F(LoadObj, AMeshIsAnObjectInAMaterial) {
 }
 
 TEST_F(LoadObj, GroupsNameWhatNoObjectDoes) {
-  const Scene scene = load(square + "g left wall\nf 1 2 3\ng right\nf 1 3 4\n");
+  const Scene scene = load(square_vertices + "g left wall\nf 1 2 3\ng right\nf 1 3 4\n");
   ASSERT_EQ(scene.meshes.size(), 2U);
   EXPECT_EQ(scene.meshes[0].name, "left");
   EXPECT_EQ(scene.meshes[1].name, "right");
@@ -347,7 +348,7 @@ TEST_F(LoadObj, SurvivesOtherBytes) {
   const std::string mtl =
       "newmtl m\nKd 1 .5 0\nKs 1 1 1\nNs 9e1\nillum 2\nmap_Kd -clamp on red.png\n"
       "map_d red.png\nnewmtl n\nPr 0.5\nmap_Pr red.png\nnorm -bm 2 red.png\n";
-  const std::string obj = "mtllib m.mtl\no a\n" + square + "vn 0 0 1\n" + textured +
+  const std::string obj = "mtllib m.mtl\no a\n" + square_vertices + "vn 0 0 1\n" + textured +
                           "g b\nusemtl n\nf -4/1/1 -3/2/1 -2/3/1 -1/-1/-1\nf 1 2 3 4 1 2 3 4\n";
   const std::string alphabet = "0123456789-+.e/\\ \n\t\r\"#vfnotmKu\xFF";
   Pcg32 random(3);
