@@ -10,7 +10,6 @@ namespace foveola::analysis {
 namespace {
 
 using enum ColumnType;
-using Comparison = MethodComparison;
 
 /// Adds a number of a result that may not exist, times `scale`.
 template <typename Item, typename Result>
@@ -21,14 +20,15 @@ void add_number(const std::string& name, const std::string& unit, const std::str
                      [=](const Item& row) { return field_in(result(row), value); }});
 }
 
-void add_ratio(ColumnsOf<Comparison>& columns) {
+void add_ratio(ColumnsOf<MethodComparison>& columns) {
   const auto add = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, RatioTest>(
-        name, "%", description, [](const Comparison& row) { return row.ratio; }, value, columns);
+    add_number<MethodComparison, RatioTest>(
+        name, "%", description, [](const MethodComparison& row) { return row.ratio; }, value,
+        columns);
   };
   columns.push_back({{"ratio_percent", number, "%",
                       "Of times: geometric mean of the participants' ratios, method to reference"},
-                     [](const Comparison& row) {
+                     [](const MethodComparison& row) {
                        return row.is_time && row.mean ? field(100.0 * row.in_unit(*row.mean))
                                                       : Field();
                      }});
@@ -37,8 +37,8 @@ void add_ratio(ColumnsOf<Comparison>& columns) {
   add("ci95_high_percent", "Upper end of its 95 % t interval",
       [](const RatioTest& test) { return 100.0 * test.interval.high; });
   const auto add_bca = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, Interval>(
-        name, "%", description, [](const Comparison& row) { return row.ratio_bca; }, value,
+    add_number<MethodComparison, Interval>(
+        name, "%", description, [](const MethodComparison& row) { return row.ratio_bca; }, value,
         columns);
   };
   add_bca("bca95_low_percent", "Lower end of its 95 % bootstrap interval (BCa)",
@@ -47,27 +47,27 @@ void add_ratio(ColumnsOf<Comparison>& columns) {
           [](const Interval& bca) { return 100.0 * bca.high; });
 }
 
-void add_points(ColumnsOf<Comparison>& columns) {
+void add_points(ColumnsOf<MethodComparison>& columns) {
   const auto add = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, TTest>(
-        name, "points", description, [](const Comparison& row) { return row.points; }, value,
+    add_number<MethodComparison, TTest>(
+        name, "points", description, [](const MethodComparison& row) { return row.points; }, value,
         columns);
   };
   columns.push_back(
       {{"difference_points", number, "points",
         "Of ratings: mean difference, method less reference"},
-       [](const Comparison& row) { return row.is_time ? Field() : field(row.mean); }});
+       [](const MethodComparison& row) { return row.is_time ? Field() : field(row.mean); }});
   add("ci95_low_points", "Lower end of its 95 % t interval",
       [](const TTest& test) { return test.interval.low; });
   add("ci95_high_points", "Upper end of its 95 % t interval",
       [](const TTest& test) { return test.interval.high; });
 }
 
-void add_t(ColumnsOf<Comparison>& columns) {
+void add_t(ColumnsOf<MethodComparison>& columns) {
   const auto add = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, TTest>(
+    add_number<MethodComparison, TTest>(
         name, "", description,
-        [](const Comparison& row) {
+        [](const MethodComparison& row) {
           return row.ratio ? std::optional(row.ratio->logs) : row.points;
         },
         value, columns);
@@ -80,23 +80,24 @@ void add_t(ColumnsOf<Comparison>& columns) {
       [](const TTest& test) { return test.d_z; });
 }
 
-void add_ranks(ColumnsOf<Comparison>& columns) {
+void add_ranks(ColumnsOf<MethodComparison>& columns) {
   const auto add = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, SignedRankTest>(
-        name, "", description, [](const Comparison& row) { return row.ranks; }, value, columns);
+    add_number<MethodComparison, SignedRankTest>(
+        name, "", description, [](const MethodComparison& row) { return row.ranks; }, value,
+        columns);
   };
   add("w_plus", "Wilcoxon's sum of ranks of positive differences",
       [](const SignedRankTest& test) { return test.w_plus; });
   add("w_minus", "Wilcoxon's sum of ranks of negative differences",
       [](const SignedRankTest& test) { return test.w_minus; });
   columns.push_back({{"zeros", whole, "", "Differences of zero, which are left out of the ranks"},
-                     [](const Comparison& row) {
+                     [](const MethodComparison& row) {
                        return field_in(row.ranks, [](auto& test) { return test.zeros; });
                      }});
   add("p_wilcoxon", "Two-sided P of the signed-rank test",
       [](const SignedRankTest& test) { return test.p; });
   columns.push_back(
-      {{"wilcoxon_exact", truth, "", "Whether that P is exact"}, [](const Comparison& row) {
+      {{"wilcoxon_exact", truth, "", "Whether that P is exact"}, [](const MethodComparison& row) {
          return field_in(row.ranks, [](auto& test) { return test.exact; });
        }});
   add("rank_biserial", "Effect size: matched-pairs rank-biserial correlation",
@@ -105,15 +106,15 @@ void add_ranks(ColumnsOf<Comparison>& columns) {
 
 /// Adds Hodges and Lehmann's estimate for times or for ratings: three columns in one unit.
 void add_pseudo_median(bool of_times, const std::string& name_unit, const std::string& unit,
-                       double scale, ColumnsOf<Comparison>& columns) {
+                       double scale, ColumnsOf<MethodComparison>& columns) {
   const auto add = [&](const std::string& name, const char* description, auto value) {
-    columns.push_back({{name + name_unit, number, unit, description}, [=](const Comparison& row) {
-                         const std::optional<double> tested =
-                             row.is_time == of_times && row.pseudo_median
-                                 ? value(*row.pseudo_median)
-                                 : std::nullopt;
-                         return tested ? field(scale * row.in_unit(*tested)) : Field();
-                       }});
+    columns.push_back(
+        {{name + name_unit, number, unit, description}, [=](const MethodComparison& row) {
+           const std::optional<double> tested = row.is_time == of_times && row.pseudo_median
+                                                    ? value(*row.pseudo_median)
+                                                    : std::nullopt;
+           return tested ? field(scale * row.in_unit(*tested)) : Field();
+         }});
   };
   using Number = std::optional<double>;
   add("pseudo_median_", "Hodges and Lehmann's estimate",
@@ -126,9 +127,9 @@ void add_pseudo_median(bool of_times, const std::string& name_unit, const std::s
   });
 }
 
-void add_equivalence(double alpha, ColumnsOf<Comparison>& columns) {
+void add_equivalence(double alpha, ColumnsOf<MethodComparison>& columns) {
   const auto add = [&](const char* name, const char* description, auto value) {
-    columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
+    columns.push_back({{name, number, "", description}, [=](const MethodComparison& row) {
                          return field_in(row.equivalent, [&](const EquivalenceTest& test) {
                            return value(row, test);
                          });
@@ -136,7 +137,7 @@ void add_equivalence(double alpha, ColumnsOf<Comparison>& columns) {
   };
   columns.push_back(
       {{"equivalence_margin", number, "", "Planned margin: a factor of times, or points"},
-       [](const Comparison& row) { return field(row.margin); }});
+       [](const MethodComparison& row) { return field(row.margin); }});
   add("equivalence_confidence_percent",
       "Confidence of the interval that follows, 1 − 2 alpha: it lies within the margins where the "
       "unadjusted P is below alpha",
@@ -155,17 +156,17 @@ void add_equivalence(double alpha, ColumnsOf<Comparison>& columns) {
       {{"p_equivalence_holm", number, "",
         "That P adjusted by Holm's method over the planned comparisons with a margin, a family of "
         "their own; empty for exploratory ones, which are not adjusted"},
-       [](const Comparison& row) { return field(row.p_equivalent_holm); }});
+       [](const MethodComparison& row) { return field(row.p_equivalent_holm); }});
 }
 
-void add_primary(ColumnsOf<Comparison>& columns) {
+void add_primary(ColumnsOf<MethodComparison>& columns) {
   const auto add_text = [&](const char* name, const char* description, auto value) {
-    columns.push_back({{name, text, "", description}, [=](const Comparison& row) {
+    columns.push_back({{name, text, "", description}, [=](const MethodComparison& row) {
                          return row.primary ? field(std::string(value(*row.primary))) : Field();
                        }});
   };
   const auto add = [&](const char* name, const char* description, auto value) {
-    columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
+    columns.push_back({{name, number, "", description}, [=](const MethodComparison& row) {
                          return row.primary ? field(std::optional<double>(value(*row.primary)))
                                             : Field();
                        }});
@@ -194,22 +195,23 @@ void add_primary(ColumnsOf<Comparison>& columns) {
       {{"p_holm", number, "",
         "P adjusted by Holm's method over all planned comparisons together; empty for "
         "exploratory ones, which are not adjusted"},
-       [](const Comparison& row) { return field(row.p_holm); }});
+       [](const MethodComparison& row) { return field(row.p_holm); }});
   columns.push_back({{"missing", text, "", "Why there is no P; empty if there is one"},
-                     [](const Comparison& row) { return field(row.missing); }});
+                     [](const MethodComparison& row) { return field(row.missing); }});
 }
 
-void add_influence(ColumnsOf<Comparison>& columns) {
+void add_influence(ColumnsOf<MethodComparison>& columns) {
   const auto add_number = [&](const char* name, const char* description, auto value) {
-    columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
+    columns.push_back({{name, number, "", description}, [=](const MethodComparison& row) {
                          return field_in(row.influence, [&](const Influence& found) {
                            return row.in_unit(value(found.estimates));
                          });
                        }});
   };
   const auto add_code = [&](const char* name, const char* description, auto value) {
-    columns.push_back({{name, text, "", description},
-                       [=](const Comparison& row) { return field_in(row.influence, value); }});
+    columns.push_back({{name, text, "", description}, [=](const MethodComparison& row) {
+                         return field_in(row.influence, value);
+                       }});
   };
   add_number(
       "leave_one_out_low",
@@ -224,15 +226,15 @@ void add_influence(ColumnsOf<Comparison>& columns) {
            [](const Influence& found) { return found.without_high; });
 }
 
-void add_complete_cases(ColumnsOf<Comparison>& columns) {
+void add_complete_cases(ColumnsOf<MethodComparison>& columns) {
   columns.push_back({{"n_complete", whole, "",
                       "Participants with a scene in which all methods were measured (complete "
                       "cases)"},
-                     [](const Comparison& row) { return field(row.complete.n); }});
+                     [](const MethodComparison& row) { return field(row.complete.n); }});
   const auto add_ratio = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, RatioTest>(
-        name, "%", description, [](const Comparison& row) { return row.complete.ratio; }, value,
-        columns);
+    add_number<MethodComparison, RatioTest>(
+        name, "%", description, [](const MethodComparison& row) { return row.complete.ratio; },
+        value, columns);
   };
   add_ratio("complete_ratio_percent", "Of times, in those scenes: ratio_percent",
             [](const RatioTest& test) { return 100.0 * test.ratio; });
@@ -241,9 +243,9 @@ void add_complete_cases(ColumnsOf<Comparison>& columns) {
   add_ratio("complete_ci95_high_percent", "Upper end of its 95 % t interval",
             [](const RatioTest& test) { return 100.0 * test.interval.high; });
   const auto add_points = [&](const char* name, const char* description, auto value) {
-    add_number<Comparison, TTest>(
-        name, "points", description, [](const Comparison& row) { return row.complete.points; },
-        value, columns);
+    add_number<MethodComparison, TTest>(
+        name, "points", description,
+        [](const MethodComparison& row) { return row.complete.points; }, value, columns);
   };
   add_points("complete_difference_points", "Of ratings, in those scenes: difference_points",
              [](const TTest& test) { return test.mean; });
@@ -268,23 +270,23 @@ ColumnOf<OmnibusTest> of_ranks(const char* name, const char* description, Value 
 }  // namespace
 
 Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons) {
-  ColumnsOf<Comparison> columns = {
+  ColumnsOf<MethodComparison> columns = {
       {{"measure", text, "", "Id of the mark or rating"},
-       [](const Comparison& row) { return field(row.measure); }},
+       [](const MethodComparison& row) { return field(row.measure); }},
       {{"method", text, "", "Id of the method"},
-       [](const Comparison& row) { return field(row.method); }},
+       [](const MethodComparison& row) { return field(row.method); }},
       {{"reference", text, "", "Id of the method that it is compared with"},
-       [](const Comparison& row) { return field(row.reference); }},
+       [](const MethodComparison& row) { return field(row.reference); }},
       {{"status", text, "", "planned in the protocol, or exploratory"},
-       [](const Comparison& row) {
+       [](const MethodComparison& row) {
          return field(std::string(row.planned ? "planned" : "exploratory"));
        }},
       {{"n", whole, "", "Participants with a pair of trials"},
-       [](const Comparison& row) { return field(row.n); }},
+       [](const MethodComparison& row) { return field(row.n); }},
       {{"pairs", whole, "", "Pairs of trials with both values, of a participant in a scene"},
-       [](const Comparison& row) { return field(row.pairs); }},
+       [](const MethodComparison& row) { return field(row.pairs); }},
       {{"censored_pairs", whole, "", "Pairs with a right-censored time, which are not among these"},
-       [](const Comparison& row) { return field(row.censored); }}};
+       [](const MethodComparison& row) { return field(row.censored); }}};
   add_primary(columns);
   add_ratio(columns);
   add_points(columns);
@@ -295,7 +297,7 @@ Table comparisons_table(const StudyTables& tables, const Comparisons& comparison
   add_equivalence(comparisons.plan.alpha, columns);
   add_complete_cases(columns);
   add_influence(columns);
-  columns.push_back(kind_of_all<Comparison>(tables));
+  columns.push_back(kind_of_all<MethodComparison>(tables));
   return tabulate("comparisons", "measure and pair of methods", columns, comparisons.methods);
 }
 
