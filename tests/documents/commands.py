@@ -18,7 +18,7 @@ import program
 import repository
 
 SHELL_LANGUAGES = ("sh", "console", "")  # of blocks in which commands are looked for
-FRONT_DOOR = ("test", "lint", "package")  # ./foveola's own commands; the rest are the program's
+FRONT_DOOR = ("test", "lint", "format", "install", "package")  # ./foveola's own commands; the rest are the program's
 BEFORE_COMMANDS = ("env", "exec", "if", "while", "until", "!", "then", "do", "else", "sudo", "time",
                    "nohup", "command", "{")
 
@@ -137,9 +137,13 @@ class Checker:
     # What else is typed.
 
     def faults_of_ctest(self, words):
+        """CTest knows suites and scripts; ./foveola test --case knows cases."""
+        suites = {case.split(".")[0] for case in self.files.cases}
+        chosen = {"-R": suites | self.files.scripted_tests,
+                  "--tests-regex": suites | self.files.scripted_tests, "--case": self.files.cases}
         for option, value in zip(words, words[1:]):
-            if option in ("-R", "--tests-regex") and not is_placeholder(value):
-                if not any(re.search(value, name) for name in self.files.tests):
+            if option in chosen and not is_placeholder(value):
+                if not any(re.search(value, name) for name in chosen[option]):
                     yield f"no test's name matches '{value}'"
 
     def faults_of_targets(self, names):

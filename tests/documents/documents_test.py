@@ -160,7 +160,7 @@ class Commands(OnARepository):
             "foveola render arcade \\\n  --tone=plain -o a.png 2>&1 | tail -n 1  # foveola nothing\n"
             "A=1 timeout 9 foveola scene make arcade && $FOVEOLA_SOURCE/build/release/foveola --help\n"
             "cat >x <<'END'\nfoveola nothing\nEND\n"
-            "./foveola test -R FollowsIts\ncmake --preset asan\n"
+            "./foveola test --case FollowsIts\ncmake --preset asan\n"
             "cmake --build --preset asan --target view_test\n"
             "```\n"
             "```text\nfoveola nothing\n```\n"), [])
@@ -196,6 +196,7 @@ class Commands(OnARepository):
 
     def test_an_unknown_test(self):
         self.assert_fault("`./foveola test -R NoSuchTest`\n", 1, "no test's name matches")
+        self.assert_fault("`./foveola test -R FollowsIts`\n", 1, "no test's name matches")
         self.assert_fault("`./foveola test --only no_test`\n", 1,
                           "no target or test program 'no_test'")
 

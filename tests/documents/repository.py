@@ -63,10 +63,18 @@ class Repository:
 
     @functools.cached_property
     def tests(self):
-        """What CTest calls the tests, as far as sources say: Suite.Case, or a script's name."""
+        """The tests' names, as far as sources say: Suite.Case, or what CTest calls a script."""
+        return self.scripted_tests | self.cases
+
+    @functools.cached_property
+    def scripted_tests(self):
         names = set(re.findall(r"add_test\(\s*NAME\s+([\w.-]+)|foveola_documents_test\((\w+\.\w+)",
                                self.cmake_text))
-        names = {name for either in names for name in either if name}
+        return frozenset(name for either in names for name in either if name)
+
+    @functools.cached_property
+    def cases(self):
+        names = set()
         for name in self.files:
             if name.startswith("tests/") and name.endswith(".cpp"):
                 names.update(f"{suite}.{case}" for suite, case in re.findall(

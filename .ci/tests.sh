@@ -1,0 +1,54 @@
+# Sourced by the scripts beside it: which test programs they build and run, and how.
+
+# The test programs of the threaded modules, for the thread sanitizer, and where their files are.
+threaded_tests=(base_test film_test gaze_test preview_test window_test headset_test record_test console_test)
+threaded_files='^((tests/)?(renderer/(base|film|gaze|preview|window|headset)|study/(record|console))/|tests/(openxr/|thread_sanitizer)|CMakePresets|\.ci/)'
+
+# The test programs of modules that read files and devices or write the record, for the sanitizer of
+# addresses and undefined behaviour.
+reading_tests=(base_test glb_test image_test film_test scene_test scenes_test gaze_test design_test
+  protocol_test record_test study_tables_test fuzz_corpus_test)
+
+# Those of modules that use what differs between Debian's releases: the libraries that read scenes and
+# pictures, trace rays, draw in windows and terminals, talk to devices and keep the record.
+release_tests=(base_test glb_test image_test scene_test trace_test progressive_test gaze_test window_test
+  renderer_commands_test record_test console_test)
+
+# build PRESET TARGET...: prints the errors if it fails.
+build() {
+  local preset=$1 log
+  shift
+  log=$(mktemp)
+  cmake --preset "$preset" -G Ninja -DBUILD_TESTING=ON >/dev/null
+  cmake --build --preset "$preset" --target "$@" >"$log" || {
+    grep -A 40 '^FAILED' "$log" | tail -n 100
+    return 1
+  }
+  tail -n 1 "$log"
+}
+
+# any_of NAME...: a regular expression.
+any_of() { (IFS='|' && echo "($*)"); }
+
+# run_tests PRESET PROGRAM...: neither the slow nor the long ones.
+run_tests() {
+  local preset=$1
+  shift
+  ctest --preset "$preset" --parallel "$(nproc)" --label-regex "^$(any_of "$@")\$"
+}
+
+# at_once FIRST SECOND: runs two functions, neither of which keeps two cores busy by itself, and shows
+# what FIRST prints when both have ended.
+at_once() {
+  local log first second passed=yes
+  log=$(mktemp)
+  (set -e; "$1") >"$log" 2>&1 &
+  first=$!
+  (set -e; "$2") &
+  second=$!
+  wait "$second" || passed=no
+  wait "$first" || passed=no
+  cat "$log"
+  rm -f "$log"
+  [ "$passed" = yes ]
+}
