@@ -128,8 +128,8 @@ TEST_F(SceneCommands, FetchTakesAConversionOnlyWhenAskedForAndWarns) {
 }
 
 TEST_F(SceneCommands, MakeWritesFilesAndPrintsTheirHash) {
-  const std::string text = output_of("scene make meeting-room -o " + folder.path().string());
-  const std::filesystem::path file = folder.path() / "meeting-room.glb";
+  const std::string text = output_of("scene make studio-car -o " + folder.path().string());
+  const std::filesystem::path file = folder.path() / "studio-car.glb";
   EXPECT_THAT(text, HasSubstr(file.string()));
   EXPECT_THAT(text, HasSubstr(sha256_of_file(file)));
 }
@@ -143,8 +143,8 @@ TEST_F(SceneCommands, MakeKeepsVariantsApart) {
 }
 
 TEST_F(SceneCommands, MakeFillsTheCacheByDefault) {
-  output_of("scene make meeting-room");
-  EXPECT_TRUE(std::filesystem::exists(cached_builtin("meeting-room")));
+  output_of("scene make studio-car");
+  EXPECT_TRUE(std::filesystem::exists(cached_builtin("studio-car")));
 }
 
 TEST_F(SceneCommands, UnknownSceneIsAUsageError) {
