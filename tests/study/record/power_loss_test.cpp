@@ -175,6 +175,25 @@ TEST(PowerLoss, IsFoundIfFoldersAreNotSynced) {
   EXPECT_GT(count_faults(short_study(), 30, Syncs::folders_ignored), 4);
 }
 
+// Otherwise a loss of power may leave an empty file under the name of a whole one.
+TEST(PowerLoss, AFileIsSyncedBeforeItHasItsName) {
+  const TemporaryFolder folder;
+  DiskWatch watch(folder.path());
+  write_file(folder / "consent.txt", "yes");
+  bool is_named = false;
+  std::set<FileId> synced;
+  for (const DiskCall& call : watch.calls()) {
+    if (const auto* sync = std::get_if<Synced>(&call)) {
+      synced.insert(sync->file);
+    } else if (const auto* named = std::get_if<Named>(&call)) {
+      const auto file = named->names.find("consent.txt");
+      is_named = file != named->names.end();
+      EXPECT_TRUE(!is_named || synced.contains(file->second.id));
+    }
+  }
+  EXPECT_TRUE(is_named);
+}
+
 // The disk that the tests lose is the one that the program wrote.
 TEST(PowerLoss, ADiskThatLosesNothingHoldsWhatTheProgramWrote) {
   const TemporaryFolder folder;
