@@ -20,36 +20,42 @@ inline constexpr QueryFlags incoherent = RTC_RAY_QUERY_FLAG_INCOHERENT;
 
 inline void init(QueryContext& context) { rtcInitRayQueryContext(&context); }
 
-/// init: Embree's own, of these arguments.
-template <typename Arguments>
-Arguments arguments_of(void (*init)(Arguments*), QueryContext& context, QueryFlags flags) {
-  Arguments arguments;
-  init(&arguments);
+inline RTCIntersectArguments intersect_arguments(QueryContext& context, QueryFlags flags) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  arguments.flags = flags;
+  return arguments;
+}
+
+inline RTCOccludedArguments occluded_arguments(QueryContext& context, QueryFlags flags) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
   arguments.context = &context;
   arguments.flags = flags;
   return arguments;
 }
 
 inline void intersect_1(RTCScene scene, QueryContext& context, QueryFlags flags, RTCRayHit& query) {
-  RTCIntersectArguments arguments = arguments_of(rtcInitIntersectArguments, context, flags);
+  RTCIntersectArguments arguments = intersect_arguments(context, flags);
   rtcIntersect1(scene, &query, &arguments);
 }
 
 /// valid: -1 for each ray that takes part, 0 for others.
 inline void intersect_8(const int* valid, RTCScene scene, QueryContext& context, QueryFlags flags,
                         RTCRayHit8& queries) {
-  RTCIntersectArguments arguments = arguments_of(rtcInitIntersectArguments, context, flags);
+  RTCIntersectArguments arguments = intersect_arguments(context, flags);
   rtcIntersect8(valid, scene, &queries, &arguments);
 }
 
 inline void occluded_1(RTCScene scene, QueryContext& context, QueryFlags flags, RTCRay& ray) {
-  RTCOccludedArguments arguments = arguments_of(rtcInitOccludedArguments, context, flags);
+  RTCOccludedArguments arguments = occluded_arguments(context, flags);
   rtcOccluded1(scene, &ray, &arguments);
 }
 
 inline void occluded_8(const int* valid, RTCScene scene, QueryContext& context, QueryFlags flags,
                        RTCRay8& rays) {
-  RTCOccludedArguments arguments = arguments_of(rtcInitOccludedArguments, context, flags);
+  RTCOccludedArguments arguments = occluded_arguments(context, flags);
   rtcOccluded8(valid, scene, &rays, &arguments);
 }
 
