@@ -6,8 +6,8 @@ threaded_files='^((tests/)?(renderer/(base|film|gaze|preview|window|headset)|stu
 
 # The test programs of modules that read files and devices or write the record, for the sanitizer of
 # addresses and undefined behaviour.
-reading_tests=(base_test glb_test image_test film_test scene_test scenes_test gaze_test design_test
-  protocol_test record_test study_tables_test fuzz_corpus_test)
+reading_tests=(base_test glb_test image_test film_test scene_test gaze_test design_test protocol_test
+  record_test study_tables_test fuzz_corpus_test)
 
 # Those of modules that use what differs between Debian's releases, the libraries that trace rays and draw
 # in windows and terminals; what reads scenes, pictures and devices and keeps the record runs there with
