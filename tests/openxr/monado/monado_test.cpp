@@ -85,12 +85,15 @@ TEST_F(MonadoPresenter, FollowsTheSwayingHead) {
   for (double began_s = 0.0; began_s < swaying_period_s; began_s += 0.005) {
     const auto [first_s, first_head] = heads.front();
     const Quat tried = first_head * glm::conjugate(swaying_head(first_s - began_s));
-    double error_deg = 0.0;
+    std::vector<double> errors_deg;
     for (const auto& [time_s, head] : heads) {
-      error_deg =
-          std::max(error_deg, degrees_between(head, tried * swaying_head(time_s - began_s)));
+      errors_deg.push_back(degrees_between(head, tried * swaying_head(time_s - began_s)));
     }
-    if (error_deg < least_error_deg) {
+    // Of nine in ten: where the machine was held up, between two heads that are far apart, the head
+    // is known less well.
+    const auto tenth = errors_deg.begin() + std::ssize(errors_deg) * 9 / 10;
+    std::ranges::nth_element(errors_deg, tenth);
+    if (const double error_deg = *tenth; error_deg < least_error_deg) {
       least_error_deg = error_deg;
       room = tried;
     }
