@@ -11,9 +11,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 #include "renderer/base/programs.h"
 
 namespace fs = std::filesystem;
@@ -27,6 +29,21 @@ fs::path path_from_environment(const char* name) {
   return value != nullptr ? fs::path(value) : fs::path();
 }
 
+/// Among the system's temporary ones, where others may have put one under its name. Throws Error
+/// unless it is this user's alone.
+fs::path own_temporary_folder() {
+  const fs::path folder = fs::temp_directory_path() / fmt::format("foveola-{}", ::geteuid());
+  constexpr mode_t own = 0700;
+  ::mkdir(folder.c_str(), own);
+  struct stat status{};
+  const bool is_own = ::lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+                      status.st_uid == ::geteuid() && (status.st_mode & 0777) == own;
+  if (!is_own) {
+    throw Error(folder.string(), "is not a folder of yours alone", "set HOME, or remove it");
+  }
+  return folder;
+}
+
 /// Foveola's in the folder that the environment variable names, else in `usual` of the user's home.
 fs::path user_folder(const char* variable, const fs::path& usual) {
   if (const fs::path chosen = path_from_environment(variable); !chosen.empty()) {
@@ -35,7 +52,7 @@ fs::path user_folder(const char* variable, const fs::path& usual) {
   if (const fs::path home = path_from_environment("HOME"); !home.empty()) {
     return home / usual / "foveola";
   }
-  return fs::temp_directory_path() / "foveola";
+  return own_temporary_folder();
 }
 
 fs::path folder_of(const fs::path& path) {
@@ -67,11 +84,18 @@ std::ifstream open_to_read(const fs::path& path) {
   return file;
 }
 
-/// Beside `path`, with its extension. Two machines can have processes of the same number.
-fs::path temporary_beside(const fs::path& path) {
+/// A new file beside `path`, with its extension, of a name that nobody can foresee. Of what is to
+/// be replaced, others learn nothing meanwhile.
+fs::path make_temporary_beside(const fs::path& path, FileAccess access) {
   std::random_device random;  // of the operating system
-  return folder_of(path) / fmt::format(".{}.{:08x}{:08x}.partial{}", path.stem().string(), random(),
-                                       random(), path.extension().string());
+  const fs::path temporary =
+      folder_of(path) / fmt::format(".{}.{:08x}{:08x}.partial{}", path.stem().string(), random(),
+                                    random(), path.extension().string());
+  if (!make_new_file(temporary, fs::exists(path) ? FileAccess::own : access)) {
+    throw Error(path.string(), "cannot be written: " + std::generic_category().message(errno),
+                "choose another path");
+  }
+  return temporary;
 }
 
 }  // namespace
@@ -190,9 +214,10 @@ void sync_to_disk(const fs::path& path) {
   }
 }
 
-TemporaryFile::TemporaryFile(fs::path final_path) : final_path_(std::move(final_path)) {
+TemporaryFile::TemporaryFile(fs::path final_path, FileAccess access)
+    : final_path_(std::move(final_path)) {
   require_writable(final_path_);
-  path_ = temporary_beside(final_path_);
+  path_ = make_temporary_beside(final_path_, access);
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -201,6 +226,7 @@ TemporaryFile::~TemporaryFile() {
 }
 
 void TemporaryFile::replace_final() const {
+  take_access(path_, final_path_);
   sync_to_disk(path_);
   std::error_code failure;
   fs::rename(path_, final_path_, failure);
@@ -208,23 +234,26 @@ void TemporaryFile::replace_final() const {
     throw Error(final_path_.string(), "cannot be written: " + failure.message(),
                 "choose another path");
   }
+  sync_to_disk(folder_of(final_path_));
 }
 
-void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const TemporaryFile temporary(path);
+void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write,
+                  FileAccess access) {
+  const TemporaryFile temporary(path, access);
   write(temporary.path());
   temporary.replace_final();
 }
 
-void write_file(const fs::path& path, std::string_view content) {
-  replace_file(path, [&](const fs::path& temporary) {
+void write_file(const fs::path& path, std::string_view content, FileAccess access) {
+  const auto write = [&](const fs::path& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     file.close();
     if (!file) {
       throw Error(path.string(), "cannot be written", "check its permissions and the free space");
     }
-  });
+  };
+  replace_file(path, write, access);
 }
 
 ScratchFolder::ScratchFolder() {

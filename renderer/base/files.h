@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/base/file_access.h"
+
 namespace foveola {
 
 /// The folder that holds protocols/, scenes/ and data/: $FOVEOLA_RESOURCES, else share/foveola
@@ -45,22 +47,22 @@ void require_writable(const std::filesystem::path& path);
 /// returns. Throws Error if they cannot be.
 void sync_to_disk(const std::filesystem::path& path);
 
-/// A name for a new file that is to take the place of another, in the same folder and with the same
-/// extension. No other process has it, on whatever machine. What is there goes at the end of the
-/// scope; what a killed program leaves there is hidden and called ".partial", and is never looked
-/// for.
+/// A new file that is to take the place of another, in the same folder and with the same extension.
+/// No other process has its name, on whatever machine. What is there goes at the end of the scope;
+/// what a killed program leaves there is hidden and called ".partial", and is never looked for.
 class TemporaryFile {
  public:
   /// Throws Error if the folder of `final_path` does not exist or cannot be written.
-  explicit TemporaryFile(std::filesystem::path final_path);
+  explicit TemporaryFile(std::filesystem::path final_path, FileAccess access = FileAccess::usual);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Takes the final path's place in one step. What was written is on the disk before, so that
-  /// losing power leaves the former file or all of the new one. Throws Error if it cannot.
+  /// Takes the final path's place in one step, and whoever could read that can read this. What was
+  /// written is on the disk before, and under its name when this returns, so that losing power
+  /// leaves the former file or all of the new one. Throws Error if it cannot.
   void replace_final() const;
 
  private:
@@ -69,12 +71,15 @@ class TemporaryFile {
 };
 
 /// Calls `write` with the path of a TemporaryFile, which then takes the place of `path`. If `write`
-/// throws, nothing is left behind. Throws Error if the folder does not exist or cannot be written.
+/// throws, nothing is left behind. access: of a new file; one that is there keeps its own. Throws
+/// Error if the folder does not exist or cannot be written.
 void replace_file(const std::filesystem::path& path,
-                  const std::function<void(const std::filesystem::path&)>& write);
+                  const std::function<void(const std::filesystem::path&)>& write,
+                  FileAccess access = FileAccess::usual);
 
 /// replace_file with the bytes of `content`.
-void write_file(const std::filesystem::path& path, std::string_view content);
+void write_file(const std::filesystem::path& path, std::string_view content,
+                FileAccess access = FileAccess::usual);
 
 /// A new, empty folder among the system's temporary ones. It goes, with all that is in it, at the
 /// end of the scope.

@@ -89,7 +89,7 @@ void write_gaze_file(const std::filesystem::path& file, std::span<const GazeSamp
       fmt::format_to(std::back_inserter(text), "{},,,,0\n", sample.time.count());
     }
   }
-  write_file(file, text);
+  write_file(file, text, FileAccess::own);
 }
 
 std::vector<GazeSample> replayable(std::span<const GazeSample> arrived) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"
 
@@ -17,11 +18,22 @@ void write_display_picture(const std::filesystem::path& file, const RgbImage& pi
   write_image(file, linear, 0.0);
 }
 
-void DisplayPictures::write(const std::filesystem::path& file, std::future<RgbImage> picture) {
+void DisplayPictures::write(const std::filesystem::path& file, std::future<RgbImage> picture,
+                            void (*write_picture)(const std::filesystem::path&, const RgbImage&)) {
   being_written_.push_back(
-      std::async(std::launch::async, [file, picture = std::move(picture)]() mutable {
-        write_display_picture(file, picture.get());
+      std::async(std::launch::async, [file, write_picture, picture = std::move(picture)]() mutable {
+        write_picture(file, picture.get());
       }));
+}
+
+void DisplayPictures::write_privately(const std::filesystem::path& file,
+                                      std::future<RgbImage> picture) {
+  write(file, std::move(picture), [](const std::filesystem::path& path, const RgbImage& shown) {
+    replace_file(
+        path,
+        [&](const std::filesystem::path& temporary) { write_display_picture(temporary, shown); },
+        FileAccess::own);
+  });
 }
 
 std::filesystem::path DisplayPictures::write_next(std::future<RgbImage> picture) {
@@ -32,7 +44,7 @@ std::filesystem::path DisplayPictures::write_next(std::future<RgbImage> picture)
   do {
     ++last_number_;
   } while (std::filesystem::exists(file()));
-  write(file(), std::move(picture));
+  write(file(), std::move(picture), write_display_picture);
   return file();
 }
 

@@ -15,8 +15,9 @@ void write_display_picture(const std::filesystem::path& file, const RgbImage& pi
 /// Its destructor waits until all are written.
 class DisplayPictures {
  public:
-  /// The picture becomes this file as soon as it is there.
-  void write(const std::filesystem::path& file, std::future<RgbImage> picture);
+  /// The picture becomes this file as soon as it is there; a private one, of a page that a person
+  /// saw.
+  void write_privately(const std::filesystem::path& file, std::future<RgbImage> picture);
 
   /// The picture becomes the next of foveola-1.png, foveola-2.png, and so on that is not there yet.
   /// Returns which.
@@ -26,6 +27,9 @@ class DisplayPictures {
   void finish();
 
  private:
+  void write(const std::filesystem::path& file, std::future<RgbImage> picture,
+             void (*write_picture)(const std::filesystem::path&, const RgbImage&));
+
   int last_number_ = 0;
   std::vector<std::future<void>> being_written_;  ///< std::async's: they wait when they go
 };

@@ -39,7 +39,7 @@ void SessionDisplay::draw(SessionPicture picture) {
       frame.is_patch_lit = picture.lights_patch;
     }
     if (const auto file = std::exchange(picture_file_, std::nullopt)) {
-      pictures_.write(*file, picture_of(frame));
+      pictures_.write_privately(*file, picture_of(frame));
     } else if (std::exchange(keeps_pixels_, false)) {
       pixels_ = picture_of(frame);
     }

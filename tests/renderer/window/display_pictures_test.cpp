@@ -22,8 +22,8 @@ std::future<RgbImage> grey_picture() {
 TEST(DisplayPicturesTest, BecomeFilesOfWhatWasSeen) {
   const test::TemporaryFolder folder;
   DisplayPictures pictures;
-  pictures.write(folder / "one.png", grey_picture());
-  pictures.write(folder / "two.png", grey_picture());
+  pictures.write_privately(folder / "one.png", grey_picture());
+  pictures.write_privately(folder / "two.png", grey_picture());
   pictures.finish();
   for (const char* name : {"one.png", "two.png"}) {
     const RgbImage read = read_film_image(folder / name).color;
@@ -35,8 +35,8 @@ TEST(DisplayPicturesTest, BecomeFilesOfWhatWasSeen) {
 TEST(DisplayPicturesTest, WhatCannotBeWrittenIsReportedAndTheOthersAreWritten) {
   const test::TemporaryFolder folder;
   DisplayPictures pictures;
-  pictures.write(folder / "no-such-folder" / "one.png", grey_picture());
-  pictures.write(folder / "two.png", grey_picture());
+  pictures.write_privately(folder / "no-such-folder" / "one.png", grey_picture());
+  pictures.write_privately(folder / "two.png", grey_picture());
   try {
     pictures.finish();
     FAIL() << "a picture in no folder";

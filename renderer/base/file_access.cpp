@@ -1,0 +1,84 @@
+#include "renderer/base/file_access.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+constexpr const char* access_list = "system.posix_acl_access";
+
+bool is_shared_by_a_group(const fs::path& folder) {
+  struct stat status{};
+  return ::stat(folder.empty() ? "." : folder.c_str(), &status) == 0 &&
+         (status.st_mode & S_ISGID) != 0;
+}
+
+void warn(const fs::path& path, const char* what) {
+  fmt::print(stderr, "foveola: warning: {}: its {} could not be kept ({})\n", path.string(), what,
+             std::generic_category().message(errno));
+}
+
+/// Empty if there is none, as where the file system has none.
+std::string access_list_of(const fs::path& path) {
+  const ssize_t size = ::getxattr(path.c_str(), access_list, nullptr, 0);
+  if (size <= 0) {
+    return {};
+  }
+  std::string list(static_cast<std::size_t>(size), '\0');
+  return ::getxattr(path.c_str(), access_list, list.data(), list.size()) == size ? list
+                                                                                 : std::string();
+}
+
+}  // namespace
+
+bool make_new_file(const fs::path& path, FileAccess access) {
+  constexpr mode_t all = 0666;
+  constexpr mode_t own = 0600;
+  constexpr mode_t group = 0660;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                                access == FileAccess::usual ? all : own);
+  if (descriptor < 0) {
+    return false;
+  }
+  if (access == FileAccess::own && is_shared_by_a_group(path.parent_path())) {
+    ::fchmod(descriptor, group);
+  }
+  ::close(descriptor);
+  return true;
+}
+
+void take_access(const fs::path& path, const fs::path& like) {
+  struct stat wanted{};
+  struct stat given{};
+  if (::lstat(like.c_str(), &wanted) != 0 || !S_ISREG(wanted.st_mode) ||
+      ::lstat(path.c_str(), &given) != 0) {
+    return;
+  }
+  constexpr auto keep = static_cast<uid_t>(-1);
+  if (wanted.st_gid != given.st_gid && ::lchown(path.c_str(), keep, wanted.st_gid) != 0) {
+    warn(like, "group");
+  }
+  if (wanted.st_uid != given.st_uid && ::lchown(path.c_str(), wanted.st_uid, keep) != 0) {
+    warn(like, "owner");
+  }
+  constexpr mode_t permissions = 07777;
+  if (::chmod(path.c_str(), wanted.st_mode & permissions) != 0) {
+    warn(like, "mode");
+  }
+  if (const std::string list = access_list_of(like);
+      !list.empty() && ::setxattr(path.c_str(), access_list, list.data(), list.size(), 0) != 0) {
+    warn(like, "access list");
+  }
+}
+
+}  // namespace foveola
