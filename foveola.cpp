@@ -28,6 +28,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/cluster/cluster_command.h"
 #include "renderer/command_line/commands.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/preview_command.h"
@@ -154,6 +155,12 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
+/// A scene that was found, whose files no output may be.
+SceneSource apart_from(const std::vector<OutputPath>& outputs, SceneSource scene) {
+  require_no_input(outputs, scene.file);
+  return scene;
+}
+
 /// Says nothing where nobody can hear it any more, as behind a closed terminal.
 int complain(const std::string& message, int exit_code) {
   std::fputs(fmt::format("foveola: error: {}\n", message).c_str(), stderr);
@@ -171,26 +178,33 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "foveola " + build_info().version + " (computing with " +
                                         build_info().instruction_set + ")");
   app.require_subcommand(1);
+  std::vector<OutputPath> outputs;
+  app.parse_complete_callback([&] { outputs = outputs_apart_from_inputs(app); });
+  const SceneFinder find_scene = [&](const std::string& name) {
+    return apart_from(outputs, scenes::find_scene(name));
+  };
+  const SceneFinderBeside find_scene_beside = [&](const std::string& name, const fs::path& folder) {
+    return apart_from(outputs, scenes::find_scene_beside(name, folder));
+  };
   add_demo(app, signals.token());
-  add_renderer_commands(app, scenes::find_scene, signals.token());
-  add_preview(app, scenes::find_scene, signals.token());
-  CLI::App& bench =
-      add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
-  analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
-  analysis::add_bench_calibration(bench, scenes::find_scene_beside, signals.token());
+  add_renderer_commands(app, find_scene, signals.token());
+  add_preview(app, find_scene, signals.token());
+  CLI::App& bench = add_bench_commands(app, scenes::builtin_names(), find_scene, signals.token());
+  analysis::add_bench_convergence(bench, find_scene, signals.token());
+  analysis::add_bench_calibration(bench, find_scene_beside, signals.token());
   analysis::add_bench_compare(bench);
   analysis::add_bench_merge(bench);
-  study::add_bench_prediction(bench, scenes::find_scene_beside, signals.token());
-  study::add_bench_sensitivity(bench, scenes::find_scene_beside, signals.token());
+  study::add_bench_prediction(bench, find_scene_beside, signals.token());
+  study::add_bench_sensitivity(bench, find_scene_beside, signals.token());
   analysis::add_bench_statistics(bench, signals.token());
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_describe(scene, scenes::descriptor_text, signals.token());
-  add_scene_info(scene, scenes::find_scene);
-  add_scene_pick(scene, scenes::find_scene);
-  add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());
+  add_scene_info(scene, find_scene);
+  add_scene_pick(scene, find_scene);
+  add_scene_sheet(scene, scenes::builtin_names(), find_scene, signals.token());
   add_tracker_commands(app, signals.token());
   study::add_study_commands(
-      app, scenes::find_scene_beside,
+      app, find_scene_beside,
       {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
       signals.token());
   analysis::add_analysis_commands(app, signals.token());

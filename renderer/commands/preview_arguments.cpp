@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/files.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
@@ -111,9 +112,9 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
           .add_option("--frames", arguments.frames,
                       "End after so many frames (default: when the window is closed)")
           ->check(CLI::Range(1, 1'000'000'000));
-  command
-      .add_option("--screenshot", arguments.screenshot,
-                  "Write the last frame's picture, with all that stands over it, as .png or .exr")
+  mark_output(command.add_option(
+                  "--screenshot", arguments.screenshot,
+                  "Write the last frame's picture, with all that stands over it, as .png or .exr"))
       ->needs(frames);
   command
       .add_option("--max-depth", arguments.trace.max_depth, "The most surface vertices of a path")

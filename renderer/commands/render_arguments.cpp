@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/commands/former_option.h"
 
 namespace foveola {
@@ -136,8 +137,8 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
       .add_option("--lens", arguments.lens,
                   "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]")
       ->group("360-degree image");
-  CLI::Option* view = command.add_option("--view", arguments.view,
-                                         "Also write what the display shows, as .exr or .png");
+  CLI::Option* view = mark_output(command.add_option(
+      "--view", arguments.view, "Also write what the display shows, as .exr or .png"));
   view->group("360-degree image");
   command
       .add_option("--view-size", arguments.view_size,

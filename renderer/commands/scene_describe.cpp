@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/utf8.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/object_sheet.h"
 #include "renderer/commands/warnings.h"
@@ -182,9 +183,9 @@ void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
   command->add_option("-o,--output", arguments->output,
                       "The .toml file to write (default: beside FILE, under its name, where every "
                       "command finds it)");
-  command->add_option("--contact-sheet", arguments->contact_sheet,
-                      "The .png with a picture of each object (default: beside the descriptor, "
-                      "NAME-objects.png)");
+  mark_output(command->add_option("--contact-sheet", arguments->contact_sheet,
+                                  "The .png with a picture of each object (default: beside the "
+                                  "descriptor, NAME-objects.png)"));
   command->add_flag("--force", arguments->may_replace, "Replace files that are there already");
   add_viewpoint_options(*command, arguments->look);
   add_light_options(*command, arguments->look);

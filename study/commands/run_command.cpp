@@ -9,6 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"
@@ -176,11 +177,12 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                     "Accept a protocol whose words or time-outs have changed since the study "
                     "began; the session's "
                     "record will say so");
-  command->add_option("--screens", arguments->screens,
-                      "A folder that gets a picture of every page the participant comes to");
-  command->add_option("--receipt", arguments->receipt,
-                      "A file that gets what the participant consented to, and when, for them to "
-                      "take along");
+  mark_output(
+      command->add_option("--screens", arguments->screens,
+                          "A folder that gets a picture of every page the participant comes to"));
+  mark_output(command->add_option("--receipt", arguments->receipt,
+                                  "A file that gets what the participant consented to, and when, "
+                                  "for them to take along"));
   command->add_flag("--json", arguments->json,
                     "The experimenter's console for machines: a JSON object a line, and how the "
                     "session stands every second");

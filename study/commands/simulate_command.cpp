@@ -9,6 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/commands/former_option.h"
 #include "study/commands/command_line.h"
 #include "study/participant/injected_effect.h"
@@ -211,10 +212,10 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
   CLI::Option* const inject =
       command->add_option("--inject", arguments->injected, injected_effect_help);
   accept_former_name(*command, *inject, "--plant");
-  command->add_option(
+  mark_output(command->add_option(
       "--report", arguments->report,
       "A folder that gets every published number beside the study's, with differences and "
-      "intervals");
+      "intervals"));
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
   command->add_flag("--prepare", arguments->prepare,
