@@ -311,9 +311,15 @@ class PersonRun {
 };
 
 /// Nothing was acknowledged to the participant before it was durable.
-std::string how_to_go_on(const RunSettings& settings) {
-  return fmt::format("what {} did up to then is in {}: give the same command with --resume",
-                     settings.participant, settings.database.string());
+std::string how_to_go_on(const RunSettings& settings, const StudyStore& store) {
+  const bool is_lost = store.record_file() != fs::weakly_canonical(settings.database);
+  return is_lost
+             ? fmt::format(
+                   "what {} did up to then is in {}: give the same command with that "
+                   "file and --resume",
+                   settings.participant, store.record_file().string())
+             : fmt::format("what {} did up to then is in {}: give the same command with --resume",
+                           settings.participant, settings.database.string());
 }
 
 void write_receipt(const RunSettings& settings, const Protocol& protocol, const StudyStore& store) {
@@ -324,7 +330,7 @@ void write_receipt(const RunSettings& settings, const Protocol& protocol, const 
     if (session.participant == settings.participant) {
       if (const auto receipt =
               consent_receipt(protocol, settings.participant, store.events_of(session.id))) {
-        write_file(*settings.receipt, *receipt);
+        write_file(*settings.receipt, *receipt, FileAccess::own);
       }
     }
   }
@@ -332,12 +338,9 @@ void write_receipt(const RunSettings& settings, const Protocol& protocol, const 
 
 /// Throws Error, which says that the session itself is safe, if there can be none.
 fs::path back_up(const StudyStore& store, const RunSettings& settings) {
-  std::string name = utc_now();
-  std::replace(name.begin(), name.end(), ':', '-');
-  const fs::path folder = backup_folder(settings.database);
-  const fs::path backup = folder / (name + ".sqlite");
+  fs::path backup;
   try {
-    fs::create_directories(folder);
+    backup = new_backup(settings.database);
     store.back_up(backup);
   } catch (const std::exception& fault) {
     throw Error(fmt::format("all that {} did is in {}, but its backup failed", settings.participant,
@@ -367,7 +370,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
   WindowEvents events;
   Window window({.size = settings.window,
                  .monitor = settings.monitor,
-                 .remedy_of_lost_display = how_to_go_on(settings)},
+                 .remedy_of_lost_display = how_to_go_on(settings, store)},
                 events, clock);
   std::fflush(stdout);
   LineWriter output(STDOUT_FILENO);
@@ -383,7 +386,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
         throw;
       }
       throw Error(fmt::format("the session of {} was cut off", settings.participant), fault.what(),
-                  how_to_go_on(settings));
+                  how_to_go_on(settings, store));
     }
     write_receipt(settings, protocol, store);
     report.backup = back_up(store, settings);

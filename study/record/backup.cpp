@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <string>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include "renderer/base/clock.h"
@@ -24,7 +27,9 @@ fs::path new_backup(const fs::path& study) {
   sync_to_disk(folder_of(folder));  // else the folder could go, and every backup with it
   fs::path path;
   do {
-    path = folder / (utc_now() + ".sqlite");
+    std::string name = utc_now();
+    std::ranges::replace(name, ':', '-');  // which some file systems have no names with
+    path = folder / (name + ".sqlite");
   } while (fs::exists(path));
   return path;
 }

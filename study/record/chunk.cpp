@@ -55,12 +55,12 @@ StoredChunk stored_chunk(SQLite::Statement& row) {
   return {row.getColumn("data").getString(), row.getColumn("data_sha256").getString()};
 }
 
-std::string chunk_bytes(const StoredChunk& chunk, std::int64_t size) {
+std::string chunk_bytes(const StoredChunk& chunk, std::int64_t count, std::int64_t bytes_each) {
   constexpr std::int64_t most_that_zlib_shrinks = 1100;
-  if (size < 0 || size / most_that_zlib_shrinks > static_cast<std::int64_t>(chunk.data.size())) {
+  if (count < 0 || count > std::ssize(chunk.data) * most_that_zlib_shrinks / bytes_each) {
     throw changed_chunk();
   }
-  std::string bytes = uncompressed(chunk.data, static_cast<std::size_t>(size));
+  std::string bytes = uncompressed(chunk.data, static_cast<std::size_t>(count * bytes_each));
   if (sha256(bytes) != chunk.sha256) {
     throw changed_chunk();
   }

@@ -32,8 +32,8 @@ struct StoredChunk {
 };
 StoredChunk stored_chunk(SQLite::Statement& row);
 
-/// The chunk uncompressed, which has to be `size` bytes. Throws std::invalid_argument if it is not
-/// what was written.
-std::string chunk_bytes(const StoredChunk& chunk, std::int64_t size);
+/// The chunk uncompressed, which has to be `count` times `bytes_each`. Throws std::invalid_argument
+/// if it is not what was written.
+std::string chunk_bytes(const StoredChunk& chunk, std::int64_t count, std::int64_t bytes_each);
 
 }  // namespace foveola::study

@@ -15,6 +15,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 
 namespace fs = std::filesystem;
 
@@ -46,8 +47,8 @@ std::string holder(int descriptor) {
 }
 
 int open_lock_file(const fs::path& path) {
-  constexpr mode_t readable_by_all = 0644;
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readable_by_all);
+  make_new_file(path, FileAccess::own);
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) {
     throw Error(path.string(),
                 fmt::format("cannot be opened: {}",

@@ -9,6 +9,7 @@
 #include "study/record/database.h"
 #include "study/record/kept_attempts.h"
 #include "study/record/routine_notes.h"
+#include "study/record/stored_number.h"
 
 namespace fs = std::filesystem;
 
@@ -185,9 +186,9 @@ std::vector<GazeRunRow> read_gaze_runs(SQLite::Database& database) {
                          " passed FROM gaze_run JOIN session ON session.id = session"
                          " WHERE state <> 'withdrawn' ORDER BY session, run");
   while (rows.executeStep()) {
-    runs.push_back({rows.getColumn("participant").getString(), rows.getColumn("run").getInt(),
-                    angle(rows, "accuracy_deg"), angle(rows, "precision_rms_deg"),
-                    rows.getColumn("data_loss").getDouble(),
+    runs.push_back({rows.getColumn("participant").getString(),
+                    whole_number<int>(rows.getColumn("run")), angle(rows, "accuracy_deg"),
+                    angle(rows, "precision_rms_deg"), rows.getColumn("data_loss").getDouble(),
                     rows.getColumn("passed").getInt() == 1});
   }
   return runs;
@@ -201,7 +202,7 @@ std::vector<ReactionRow> read_reactions(SQLite::Database& database) {
                          " WHERE state <> 'withdrawn' ORDER BY session, number");
   while (rows.executeStep()) {
     reactions.push_back({rows.getColumn("participant").getString(),
-                         seconds_of(Nanoseconds(rows.getColumn("taken_ns").getInt64())),
+                         seconds_of(time_from(rows.getColumn("taken_ns"))),
                          rows.getColumn("early").getInt() == 1});
   }
   return reactions;
@@ -231,11 +232,10 @@ std::vector<SessionCourse> read_courses(SQLite::Database& database) {
                          "  AND outcome = 'interrupted') AS attempts_lost"
                          " FROM session WHERE state <> 'withdrawn' ORDER BY id");
   while (rows.executeStep()) {
-    courses.push_back(
-        {.participant = rows.getColumn("participant").getString(),
-         .interruptions = static_cast<std::size_t>(rows.getColumn("interruptions").getInt64()),
-         .attempts_lost = static_cast<std::size_t>(rows.getColumn("attempts_lost").getInt64()),
-         .notes = read_notes_to_read(notes, rows.getColumn("id").getInt64())});
+    courses.push_back({.participant = rows.getColumn("participant").getString(),
+                       .interruptions = whole_number<std::size_t>(rows.getColumn("interruptions")),
+                       .attempts_lost = whole_number<std::size_t>(rows.getColumn("attempts_lost")),
+                       .notes = read_notes_to_read(notes, rows.getColumn("id").getInt64())});
   }
   return courses;
 }

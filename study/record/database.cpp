@@ -12,7 +12,9 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "study/record/database_checks.h"
+#include "study/record/journal_check.h"
 #include "study/record/question_json.h"
 #include "study/record/schema.h"
 #include "study/record/temporary_database.h"
@@ -66,12 +68,39 @@ SQLite::Database open_immutable(const fs::path& path) {
 
 bool has_write_ahead_log(const fs::path& path) { return fs::exists(path.string() + "-wal"); }
 
-/// A loss of power while the log is first begun leaves a journal of what was half done; SQLite
-/// undoes that for whoever may write.
-void undo_what_was_half_done(const fs::path& path) {
-  if (fs::exists(path.string() + "-journal")) {
-    SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
+/// Where its folder cannot be written, SQLite cannot read a log: of a copy that has no name any
+/// more when this returns.
+SQLite::Database open_copy(const fs::path& path) {
+  const ScratchFolder folder;
+  const fs::path copy = folder / path.filename().string();
+  for (const char* suffix : {"", "-wal"}) {
+    fs::copy_file(path.string() + suffix, copy.string() + suffix);
+  }
+  SQLite::Database database(copy, SQLite::OPEN_READWRITE);
+  database.execAndGet("PRAGMA schema_version");
+  return database;
+}
+
+/// A file with a log beside it.
+SQLite::Database open_with_log(const fs::path& path) {
+  if (has_journal(path)) {
+    throw Error(path.string(),
+                "has a journal and a log beside it (-journal, -wal), of which only one "
+                "can be its own",
+                "move the journal away, and see whether foveola study verify finds a fault");
+  }
+  try {
+    SQLite::Database database(path, SQLite::OPEN_READONLY, busy_timeout_ms);
     database.execAndGet("PRAGMA schema_version");
+    return database;
+  } catch (const SQLite::Exception& fault) {
+    const bool is_folder_written_by_nobody =
+        (fault.getErrorCode() == SQLITE_CANTOPEN || fault.getErrorCode() == SQLITE_READONLY) &&
+        ::eaccess(folder_of(path).c_str(), W_OK) != 0;
+    if (!is_folder_written_by_nobody) {
+      throw;
+    }
+    return open_copy(path);
   }
 }
 
@@ -183,16 +212,14 @@ void require_study(const fs::path& path) {
 
 SQLite::Database open_as_it_is(const fs::path& path) {
   const fs::path file = fs::canonical(path);
-  undo_what_was_half_done(file);
   // Without a log nobody writes, and SQLite would leave an empty one behind if it took part.
-  return has_write_ahead_log(file) ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
-                                   : open_immutable(file);
+  return has_write_ahead_log(file) ? open_with_log(file) : open_immutable(file);
 }
 
 SQLite::Database open_study_to_read(const fs::path& path) {
   require_study(path);
   SQLite::Database database = open_as_it_is(path);
-  require_whole_pages(path);
+  require_whole_pages(database, path);
   require_sound(database, path);
   require_schema(database, path);
   return database;
@@ -205,9 +232,10 @@ void create_study(const fs::path& path, const Protocol& protocol, const std::str
 }
 
 void fold_in_log(const fs::path& path) {
-  if (!has_write_ahead_log(path)) {
+  if (!has_write_ahead_log(path) && !has_journal(path)) {
     return;
   }
+  require_own_journal(path);
   SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
   database.execAndGet("PRAGMA journal_mode = DELETE");
   if (has_write_ahead_log(path)) {
@@ -236,6 +264,7 @@ void require_writable_file(const fs::path& path) {
 
 SQLite::Database open_study_to_write(const fs::path& path) {
   require_writable_file(path);
+  require_own_journal(path);
   SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
   database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();

@@ -28,8 +28,8 @@ void with_clear_errors(const std::filesystem::path& path, const std::function<vo
 void require_study(const std::filesystem::path& path);
 
 /// The file at `path`, which exists, unchecked, to read only. Nothing beside it is made, even in a
-/// folder that cannot be written; a journal that lies beside it is played back, which only who may
-/// write can do. Throws what SQLite throws.
+/// folder that cannot be written, and no journal that lies beside it is played into it. Throws
+/// Error or what SQLite throws.
 SQLite::Database open_as_it_is(const std::filesystem::path& path);
 
 /// The study at `path`, checked, to read only; nothing is made either. Throws Error or what SQLite

@@ -1,12 +1,18 @@
 #include "study/record/database_checks.h"
 
+#include <algorithm>
 #include <array>
-#include <fstream>
+#include <compare>
+#include <iterator>
+#include <string_view>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include "renderer/base/error.h"
+#include "study/record/big_endian.h"
+#include "study/record/open_file.h"
 #include "study/record/schema.h"
 
 namespace fs = std::filesystem;
@@ -17,11 +23,7 @@ namespace {
 /// The first bytes of a database: https://www.sqlite.org/fileformat2.html, section 1.3.
 class Header {
  public:
-  explicit Header(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    is_whole_ = static_cast<bool>(
-        file.read(reinterpret_cast<char*>(bytes_.data()), std::streamsize(bytes_.size())));
-  }
+  explicit Header(const OpenFile& file) : is_whole_(file.read(0, bytes_)) {}
 
   bool is_whole() const { return is_whole_; }
   std::uintmax_t page_size() const {
@@ -35,49 +37,68 @@ class Header {
   }
 
  private:
-  /// Big-endian.
   std::uintmax_t number_at(std::size_t offset, std::size_t size) const {
-    std::uintmax_t number = 0;
-    for (std::size_t i = offset; i < offset + size; ++i) {
-      number = number << 8 | bytes_[i];
-    }
-    return number;
+    return big_endian({bytes_.data(), bytes_.size()}, offset, size);
   }
 
-  std::array<unsigned char, 100> bytes_{};
-  bool is_whole_ = false;
+  std::array<char, 100> bytes_{};
+  bool is_whole_;
 };
 
 struct SchemaObject {
   std::string type;
   std::string name;
   std::string table;
+  std::string sql;  ///< empty for an index that goes with its table
+
+  friend auto operator<=>(const SchemaObject&, const SchemaObject&) = default;
 };
 
-/// What the file has beside its schema, of these types, in SQL. SQLite's own indexes, which have
-/// no SQL, go with their tables; its statistics, which ANALYZE makes, are no stranger's.
-std::vector<SchemaObject> foreign_objects(SQLite::Database& study, const char* types) {
+/// All that a database has, sorted.
+std::vector<SchemaObject> objects_of(SQLite::Database& database) {
+  std::vector<SchemaObject> objects;
+  SQLite::Statement rows(database, "SELECT type, name, tbl_name, sql FROM sqlite_schema");
+  while (rows.executeStep()) {
+    objects.push_back({.type = rows.getColumn(0).getString(),
+                       .name = rows.getColumn(1).getString(),
+                       .table = rows.getColumn(2).getString(),
+                       .sql = rows.getColumn(3).getString()});
+  }
+  std::ranges::sort(objects);
+  return objects;
+}
+
+std::vector<SchemaObject> known_objects() {
   SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
   known.exec(study_schema());
-  SQLite::Statement same(known,
-                         "SELECT 1 FROM sqlite_schema WHERE type = ? AND name = ? AND tbl_name = ?"
-                         " AND sql = ?");
-  SQLite::Statement objects(
-      study, fmt::format("SELECT type, name, tbl_name, sql FROM sqlite_schema WHERE type IN ({})"
-                         " AND sql IS NOT NULL AND name NOT GLOB 'sqlite_stat[1-4]'",
-                         types));
-  std::vector<SchemaObject> foreign;
-  while (objects.executeStep()) {
-    same.reset();
-    for (int column = 0; column < 4; ++column) {
-      same.bind(column + 1, objects.getColumn(column).getString());
-    }
-    if (!same.executeStep()) {
-      foreign.push_back({.type = objects.getColumn(0).getString(),
-                         .name = objects.getColumn(1).getString(),
-                         .table = objects.getColumn(2).getString()});
-    }
-  }
+  return objects_of(known);
+}
+
+/// What is only in the first.
+std::vector<SchemaObject> difference(const std::vector<SchemaObject>& of,
+                                     const std::vector<SchemaObject>& without) {
+  std::vector<SchemaObject> rest;
+  std::ranges::set_difference(of, without, std::back_inserter(rest));
+  return rest;
+}
+
+/// Statistics, which ANALYZE makes in whoever's program: a planner's numbers.
+bool is_of_analyze(const SchemaObject& object) {
+  constexpr std::string_view name = "sqlite_stat1";
+  return object.type == "table" && object.name == name && object.table == name &&
+         object.sql == "CREATE TABLE sqlite_stat1(tbl,idx,stat)";
+}
+
+/// What the file has beside its schema.
+std::vector<SchemaObject> foreign_parts(SQLite::Database& study) {
+  const std::vector<SchemaObject> known = known_objects();
+  std::vector<SchemaObject> foreign = difference(objects_of(study), known);
+  std::erase_if(foreign, [&](const SchemaObject& object) {
+    const bool goes_with_foreign_table =
+        object.type == "index" && object.sql.empty() &&
+        std::ranges::find(known, object.table, &SchemaObject::name) == known.end();
+    return goes_with_foreign_table || is_of_analyze(object);
+  });
   return foreign;
 }
 
@@ -90,61 +111,65 @@ std::string text_of(const SchemaObject& object) {
 }  // namespace
 
 void require_schema(SQLite::Database& database, const fs::path& path) {
-  SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
-  known.exec(study_schema());
-  SQLite::Statement objects(known, "SELECT type, name, sql FROM sqlite_schema");
-  SQLite::Statement same(database,
-                         "SELECT 1 FROM sqlite_schema WHERE type = ? AND name = ? AND sql IS ?");
-  while (objects.executeStep()) {
-    same.reset();
-    same.clearBindings();
-    same.bind(1, objects.getColumn(0).getString());
-    same.bind(2, objects.getColumn(1).getString());
-    if (!objects.isColumnNull(2)) {
-      same.bind(3, objects.getColumn(2).getString());
-    }
-    if (!same.executeStep()) {
-      throw Error(path.string(),
-                  fmt::format("its {} {} is missing or was changed",
-                              objects.getColumn(0).getString(), objects.getColumn(1).getString()),
-                  damage_remedy);
-    }
+  const std::vector<SchemaObject> missing = difference(known_objects(), objects_of(database));
+  if (!missing.empty()) {
+    throw Error(path.string(),
+                fmt::format("its {} {} is missing or was changed", missing.front().type,
+                            missing.front().name),
+                damage_remedy);
   }
 }
 
 std::vector<std::string> foreign_objects(SQLite::Database& study) {
   std::vector<std::string> texts;
-  for (const SchemaObject& object : foreign_objects(study, "'table', 'view', 'index', 'trigger'")) {
+  for (const SchemaObject& object : foreign_parts(study)) {
     texts.push_back(text_of(object));
   }
   return texts;
 }
 
 void require_only_own_effects(SQLite::Database& study, const fs::path& path) {
-  const std::vector<SchemaObject> foreign = foreign_objects(study, "'index', 'trigger'");
-  if (!foreign.empty()) {
-    const SchemaObject& first = foreign.front();
-    throw Error(path.string(),
-                fmt::format("has the {}, which is not Foveola's and could change what is recorded",
-                            text_of(first)),
-                fmt::format("remove it (DROP {} in sqlite3), or restore the file from a copy",
-                            first.type == "index" ? "INDEX" : "TRIGGER"));
+  for (const SchemaObject& object : foreign_parts(study)) {
+    if (object.type != "table" && object.type != "view") {
+      throw Error(
+          path.string(),
+          fmt::format("has the {}, which is not Foveola's and could change what is recorded",
+                      text_of(object)),
+          fmt::format("remove it (DROP {} in sqlite3), or restore the file from a copy",
+                      object.type == "index" ? "INDEX" : "TRIGGER"));
+    }
   }
 }
 
-std::optional<std::string> size_fault(const fs::path& path) {
-  const Header header(path);
+std::optional<std::string> statistics_fault(SQLite::Database& study) {
+  if (std::ranges::none_of(objects_of(study), is_of_analyze)) {
+    return std::nullopt;
+  }
+  SQLite::Statement odd(study,
+                        "SELECT coalesce(tbl, '') || ' ' || coalesce(stat, '') FROM sqlite_stat1"
+                        " WHERE NOT EXISTS (SELECT 1 FROM sqlite_schema WHERE tbl_name = tbl"
+                        "  AND (idx IS NULL OR (type = 'index' AND name = idx) OR idx = tbl))"
+                        " OR stat GLOB '*[^0-9 ]*' OR typeof(stat) <> 'text'");
+  return odd.executeStep()
+             ? std::optional("its table sqlite_stat1 holds what ANALYZE does not write: " +
+                             odd.getColumn(0).getString())
+             : std::nullopt;
+}
+
+std::optional<std::string> size_fault(SQLite::Database& database) {
+  const OpenFile file = OpenFile::database(database);
+  const Header header(file);
   if (!header.is_whole() || header.page_size() == 0) {
     return std::nullopt;
   }
-  const fs::path file = fs::canonical(path);
-  const std::uintmax_t size = fs::file_size(file);
+  const std::uintmax_t size = file.size();
   if (size % header.page_size() != 0) {
     return fmt::format("has {} bytes, which are no whole number of its pages of {} bytes", size,
                        header.page_size());
   }
   // With a log beside it, the number of pages may be that of another moment.
-  const bool has_log = fs::exists(file.string() + "-wal");
+  const bool has_log =
+      fs::exists(fmt::format("{}-wal", ::sqlite3_db_filename(database.getHandle(), "main")));
   if (!has_log && header.pages() != 0 && size != header.pages() * header.page_size()) {
     return fmt::format("has {} bytes, and its {} pages of {} bytes have {}", size, header.pages(),
                        header.page_size(), header.pages() * header.page_size());
@@ -152,8 +177,8 @@ std::optional<std::string> size_fault(const fs::path& path) {
   return std::nullopt;
 }
 
-void require_whole_pages(const fs::path& path) {
-  if (const std::optional<std::string> fault = size_fault(path)) {
+void require_whole_pages(SQLite::Database& database, const fs::path& path) {
+  if (const std::optional<std::string> fault = size_fault(database)) {
     throw Error(path.string(), fmt::format("is damaged ({})", *fault), damage_remedy);
   }
 }

@@ -24,16 +24,20 @@ void require_schema(SQLite::Database& database, const std::filesystem::path& pat
 /// TABLE". Those that SQLite makes for ANALYZE are left out.
 std::vector<std::string> foreign_objects(SQLite::Database& study);
 
+/// What SQLite's statistics hold that ANALYZE does not write; empty if nothing. They are tables
+/// that anybody can write.
+std::optional<std::string> statistics_fault(SQLite::Database& study);
+
 /// Throws Error if a trigger or an index stands beside those of the schema: either could change or
 /// refuse what is written.
 void require_only_own_effects(SQLite::Database& study, const std::filesystem::path& path);
 
-/// What is wrong with the size of the file at `path`, a database; empty if nothing is. SQLite takes
-/// what is missing of the last page for zeros, and does not see what is appended.
-std::optional<std::string> size_fault(const std::filesystem::path& path);
+/// What is wrong with the size of the database's file; empty if nothing is. SQLite takes what is
+/// missing of the last page for zeros, and does not see what is appended.
+std::optional<std::string> size_fault(SQLite::Database& database);
 
-/// Throws Error if there is a size_fault().
-void require_whole_pages(const std::filesystem::path& path);
+/// Throws Error, which names the file by `path`, if there is a size_fault().
+void require_whole_pages(SQLite::Database& database, const std::filesystem::path& path);
 
 /// What SQLite's quick check finds first; empty if the pages form the trees that they should, so
 /// that reading them comes to an end.

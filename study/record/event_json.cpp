@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/record/gaze_json.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -42,7 +43,9 @@ std::vector<Answer> answers_from(const Json& list) {
   return answers;
 }
 
-Nanoseconds nanoseconds_from(const Json& json) { return Nanoseconds(json.get<std::int64_t>()); }
+Nanoseconds nanoseconds_from(const Json& json) {
+  return time_from(whole_number<std::int64_t>(json));
+}
 
 // Each event's values as JSON, and back.
 

@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "study/record/event_json.h"
 #include "study/record/event_rows.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -28,7 +29,7 @@ std::vector<LoggedEvent> events_of(SQLite::Database& database, std::int64_t sess
   rows.bind(1, session);
   while (rows.executeStep()) {
     try {
-      events.push_back({.time = Nanoseconds(rows.getColumn("time_ns").getInt64()),
+      events.push_back({.time = time_from(rows.getColumn("time_ns").getInt64()),
                         .event = event_from(rows.getColumn("type").getString(),
                                             rows.getColumn("payload").getString()),
                         .utc = rows.getColumn("utc").getString()});

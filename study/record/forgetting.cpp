@@ -57,6 +57,11 @@ SQLite::Statement objects_of(SQLite::Database& study, const char* types) {
                              types)};
 }
 
+/// Makes what a CREATE of the file says; what a stranger may have put behind it is not run.
+void make(SQLite::Database& target, const std::string& sql) {
+  SQLite::Statement(target, sql).exec();
+}
+
 /// Makes a new file of the rows that stay: one from which rows were removed keeps their bytes in
 /// its free space. secure_delete fills that of the new one with zeros, whatever was in the memory.
 void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& path) {
@@ -66,12 +71,12 @@ void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& 
   SQLite::Statement tables = objects_of(study, "'table'");
   while (tables.executeStep()) {
     const std::string table = tables.getColumn("name").getString();
-    target.exec(tables.getColumn("sql").getString());
+    make(target, tables.getColumn("sql").getString());
     copy_rows(study, target, table, others_than(study, table, session));
   }
   SQLite::Statement others = objects_of(study, "'index', 'view', 'trigger'");
   while (others.executeStep()) {
-    target.exec(others.getColumn("sql").getString());
+    make(target, others.getColumn("sql").getString());
   }
   for (const char* number : {"application_id", "user_version"}) {
     target.exec(fmt::format("PRAGMA {} = {}", number,

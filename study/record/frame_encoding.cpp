@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "renderer/base/little_endian.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -40,16 +41,20 @@ void append_frame(std::string& bytes, const FrameRow& frame) {
   append(bytes, flags_of(frame));
 }
 
+Nanoseconds take_time(std::string_view& bytes) {
+  return time_from(take_nanoseconds(bytes).count());
+}
+
 FrameRow take_frame(std::string_view& bytes, bool keeps_presentation) {
   FrameRow frame;
-  frame.time = take_nanoseconds(bytes);
-  frame.presented = keeps_presentation ? take_nanoseconds(bytes) : frame.time;
+  frame.time = take_time(bytes);
+  frame.presented = keeps_presentation ? take_time(bytes) : frame.time;
   frame.head_azimuth_rad = take_float(bytes);
   frame.head_elevation_rad = take_float(bytes);
   for (int axis = 0; axis < 3; ++axis) {
     frame.gaze[axis] = take_float(bytes);
   }
-  frame.gaze_age = take_nanoseconds(bytes);
+  frame.gaze_age = take_time(bytes);
   frame.samples = take<std::uint32_t>(bytes);
   const auto flags = take<std::uint32_t>(bytes);
   frame.gaze_valid = (flags & gaze_valid_bit) != 0;

@@ -1,6 +1,7 @@
 #include "study/record/gaze_encoding.h"
 
 #include "renderer/base/little_endian.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -19,7 +20,7 @@ void append_sample(std::string& bytes, const GazeSample& sample) {
 }
 
 GazeSample take_sample(std::string_view& bytes) {
-  GazeSample sample{.time = take_nanoseconds(bytes)};
+  GazeSample sample{.time = time_from(take_nanoseconds(bytes).count())};
   for (int axis = 0; axis < 3; ++axis) {
     sample.direction[axis] = take_float(bytes);
   }

@@ -1,5 +1,7 @@
 #include "study/record/gaze_json.h"
 
+#include "study/record/stored_number.h"
+
 namespace foveola::study {
 namespace {
 
@@ -37,7 +39,7 @@ Json json_of(const SeenTarget& seen) {
 
 SeenTarget seen_target_from(const Json& json) {
   return {.mean_gaze = vector_from<Vec3>(json.at("mean_gaze")),
-          .samples = json.at("samples"),
+          .samples = whole_number<std::size_t>(json.at("samples")),
           .figures = figures_from(json.at("figures"))};
 }
 

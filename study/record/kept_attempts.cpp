@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "study/protocol/protocol.h"
 #include "study/record/session_devices.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -87,11 +88,11 @@ std::optional<KeptAttempt> KeptAttempts::next() {
   }
   KeptAttempt kept{.session = attempts_.getColumn(0).getInt64(),
                    .participant = attempts_.getColumn(1).getString(),
-                   .trial = static_cast<std::size_t>(attempts_.getColumn(2).getInt64()),
-                   .attempt = attempts_.getColumn(3).getInt(),
+                   .trial = whole_number<std::size_t>(attempts_.getColumn(2)),
+                   .attempt = whole_number<int>(attempts_.getColumn(3)),
                    .counts = attempts_.getColumn(4).getInt() == 1,
                    .object = attempts_.getColumn(6).getString()};
-  const Nanoseconds first_frame(attempts_.getColumn(5).getInt64());
+  const Nanoseconds first_frame = time_from(attempts_.getColumn(5));
   follow_session(kept.session);
   const auto later = std::find_if(devices_.begin() + 1, devices_.end(),
                                   [&](const Devices& one) { return one.since > first_frame; });
@@ -141,8 +142,7 @@ void KeptAttempts::follow_session(std::int64_t session) {
   while (notes_.executeStep()) {
     if (const std::optional<std::string> devices =
             devices_in_note(notes_.getColumn(1).getString())) {
-      devices_.push_back(
-          devices_of(*devices, Nanoseconds(notes_.getColumn(0).getInt64()), is_simulated));
+      devices_.push_back(devices_of(*devices, time_from(notes_.getColumn(0)), is_simulated));
     }
   }
 }

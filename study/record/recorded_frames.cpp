@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
 #include "study/record/frame_encoding.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 
@@ -25,7 +26,7 @@ std::vector<FrameRow> decode_stored(const std::vector<StoredFrames>& rows) {
       throw std::invalid_argument("a chunk is missing");
     }
     const std::vector<FrameRow> more = decode_frames(
-        row.encoding, chunk_bytes(row.chunk, row.count * bytes_per_frame(row.encoding)));
+        row.encoding, chunk_bytes(row.chunk, row.count, bytes_per_frame(row.encoding)));
     frames.insert(frames.end(), more.begin(), more.end());
   }
   return frames;
@@ -66,7 +67,7 @@ std::vector<FilmHash> film_hashes_of(SQLite::Database& database, std::int64_t se
                          " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY frame");
   SQLite::bind(rows, session, static_cast<std::int64_t>(trial), attempt);
   while (rows.executeStep()) {
-    hashes.push_back({.frame = static_cast<std::uint64_t>(rows.getColumn("frame").getInt64()),
+    hashes.push_back({.frame = whole_number<std::uint64_t>(rows.getColumn("frame")),
                       .sha256 = rows.getColumn("film_sha256").getString()});
     if (film_row_sha256(static_cast<std::int64_t>(trial), attempt, hashes.back()) !=
         rows.getColumn("row_sha256").getString()) {

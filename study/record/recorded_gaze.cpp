@@ -10,6 +10,7 @@
 #include "study/record/chunk.h"
 #include "study/record/database.h"
 #include "study/record/gaze_encoding.h"
+#include "study/record/stored_number.h"
 
 namespace fs = std::filesystem;
 
@@ -56,14 +57,14 @@ class AttemptReader {
 AttemptGaze attempt_in(SQLite::Statement& row) {
   AttemptGaze attempt;
   attempt.participant = row.getColumn("participant").getString();
-  attempt.trial = static_cast<std::size_t>(row.getColumn("trial").getInt64());
+  attempt.trial = whole_number<std::size_t>(row.getColumn("trial"));
   attempt.trial_kind = row.getColumn("trial_kind").getString();
   attempt.scene = row.getColumn("scene").getString();
   attempt.method = row.getColumn("method").getString();
-  attempt.attempt = row.getColumn("attempt").getInt();
+  attempt.attempt = whole_number<int>(row.getColumn("attempt"));
   attempt.outcome = row.getColumn("outcome").getString();
   if (const SQLite::Column first = row.getColumn("first_frame_ns"); !first.isNull()) {
-    attempt.first_frame = Nanoseconds(first.getInt64());
+    attempt.first_frame = time_from(first);
   }
   return attempt;
 }
@@ -78,7 +79,7 @@ std::vector<GazeSample> decode_stored(const std::vector<StoredGaze>& rows) {
   std::vector<GazeSample> samples;
   for (const StoredGaze& row : rows) {
     const std::vector<GazeSample> more =
-        decode_gaze(chunk_bytes(row.chunk, row.count * bytes_per_gaze_sample));
+        decode_gaze(chunk_bytes(row.chunk, row.count, bytes_per_gaze_sample));
     samples.insert(samples.end(), more.begin(), more.end());
   }
   return samples;

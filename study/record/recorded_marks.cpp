@@ -3,6 +3,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 
+#include "study/record/stored_number.h"
+
 namespace foveola::study {
 
 SQLite::Statement query_of_marks(SQLite::Database& database) {
@@ -17,8 +19,7 @@ std::vector<MarkedMoment> read_marks(SQLite::Statement& query, std::int64_t sess
   query.reset();
   SQLite::bind(query, session, static_cast<std::int64_t>(trial), attempt);
   while (query.executeStep()) {
-    marks.push_back({query.getColumn(0).getString(),
-                     first_frame + Nanoseconds(query.getColumn(1).getInt64()),
+    marks.push_back({query.getColumn(0).getString(), first_frame + time_from(query.getColumn(1)),
                      query.getColumn(2).getInt() == 1});
   }
   return marks;

@@ -7,6 +7,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
@@ -19,6 +20,7 @@
 #include "study/record/recorded_frames.h"
 #include "study/record/schema.h"
 #include "study/record/session_rows.h"
+#include "study/record/stored_number.h"
 #include "study/record/table_rows.h"
 
 namespace foveola::study {
@@ -51,14 +53,25 @@ class SessionCheck {
     if (chain_holds()) {
       check_what_follows();
     }
-    check_chunks("frame_chunk", "first_frame", "frame_count");
-    check_chunks("gaze_chunk", "first_sample", "sample_count");
-    check_film_hashes();
+    try {
+      check_chunks("frame_chunk", "first_frame", "frame_count");
+      check_chunks("gaze_chunk", "first_sample", "sample_count");
+      check_film_hashes();
+    } catch (const SQLite::Exception& damage) {
+      fault_of(damage);
+    }
     check_clock();
     list_gaps();
   }
 
  private:
+  /// A number that Foveola never writes is a fault of the session; all else is one of the file.
+  void fault_of(const SQLite::Exception& damage) {
+    if (damage.getErrorCode() != SQLITE_CORRUPT) {
+      throw damage;
+    }
+    fault(damage.what());
+  }
   void fault(const std::string& what) { found_.faults.push_back({participant_, what}); }
   void warning(const std::string& what) { found_.warnings.push_back({participant_, what}); }
   void gap(const std::string& what) { found_.gaps.push_back({participant_, what}); }
@@ -116,6 +129,8 @@ class SessionCheck {
       }
     } catch (const Error& error) {
       fault(error.what());
+    } catch (const SQLite::Exception& damage) {
+      fault_of(damage);
     }
   }
 
@@ -134,22 +149,31 @@ class SessionCheck {
     while (chunks->executeStep()) {
       ++found_.chunks;
       const std::int64_t trial = chunks->getColumn("trial").getInt64();
-      const int attempt = chunks->getColumn("attempt").getInt();
+      const int attempt = whole_number<int>(chunks->getColumn("attempt"));
       std::int64_t& expected = next[{trial, attempt}];
       if (chunks->getColumn("first").getInt64() != expected || !is_what_was_written(*chunks)) {
         fault(fmt::format("trial {}, attempt {}: {} from {} on is missing or not what was written",
                           trial, attempt, table, expected));
       }
-      expected = chunks->getColumn("first").getInt64() + chunks->getColumn("count").getInt64();
+      if (__builtin_add_overflow(chunks->getColumn("first").getInt64(),
+                                 chunks->getColumn("count").getInt64(), &expected)) {
+        return;  // nothing can follow
+      }
     }
   }
 
   static bool is_what_was_written(SQLite::Statement& chunk) {
     const std::string encoding = chunk.getColumn("encoding").getString();
-    const std::int64_t bytes_each =
-        encoding == gaze_encoding_name ? bytes_per_gaze_sample : bytes_per_frame(encoding);
+    const bool is_gaze = encoding == gaze_encoding_name;
     try {
-      chunk_bytes(stored_chunk(chunk), chunk.getColumn("count").getInt64() * bytes_each);
+      const std::string bytes =
+          chunk_bytes(stored_chunk(chunk), chunk.getColumn("count").getInt64(),
+                      is_gaze ? bytes_per_gaze_sample : bytes_per_frame(encoding));
+      if (is_gaze) {
+        decode_gaze(bytes);
+      } else {
+        decode_frames(encoding, bytes);
+      }
     } catch (const std::invalid_argument&) {
       return false;
     }
@@ -162,8 +186,8 @@ class SessionCheck {
     while (attempts->executeStep()) {
       try {
         film_hashes_of(study_.database(), session_,
-                       static_cast<std::size_t>(attempts->getColumn("trial").getInt64()),
-                       attempts->getColumn("attempt").getInt());
+                       whole_number<std::size_t>(attempts->getColumn("trial")),
+                       whole_number<int>(attempts->getColumn("attempt")));
       } catch (const Error& error) {
         fault(error.what());
       }

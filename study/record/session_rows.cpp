@@ -15,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "study/record/question_json.h"
 #include "study/record/session_devices.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -142,13 +143,13 @@ AgendaStep step_from(SQLite::Statement& row, std::int64_t session) {
     return QuestionnaireStep{.questionnaire = row.getColumn("questionnaire").getString()};
   }
   if (kind == "validation") {
-    return ValidationStep{.attempts = row.getColumn("times").getInt()};
+    return ValidationStep{.attempts = whole_number<int>(row.getColumn("times"))};
   }
   if (kind == "reaction") {
-    return ReactionStep{.presses = row.getColumn("times").getInt()};
+    return ReactionStep{.presses = whole_number<int>(row.getColumn("times"))};
   }
   if (kind == "trial") {
-    return TrialStep{.trial = static_cast<std::size_t>(row.getColumn("trial").getInt64()),
+    return TrialStep{.trial = whole_number<std::size_t>(row.getColumn("trial")),
                      .chooses_object = row.getColumn("chooses_object").getInt() != 0};
   }
   throw unknown_word(session, kind);
@@ -193,7 +194,7 @@ KnownSession session_from(SQLite::Database& database, SQLite::Statement& row) {
           .participant = row.getColumn("participant").getString(),
           .kind = session_kind_named(id, row.getColumn("kind").getString()),
           .seed = seed_from(id, row.getColumn("seed").getString()),
-          .design_row = row.getColumn("design_row").getInt(),
+          .design_row = whole_number<int>(row.getColumn("design_row")),
           .phase = phase_named(id, row.getColumn("state").getString()),
           .build = build_of(row),
           .devices = row.getColumn("devices").getString(),
@@ -265,8 +266,8 @@ Plan plan_of(SQLite::Database& database, std::int64_t session) {
   while (rows.executeStep()) {
     plan.push_back({.scene = rows.getColumn("scene").getString(),
                     .method = rows.getColumn("method").getString(),
-                    .scene_position = rows.getColumn("scene_position").getInt(),
-                    .method_position = rows.getColumn("method_position").getInt(),
+                    .scene_position = whole_number<int>(rows.getColumn("scene_position")),
+                    .method_position = whole_number<int>(rows.getColumn("method_position")),
                     .kind = trial_kind_named(session, rows.getColumn("kind").getString())});
   }
   return plan;

@@ -50,17 +50,22 @@ std::string devices_of(const SimulationKind& kind) {
 }
 
 std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
-  const nlohmann::json recorded = nlohmann::json::parse(devices);
-  if (!recorded.contains("simulation")) {
-    return std::nullopt;
+  try {
+    const nlohmann::json recorded = nlohmann::json::parse(devices);
+    if (!recorded.contains("simulation")) {
+      return std::nullopt;
+    }
+    const nlohmann::json& simulation = recorded.at("simulation");
+    return SimulationKind{.scale = simulation.at("scale").get<double>(),
+                          .samples_per_second = speed_in(simulation),
+                          .predicted = simulation.at("predicted").get<bool>(),
+                          .real_time = simulation.value("real_time", false),
+                          .injected = injected_in(simulation),
+                          .people_sha256 = simulation.at("people_sha256").get<std::string>()};
+  } catch (const nlohmann::json::exception&) {
+    throw Error("a simulated session", "does not say how it was simulated",
+                "restore the study's file from a copy");
   }
-  const nlohmann::json& simulation = recorded.at("simulation");
-  return SimulationKind{.scale = simulation.at("scale").get<double>(),
-                        .samples_per_second = speed_in(simulation),
-                        .predicted = simulation.at("predicted").get<bool>(),
-                        .real_time = simulation.value("real_time", false),
-                        .injected = injected_in(simulation),
-                        .people_sha256 = simulation.at("people_sha256").get<std::string>()};
 }
 
 void require_same_kind(const std::string& database, const std::vector<KnownSession>& sessions,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "study/record/database.h"
+#include "study/record/stored_number.h"
 #include "study/record/trial_rows.h"
 
 namespace fs = std::filesystem;
@@ -62,7 +63,7 @@ void read_protocol(SQLite::Database& database, const fs::path& path, StudyRecord
 
 std::optional<int> optional_integer(SQLite::Statement& row, const char* column) {
   const SQLite::Column value = row.getColumn(column);
-  return value.isNull() ? std::nullopt : std::optional(value.getInt());
+  return value.isNull() ? std::nullopt : std::optional(whole_number<int>(value));
 }
 
 std::vector<AmendedSession> read_amended(SQLite::Database& database) {
@@ -141,7 +142,7 @@ void read_answers(SQLite::Database& database, const SessionIndices& sessions, Wo
     const SQLite::Column number = rows.getColumn(4);
     records.answers.push_back(
         {.session = session->second,
-         .step = rows.getColumn(1).getInt(),
+         .step = whole_number<int>(rows.getColumn(1)),
          .questionnaire = words.index_of(rows.getColumn(2).getString()),
          .question = words.index_of(rows.getColumn(3).getString()),
          .value = number.isNull()

@@ -1,5 +1,6 @@
 #include "study/record/study_store.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -18,9 +19,11 @@
 #include "study/record/event_rows.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
+#include "study/record/log_keeper.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
 #include "study/record/session_rows.h"
+#include "study/record/temporary_database.h"
 
 namespace fs = std::filesystem;
 
@@ -92,30 +95,61 @@ struct StudyStore::Implementation {
         amendment(make_or_check(path, protocol_in, other, dates)),
         identity(identity_of(path)),
         database(open_study_to_write(path)),
+        log(database),
         statements(database),
         protocol(protocol_in) {}
 
-  /// Runs `work`; all of it is on the disk when this returns, or none if it throws.
+  /// Runs `work`; all of it is on the disk when this returns, or none if it throws, but where the
+  /// file was lost: that is saved with it.
   void commit(const std::function<void()>& work) {
     if (is_together) {
       work();
       return;
     }
-    require_same_file();
+    if (loss) {
+      throw *loss;
+    }
     with_clear_errors(path, [&] {
+      require_same_file();
       SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
       work();
       transaction.commit();
+      require_same_file();
+      if (!log.holds_last_commit()) {
+        lose("its log (-wal) was removed, replaced or cut off by another program");
+      }
     });
   }
 
   /// By another name, a second program could write the file beside this one: the lock and the log
   /// are found by the name.
-  void require_same_file() const {
+  void require_same_file() {
     if (identity_of(path) != identity) {
-      throw Error(path.string(), "was moved, removed or replaced while it was written",
-                  "put it back, if it is still there, and go on with --resume");
+      lose("was moved, removed or replaced");
     }
+  }
+
+  /// Saves what there is beside the file, and throws Error, now and from now on.
+  [[noreturn]] void lose(const std::string& what) {
+    std::string name = utc_now();
+    std::ranges::replace(name, ':', '-');
+    const fs::path saved =
+        folder_of(path) / fmt::format("{}.saved-{}.sqlite", path.stem().string(), name);
+    std::string remedy;
+    try {
+      log.save(saved);
+      record_file = saved;
+      remedy = fmt::format("all that was recorded is in {}: go on with that file, by --resume",
+                           saved.string());
+    } catch (const std::exception& fault) {
+      remedy = fmt::format(
+          "it could not be saved in {} ({}): leave all files as they are, and make "
+          "copies of them",
+          saved.string(), fault.what());
+    }
+    loss.emplace(path.string(), what + " while it was written, and nothing more is recorded",
+                 remedy);
+    throw *loss;
   }
 
   /// Runs `work` as one commit; what it learnt of sessions that were then not made is forgotten.
@@ -177,6 +211,9 @@ struct StudyStore::Implementation {
   std::optional<Amendment> amendment;
   FileIdentity identity;
   SQLite::Database database;
+  LogKeeper log;
+  std::optional<Error> loss;  ///< how the file was lost
+  fs::path record_file = path;
   PreparedStatements statements;
   Protocol protocol;
   std::map<std::int64_t, Procedure> procedures;
@@ -192,8 +229,12 @@ StudyStore::StudyStore(const fs::path& path, const Protocol& protocol, OtherProt
 
 StudyStore::~StudyStore() {
   // If this fails, the log stays beside the file, and whoever opens the study next reads both.
-  implementation_->database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (!implementation_->loss) {
+    implementation_->database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+  }
 }
+
+const fs::path& StudyStore::record_file() const { return implementation_->record_file; }
 
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 

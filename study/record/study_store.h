@@ -72,7 +72,10 @@ enum class RecordDates {
 };
 
 /// A study's file, open for writing. Every function that returns has committed with
-/// synchronous=FULL; one that throws Error has changed nothing. There is one at a time for a file.
+/// synchronous=FULL, and found what it committed in the file and its log; one that throws Error has
+/// changed nothing. If the file or its log was moved, removed or replaced by another program,
+/// everything is saved in another file and nothing more is recorded. There is one at a time for a
+/// file.
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
@@ -88,6 +91,9 @@ class StudyStore {
   ~StudyStore();
   StudyStore(const StudyStore&) = delete;
   StudyStore& operator=(const StudyStore&) = delete;
+
+  /// The study's file; once that was lost, the file in which the record was saved.
+  const std::filesystem::path& record_file() const;
 
   /// What the protocol differs in from the one that the study was begun with; empty if it is that.
   const std::optional<Amendment>& amendment() const;

@@ -5,10 +5,12 @@
 
 namespace foveola::study {
 
-/// A place for a database beside its final path, on the same file system. What lies there at the
-/// end of the scope goes, and what a kill left there goes at the beginning.
+/// An empty, private file for a database beside its final path, on the same file system. What lies
+/// there at the end of the scope goes, and what killed programs of this machine have left goes at
+/// the beginning.
 class TemporaryDatabase {
  public:
+  /// Throws Error if it cannot be made.
   explicit TemporaryDatabase(const std::filesystem::path& final_path);
   ~TemporaryDatabase();
   TemporaryDatabase(const TemporaryDatabase&) = delete;
@@ -17,7 +19,8 @@ class TemporaryDatabase {
   const std::filesystem::path& path() const { return path_; }
 
   /// Takes the place of whatever is at the final path, in one step that is on the disk when this
-  /// returns. The database must be closed. Throws Error if it cannot.
+  /// returns, and whoever could read that can read this. The database must be closed. Throws Error
+  /// if it cannot.
   void replace_final() const;
 
   /// Gives it its name, unless a file of that name is there: that stays. Returns whether there was

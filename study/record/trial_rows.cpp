@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "study/record/stored_number.h"
 
 namespace foveola::study {
 namespace {
@@ -86,10 +87,10 @@ class TrialReader {
         continue;
       }
       const auto number = [&](int column) {
-        return static_cast<std::uint16_t>(row.getColumn(column).getInt());
+        return whole_number<std::uint16_t>(row.getColumn(column));
       };
       const TrialRow trial{.session = session->second,
-                           .trial = row.getColumn(1).getUInt(),
+                           .trial = whole_number<std::uint32_t>(row.getColumn(1)),
                            .kind = kind_named(row.getColumn(2).getString()),
                            .scene = position_of(scenes, row.getColumn(3).getString(), "scene"),
                            .method = position_of(methods, row.getColumn(4).getString(), "method"),
@@ -117,7 +118,8 @@ class TrialReader {
       if (session == sessions_.end() || measure == measures_.end()) {
         continue;
       }
-      const Key key{session->second, row.getColumn(1).getUInt(), row.getColumn(2).getInt()};
+      const Key key{session->second, whole_number<std::uint32_t>(row.getColumn(1)),
+                    whole_number<int>(row.getColumn(2))};
       while (at < records_.trials.size() && key_of(records_.trials[at]) < key) {
         ++at;
       }

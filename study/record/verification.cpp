@@ -55,6 +55,9 @@ void check_schema(SQLite::Database& study, const fs::path& path, Verification& f
   for (const std::string& object : foreign_objects(study)) {
     found.faults.push_back({"", fmt::format("has the {}, which is not Foveola's", object)});
   }
+  if (const std::optional<std::string> fault = statistics_fault(study)) {
+    found.faults.push_back({"", *fault});
+  }
 }
 
 void check_texts(SQLite::Database& study, Verification& found) {
@@ -148,12 +151,12 @@ void check_file_and_sessions(const fs::path& path, const std::vector<SessionKey>
 Verification verify(const fs::path& path) {
   require_study(path);
   Verification found;
-  if (const std::optional<std::string> fault = size_fault(path)) {
-    found.faults.push_back({"", *fault});
-  }
   std::vector<SessionKey> sessions;
   {
     SQLite::Database study = open_as_it_is(path);
+    if (const std::optional<std::string> fault = size_fault(study)) {
+      found.faults.push_back({"", *fault});
+    }
     if (!found.faults.empty() || page_fault(study)) {
       append(found, check_integrity(path));
       return found;

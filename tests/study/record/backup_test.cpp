@@ -47,7 +47,7 @@ TEST_F(Backup, LiesBesideTheStudyByItsTime) {
   EXPECT_NE(first, second);
   EXPECT_EQ(first.parent_path(), folder_ / "study.sqlite.backups");
   EXPECT_THAT(first.filename().string(),
-              testing::MatchesRegex("20[0-9]{2}-[0-9]{2}-[0-9]{2}T[0-9:.]+Z\\.sqlite"));
+              testing::MatchesRegex("20[0-9]{2}-[0-9]{2}-[0-9]{2}T[0-9-]+[.][0-9]+Z\\.sqlite"));
   EXPECT_TRUE(read_study(second).sessions.empty());
 }
 

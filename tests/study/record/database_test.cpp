@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "renderer/base/error.h"
@@ -279,6 +280,7 @@ TEST(Database, ReadsInAFolderThatCannotBeWritten) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
   write_small_study(path);
+  fs::permissions(path, fs::perms(0644));
   fs::permissions(folder.path(), fs::perms(0555));
   {
     const OrdinaryUser user;
@@ -319,7 +321,13 @@ TEST(Database, NewStudyNeverTakesTheNameOfAnother) {
 
 TEST(Database, HalfMadeStudyOfAKilledProgramIsNoObstacle) {
   const TemporaryFolder folder;
-  write_bytes(folder / fmt::format(".study.sqlite.{}.partial", ::getpid()), "half");
+  const pid_t killed = ::fork();
+  if (killed == 0) {
+    ::_exit(0);
+  }
+  ::waitpid(killed, nullptr, 0);
+  write_bytes(folder / fmt::format(".study.sqlite.{}-0123456789abcdef.partial-wal", killed),
+              "half");
   create_study(folder / "study.sqlite", small_protocol());
   EXPECT_EQ(folder.content().size(), 1U);
   EXPECT_TRUE(read_study(folder / "study.sqlite").sessions.empty());

@@ -63,6 +63,7 @@ TEST(OneWriter, WriterStopsWhenItsFileIsMoved) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
   const fs::path moved = folder / "moved.sqlite";
+  std::string lost;
   {
     StudyStore store(path, small_protocol());
     PlayedSession session(store, facts_of("P01"), small_plan());
@@ -74,12 +75,16 @@ TEST(OneWriter, WriterStopsWhenItsFileIsMoved) {
                                             .before = session.state(),
                                             .after = session.state()});
     };
-    EXPECT_THAT(refusal(go_on),
-                AllOf(StartsWith(path.string() + ": was moved"), HasSubstr("put it back")));
+    lost = refusal(go_on);
+    EXPECT_THAT(lost, StartsWith(path.string() + ": was moved"));
     fs::rename(moved, path);
-    go_on();
+    EXPECT_EQ(refusal(go_on), lost);
+    EXPECT_NE(store.record_file(), path);
+    EXPECT_THAT(lost, HasSubstr(store.record_file().string()));
+    EXPECT_EQ(query(store.record_file(), "SELECT count(*) FROM event"), "2");
+    EXPECT_THAT(verify_study(store.record_file()).faults, IsEmpty());
   }
-  EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "3");
+  EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "2");
   EXPECT_THAT(verify_study(path).faults, IsEmpty());
 }
 

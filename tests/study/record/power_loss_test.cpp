@@ -13,6 +13,7 @@
 #include "power_loss_study.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "study/record/database.h"
 #include "study/record/maintenance.h"
 
 namespace fs = std::filesystem;
@@ -76,10 +77,15 @@ void lose_power(const std::vector<DiskCall>& calls, std::size_t times, Syncs syn
   }
 }
 
-std::string marks_in(const fs::path& path) { return query(path, "SELECT count(*) FROM mark"); }
+/// The value of a query, read as Foveola reads: a journal that a loss of power left is not played.
+std::string value_in(const fs::path& path, const std::string& sql) {
+  return open_as_it_is(path).execAndGet(sql).getString();
+}
+
+std::string marks_in(const fs::path& path) { return value_in(path, "SELECT count(*) FROM mark"); }
 
 Holdings holdings_of(const fs::path& path) {
-  SQLite::Database database(path, SQLite::OPEN_READONLY);
+  SQLite::Database database = open_as_it_is(path);
   SQLite::Statement counts(database,
                            "SELECT (SELECT count(*) FROM session), (SELECT count(*) FROM event),"
                            " (SELECT count(*) FROM frame_chunk),"
@@ -284,7 +290,7 @@ TEST(PowerLoss, AMergedStudyIsThereWholeOrNotAtAll) {
                EXPECT_TRUE(acknowledged == 0 || fs::exists(left / study_name));
                if (fs::exists(left / study_name)) {
                  EXPECT_THAT(verify_study(left / study_name).faults, testing::IsEmpty());
-                 EXPECT_EQ(query(left / study_name, "SELECT count(*) FROM session"), "2");
+                 EXPECT_EQ(value_in(left / study_name, "SELECT count(*) FROM session"), "2");
                }
                for (const fs::path& site : sites) {
                  const fs::path file = left / site.filename().string();
@@ -341,9 +347,9 @@ std::vector<fs::path> studies_in(const TemporaryFolder& folder) {
 /// That a study's fault is none, and that it holds all others than the one who is forgotten.
 void expect_others_in(const fs::path& study) {
   EXPECT_THAT(verify_study(study).faults, testing::IsEmpty()) << study;
-  EXPECT_EQ(query(study,
-                  "SELECT group_concat(participant) FROM (SELECT participant FROM session"
-                  " WHERE participant <> 'PERSON-0123' ORDER BY id)"),
+  EXPECT_EQ(value_in(study,
+                     "SELECT group_concat(participant) FROM (SELECT participant FROM session"
+                     " WHERE participant <> 'PERSON-0123' ORDER BY id)"),
             "P01,P03");
 }
 

@@ -1,0 +1,76 @@
+#include "study/record/journal_check.h"
+
+#include <string>
+#include <string_view>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "study/record/big_endian.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+// https://www.sqlite.org/fileformat2.html, section 3: a header that fills a sector, and then
+// records of a page's number, the page as it was, and a checksum.
+constexpr std::string_view journal_magic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+constexpr std::size_t header_size = 28;
+constexpr std::size_t number_size = 4;
+constexpr std::size_t most_bytes = 1 << 20;
+
+/// The file's versions, which say how it keeps its log; its change counter, and by which SQLite.
+bool may_differ(std::size_t offset) {
+  return (offset >= 18 && offset < 20) || (offset >= 24 && offset < 28) ||
+         (offset >= 92 && offset < 100);
+}
+
+bool is_first_page_of(std::string_view page, const std::string& study) {
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    if (!may_differ(i) && (i >= study.size() || page[i] != study[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether all that SQLite would play back is the first page.
+bool is_own(std::string_view journal, const std::string& study) {
+  if (!journal.starts_with(journal_magic)) {
+    return true;  // SQLite plays nothing
+  }
+  if (journal.size() < header_size) {
+    return false;
+  }
+  const std::size_t sector = big_endian(journal, 20);
+  const std::size_t page = big_endian(journal, 24);
+  const std::size_t record = number_size + page + number_size;
+  if (sector > journal.size() || page > most_bytes || (journal.size() - sector) % record != 0) {
+    return false;
+  }
+  for (std::size_t at = sector; at < journal.size(); at += record) {
+    if (big_endian(journal, at) != 1 ||
+        !is_first_page_of(journal.substr(at + number_size, page), study)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool has_journal(const fs::path& study) { return fs::exists(study.string() + "-journal"); }
+
+void require_own_journal(const fs::path& study) {
+  if (!has_journal(study)) {
+    return;
+  }
+  const std::string path = study.string() + "-journal";
+  const std::string remedy =
+      "move it away, and see whether foveola study verify finds a fault in the study";
+  if (!is_own(read_file(path, most_bytes, remedy), read_file(study))) {
+    throw Error(path, "is not the study's, and would change it", remedy);
+  }
+}
+
+}  // namespace foveola::study

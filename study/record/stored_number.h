@@ -1,0 +1,64 @@
+// Whole numbers of a study's file, which may hold any: only those that Foveola writes are taken.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include <SQLiteCpp/Column.h>
+#include <SQLiteCpp/Exception.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sqlite3.h>
+
+#include "renderer/base/clock.h"
+
+namespace foveola::study {
+
+/// The number of a column. Throws SQLite::Exception, as for a damaged file, for one that `Number`
+/// does not hold.
+template <std::integral Number>
+Number whole_number(const SQLite::Column& column) {
+  const std::int64_t number = column.getInt64();
+  if (!std::in_range<Number>(number)) {
+    throw SQLite::Exception(fmt::format("{} is {}", column.getName(), number), SQLITE_CORRUPT);
+  }
+  return static_cast<Number>(number);
+}
+
+/// The same of JSON. Throws std::invalid_argument.
+template <std::integral Number>
+Number whole_number(const nlohmann::ordered_json& json) {
+  if (json.is_number_unsigned()) {
+    if (const auto number = json.get<std::uint64_t>(); std::in_range<Number>(number)) {
+      return static_cast<Number>(number);
+    }
+  } else if (json.is_number_integer()) {
+    if (const auto number = json.get<std::int64_t>(); std::in_range<Number>(number)) {
+      return static_cast<Number>(number);
+    }
+  }
+  throw std::invalid_argument(fmt::format("{} is no whole number as it is written", json.dump()));
+}
+
+/// Times of up to 73 years, forwards or backwards, whose differences and sums are no overflow.
+/// Throws std::invalid_argument for others.
+inline Nanoseconds time_from(std::int64_t ns) {
+  constexpr std::int64_t longest_ns = std::int64_t{1} << 61;
+  if (ns < -longest_ns || ns > longest_ns) {
+    throw std::invalid_argument(fmt::format("a time is {} ns", ns));
+  }
+  return Nanoseconds(ns);
+}
+
+/// The same of a column. Throws SQLite::Exception.
+inline Nanoseconds time_from(const SQLite::Column& column) {
+  try {
+    return time_from(column.getInt64());
+  } catch (const std::invalid_argument& fault) {
+    throw SQLite::Exception(fault.what(), SQLITE_CORRUPT);
+  }
+}
+
+}  // namespace foveola::study
