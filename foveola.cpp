@@ -155,9 +155,12 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
-/// A scene that was found, whose files no output may be.
+/// Returns the scene. Throws Error if an output is its file or its environment's.
 SceneSource apart_from(const std::vector<OutputPath>& outputs, SceneSource scene) {
   require_no_input(outputs, scene.file);
+  if (scene.environment_file) {
+    require_no_input(outputs, *scene.environment_file);
+  }
   return scene;
 }
 

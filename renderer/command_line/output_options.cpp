@@ -30,7 +30,7 @@ bool is_output(CLI::Option& option) {
 fs::path place_of(const fs::path& path) {
   std::error_code ignored;
   const fs::path place = fs::weakly_canonical(path, ignored);
-  return (place.has_filename() ? place : place.parent_path());
+  return place.has_filename() ? place : place.parent_path();
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {

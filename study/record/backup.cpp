@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <string>
-
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/database.h"
@@ -27,9 +23,7 @@ fs::path new_backup(const fs::path& study) {
   sync_to_disk(folder_of(folder));  // else the folder could go, and every backup with it
   fs::path path;
   do {
-    std::string name = utc_now();
-    std::ranges::replace(name, ':', '-');  // which some file systems have no names with
-    path = folder / (name + ".sqlite");
+    path = folder / (date_in_file_name() + ".sqlite");
   } while (fs::exists(path));
   return path;
 }

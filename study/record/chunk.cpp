@@ -56,8 +56,8 @@ StoredChunk stored_chunk(SQLite::Statement& row) {
 }
 
 std::string chunk_bytes(const StoredChunk& chunk, std::int64_t count, std::int64_t bytes_each) {
-  constexpr std::int64_t most_that_zlib_shrinks = 1100;
-  if (count < 0 || count > std::ssize(chunk.data) * most_that_zlib_shrinks / bytes_each) {
+  constexpr std::int64_t max_zlib_ratio = 1100;
+  if (count < 0 || count > std::ssize(chunk.data) * max_zlib_ratio / bytes_each) {
     throw changed_chunk();
   }
   std::string bytes = uncompressed(chunk.data, static_cast<std::size_t>(count * bytes_each));

@@ -13,11 +13,12 @@ namespace foveola::study {
 namespace {
 
 // https://www.sqlite.org/fileformat2.html, section 3: a header that fills a sector, and then
-// records of a page's number, the page as it was, and a checksum.
+// records of a page's number, the page as it was, and a checksum. SQLite also cuts the file to the
+// number of pages in the header.
 constexpr std::string_view journal_magic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
 constexpr std::size_t header_size = 28;
 constexpr std::size_t number_size = 4;
-constexpr std::size_t most_bytes = 1 << 20;
+constexpr std::size_t max_bytes = 1 << 20;
 
 /// The file's versions, which say how it keeps its log; its change counter, and by which SQLite.
 bool may_differ(std::size_t offset) {
@@ -34,7 +35,7 @@ bool is_first_page_of(std::string_view page, const std::string& study) {
   return true;
 }
 
-/// Whether all that SQLite would play back is the first page.
+/// Whether SQLite would restore no more than the first page.
 bool is_own(std::string_view journal, const std::string& study) {
   if (!journal.starts_with(journal_magic)) {
     return true;  // SQLite plays nothing
@@ -45,7 +46,8 @@ bool is_own(std::string_view journal, const std::string& study) {
   const std::size_t sector = big_endian(journal, 20);
   const std::size_t page = big_endian(journal, 24);
   const std::size_t record = number_size + page + number_size;
-  if (sector > journal.size() || page > most_bytes || (journal.size() - sector) % record != 0) {
+  if (sector > journal.size() || page > max_bytes || (journal.size() - sector) % record != 0 ||
+      big_endian(journal, 16) * page != study.size()) {
     return false;
   }
   for (std::size_t at = sector; at < journal.size(); at += record) {
@@ -68,7 +70,7 @@ void require_own_journal(const fs::path& study) {
   const std::string path = study.string() + "-journal";
   const std::string remedy =
       "move it away, and see whether foveola study verify finds a fault in the study";
-  if (!is_own(read_file(path, most_bytes, remedy), read_file(study))) {
+  if (!is_own(read_file(path, max_bytes, remedy), read_file(study))) {
     throw Error(path, "is not the study's, and would change it", remedy);
   }
 }

@@ -36,9 +36,9 @@ std::uintmax_t OpenFile::size() const {
 }
 
 bool OpenFile::read(std::uintmax_t offset, std::span<char> bytes) const {
-  constexpr std::size_t most_at_once = std::size_t{1} << 20;  // SQLite counts in int
+  constexpr std::size_t max_read_bytes = std::size_t{1} << 20;  // SQLite counts in int
   while (!bytes.empty()) {
-    const std::span<char> part = bytes.first(std::min(bytes.size(), most_at_once));
+    const std::span<char> part = bytes.first(std::min(bytes.size(), max_read_bytes));
     if (file_->pMethods->xRead(file_, part.data(), static_cast<int>(part.size()),
                                static_cast<sqlite3_int64>(offset)) != SQLITE_OK) {
       return false;

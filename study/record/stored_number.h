@@ -22,7 +22,9 @@ template <std::integral Number>
 Number whole_number(const SQLite::Column& column) {
   const std::int64_t number = column.getInt64();
   if (!std::in_range<Number>(number)) {
-    throw SQLite::Exception(fmt::format("{} is {}", column.getName(), number), SQLITE_CORRUPT);
+    throw SQLite::Exception(
+        fmt::format("{} has the value {}, which is out of range", column.getName(), number),
+        SQLITE_CORRUPT);
   }
   return static_cast<Number>(number);
 }
@@ -39,15 +41,15 @@ Number whole_number(const nlohmann::ordered_json& json) {
       return static_cast<Number>(number);
     }
   }
-  throw std::invalid_argument(fmt::format("{} is no whole number as it is written", json.dump()));
+  throw std::invalid_argument(fmt::format("{} is not a whole number in its range", json.dump()));
 }
 
-/// Times of up to 73 years, forwards or backwards, whose differences and sums are no overflow.
+/// Times of up to 73 years, forwards or backwards, whose sums and differences do not overflow.
 /// Throws std::invalid_argument for others.
 inline Nanoseconds time_from(std::int64_t ns) {
   constexpr std::int64_t longest_ns = std::int64_t{1} << 61;
   if (ns < -longest_ns || ns > longest_ns) {
-    throw std::invalid_argument(fmt::format("a time is {} ns", ns));
+    throw std::invalid_argument(fmt::format("a time of {} ns is out of range", ns));
   }
   return Nanoseconds(ns);
 }

@@ -1,6 +1,5 @@
 #include "study/record/study_store.h"
 
-#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -131,10 +130,8 @@ struct StudyStore::Implementation {
 
   /// Saves what there is beside the file, and throws Error, now and from now on.
   [[noreturn]] void lose(const std::string& what) {
-    std::string name = utc_now();
-    std::ranges::replace(name, ':', '-');
-    const fs::path saved =
-        folder_of(path) / fmt::format("{}.saved-{}.sqlite", path.stem().string(), name);
+    const fs::path saved = folder_of(path) / fmt::format("{}.saved-{}.sqlite", path.stem().string(),
+                                                         date_in_file_name());
     std::string remedy;
     try {
       log.save(saved);

@@ -1,5 +1,6 @@
 #include "study/record/temporary_database.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/file_access.h"
 #include "renderer/base/files.h"
@@ -35,7 +37,7 @@ constexpr const char* temporary_suffix = ".partial";
 
 /// The process whose temporary has this name, as new_temporary() gives it; 0 for any other name.
 pid_t process_of(const std::string& file_name) {
-  const std::size_t end = file_name.find(temporary_suffix);
+  const std::size_t end = file_name.rfind(temporary_suffix);
   const std::size_t point = end == std::string::npos ? end : file_name.rfind('.', end - 1);
   if (!file_name.starts_with('.') || point == std::string::npos) {
     return 0;
@@ -114,6 +116,12 @@ bool is_temporary_of(const fs::path& final_path, const std::string& file_name) {
 
 bool is_temporary(const std::string& file_name) {
   return file_name.starts_with('.') && file_name.find(temporary_suffix) != std::string::npos;
+}
+
+std::string date_in_file_name() {
+  std::string date = utc_now();
+  std::ranges::replace(date, ':', '-');  // some file systems have no names with a colon
+  return date;
 }
 
 fs::path folder_of(const fs::path& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace foveola::study {
 
@@ -40,6 +41,9 @@ bool is_temporary_of(const std::filesystem::path& final_path, const std::string&
 
 /// Whether it is one of any database.
 bool is_temporary(const std::string& file_name);
+
+/// The current date in UTC for a file's name: "2026-11-21T09-30-00.123Z".
+std::string date_in_file_name();
 
 /// The folder that a file is in; "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& path);

@@ -58,6 +58,19 @@ TEST_F(StrangersFiles, AJournalIsNotPlayedIntoTheFile) {
   EXPECT_TRUE(read_file(path_) == before);
 }
 
+// It holds the first page as it is, and only the number of pages is another.
+TEST_F(StrangersFiles, AJournalThatWouldCutTheFileOffIsRefused) {
+  const std::string before = read_file(path_);
+  std::string journal = journal_of_zeros();
+  journal.replace(16, 4, std::string("\0\0\0\1", 4));
+  journal.replace(512, 4, std::string("\0\0\0\1", 4));
+  journal.replace(516, 4096, before.substr(0, 4096));
+  folder_.write("study.sqlite-journal", journal);
+  EXPECT_THAT(refusal([&] { const StudyStore store(path_, thorough_protocol()); }),
+              HasSubstr("is not the study's"));
+  EXPECT_TRUE(read_file(path_) == before);
+}
+
 TEST_F(StrangersFiles, ALockThatIsALinkIsNotFollowed) {
   const fs::path other = folder_.write("other", "somebody's");
   fs::create_symlink(other, path_.string() + ".controller");
