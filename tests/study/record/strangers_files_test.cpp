@@ -9,6 +9,7 @@
 #include <sys/mount.h>
 #include <sys/stat.h>
 
+#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/recorded_gaze.h"
