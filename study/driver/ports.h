@@ -29,12 +29,10 @@ class AttemptPort {
   /// Presents at least the next frame and, where frames can be skipped, goes on until one is
   /// presented at `until` or later. Returns when the last one was presented.
   virtual Nanoseconds show(Nanoseconds until) = 0;
-  /// An event that ends the attempt is about to be recorded. An attempt that shows no frame until
-  /// that is on the disk hands its frames to the record now, so that whatever an event has ended is
-  /// whole, whenever the program dies.
-  virtual void before_end() {}
-  /// It has ended, and that is on the disk: hands to the record what is left.
-  virtual void finish() = 0;
+  /// An event that ends the attempt is about to be recorded: hands to the record what it does not
+  /// have yet, since that event states what there is. Frames that are shown until the event is on
+  /// the disk are not recorded. May be called again.
+  virtual void complete_record() {}
   virtual std::uint64_t samples() const = 0;
   virtual std::uint64_t non_finite() const = 0;
 };

@@ -101,10 +101,11 @@ Nanoseconds SessionDriver::shown_until() const {
 }
 
 bool SessionDriver::feed(const Event& event) {
+  const Nanoseconds now = clock_.now();
   if (attempt_ && ends_attempt(event)) {
-    attempt_->before_end();
+    attempt_->complete_record();
   }
-  if (!log_.feed(clock_.now(), event)) {
+  if (!log_.feed(now, event)) {
     return false;
   }
   ++events_fed_;
@@ -170,7 +171,6 @@ void SessionDriver::end_attempt() {
   is_to_render_ = false;
   // There is none if it was another program's, which died, or if it never came to begin.
   if (attempt_) {
-    attempt_->finish();
     outcome_.samples += attempt_->samples();
     outcome_.non_finite += attempt_->non_finite();
     attempt_.reset();

@@ -56,8 +56,6 @@ Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
   return frame.shown - setting_.session_zero;
 }
 
-void LiveAttempt::finish() { log_.finish(preview_.film()); }
-
 void LiveAttempt::show_scene(const SceneStage& stage) {
   look_ = look_of(preview_settings(setting_, stage));
   preview_.show(stage.tracer(), stage.viewpoint());

@@ -51,7 +51,7 @@ class LiveAttempt final : public AttemptPort {
 
   /// Renders and presents the next frame, nothing but its picture in a catch trial.
   Nanoseconds show(Nanoseconds until) override;
-  void finish() override;
+  void complete_record() override { log_.finish(preview_.film()); }
   /// Goes on in another version of the scene, with an empty film. `stage` must outlive the attempt.
   void show_scene(const SceneStage& stage);
   /// As LiveFrames::give_way.

@@ -28,7 +28,7 @@ Nanoseconds AttemptReplay::show(Nanoseconds until) {
   return std::exchange(first_presented_, std::nullopt).value_or(until);
 }
 
-void AttemptReplay::finish() {
+void AttemptReplay::complete_record() {
   const RecordedFrames& recorded = setting_.recorded;
   ReplayedAttempt& attempt = setting_.attempt;
   attempt.frames = recorded.frames.size();

@@ -37,7 +37,7 @@ class AttemptReplay final : public AttemptPort {
   /// The first time: returns when the first frame was presented, as far as that is recorded.
   Nanoseconds show(Nanoseconds until) override;
   /// Renders all its frames.
-  void finish() override;
+  void complete_record() override;
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 

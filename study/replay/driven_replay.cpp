@@ -15,7 +15,6 @@ namespace {
 class UnseenAttempt final : public AttemptPort {
  public:
   Nanoseconds show(Nanoseconds until) override { return until; }
-  void finish() override {}
   std::uint64_t samples() const override { return 0; }
   std::uint64_t non_finite() const override { return 0; }
 };
@@ -94,7 +93,7 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
   /// The program died in an attempt: what is recorded of it has been shown.
   void leave_attempt() {
     if (attempt_ != nullptr) {
-      attempt_->finish();
+      attempt_->complete_record();
     }
   }
 

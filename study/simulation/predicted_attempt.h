@@ -24,7 +24,7 @@ class PredictedAttempt final : public TrialAttempt {
 
   std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task task) override { task_ = task; }
-  void keep() override {}
+  void complete_record() override {}
   std::uint64_t samples() const override { return samples_until(frames_); }
   std::uint64_t non_finite() const override { return 0; }
 

@@ -13,7 +13,7 @@ class RenderedAttempt final : public TrialAttempt {
 
   std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task /*task*/) override {}
-  void keep() override { log_.finish(preview_.film()); }
+  void complete_record() override { log_.finish(preview_.film()); }
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const override { return preview_.non_finite(); }
 

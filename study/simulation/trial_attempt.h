@@ -51,7 +51,7 @@ class TrialAttempt {
   virtual void begin(Task task) = 0;
 
   /// Hands to the record what it does not have yet.
-  virtual void keep() = 0;
+  virtual void complete_record() = 0;
 
   /// How many samples were traced so far.
   virtual std::uint64_t samples() const = 0;

@@ -25,8 +25,7 @@ class VirtualSession::RunningAttempt final : public AttemptPort {
     }
     return session_.now();
   }
-  void before_end() override { attempt_->keep(); }
-  void finish() override {}
+  void complete_record() override { attempt_->complete_record(); }
   std::uint64_t samples() const override { return attempt_->samples(); }
   std::uint64_t non_finite() const override { return attempt_->non_finite(); }
 

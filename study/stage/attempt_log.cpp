@@ -19,6 +19,9 @@ FrameRow frame_row(const FrameReport& report) {
 }
 
 void AttemptLog::add(const FrameRow& frame, std::span<const GazeSample> arrived) {
+  if (is_finished_) {
+    return;
+  }
   frames_.push_back(frame);
   for (const GazeSample& sample : arrived) {
     marker_.push(sample, gaze_);
@@ -32,6 +35,9 @@ void AttemptLog::add(const FrameRow& frame, std::span<const GazeSample> arrived)
 }
 
 void AttemptLog::finish(const EquirectFilm& film) {
+  if (std::exchange(is_finished_, true)) {
+    return;
+  }
   marker_.finish(gaze_);
   write_frames();
   write_gaze();

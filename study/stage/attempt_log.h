@@ -22,10 +22,10 @@ class AttemptLog {
   AttemptLog(SessionRecorder& recorder, const AttemptKey& attempt)
       : recorder_(recorder), attempt_(attempt) {}
 
-  /// arrived: the gaze samples that came for this frame.
+  /// arrived: the gaze samples that came for this frame. Once it is finished, nothing is added.
   void add(const FrameRow& frame, std::span<const GazeSample> arrived);
-  /// The attempt is over: hands on what is left, and the hash of what its film became, if there
-  /// was a frame.
+  /// Hands on what is left, and the hash of what the film has become, if there was a frame. Only
+  /// the first call does.
   void finish(const EquirectFilm& film);
 
   /// How many frames were added.
@@ -42,6 +42,7 @@ class AttemptLog {
   std::uint64_t frames_written_ = 0;
   std::vector<FrameRow> frames_;
   GazeMarker marker_;
+  bool is_finished_ = false;
   std::uint64_t gaze_written_ = 0;
   std::vector<GazeSample> gaze_;
 };

@@ -72,8 +72,10 @@ class ScriptedWorld final : public ClockPort,
    public:
     explicit Attempt(ScriptedWorld& world) : world_(world) {}
     Nanoseconds show(Nanoseconds /*until*/) override { return world_.now_ += frame; }
-    void before_end() override { world_.log.emplace_back("frames"); }
-    void finish() override { ++world_.attempts_ended; }
+    ~Attempt() override { ++world_.attempts_ended; }
+    Attempt(const Attempt&) = delete;
+    Attempt& operator=(const Attempt&) = delete;
+    void complete_record() override { world_.log.emplace_back("frames"); }
     std::uint64_t samples() const override { return 7; }
     std::uint64_t non_finite() const override { return 1; }
 
