@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
+#include "study/record/study_head.h"
 #include "study/record/study_records.h"
 #include "study/record/verification_json.h"
 #include "study/tables/record_tables.h"
@@ -25,6 +27,7 @@ struct RecordArguments {
   std::string participant;
   int trial = 0;
   std::string output;
+  std::string head;
   bool yes = false;
   bool json = false;
 };
@@ -37,6 +40,10 @@ nlohmann::json json_kind(const KindStatus& kind) {
   return {{"sessions", kind.sessions},
           {"design_rows", rows},
           {"method_positions", kind.method_positions}};
+}
+
+std::string line_of(const SessionHead& session) {
+  return fmt::format("{} {} {}", session.uuid, session.events, session.last_hash);
 }
 
 nlohmann::json json_amended(const std::vector<AmendedSession>& amended) {
@@ -84,18 +91,59 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
           {"trials_done", status.trials_done}};
 }
 
+nlohmann::json json_head(const StudyHead& head) {
+  nlohmann::json sessions = nlohmann::json::array();
+  for (const SessionHead& session : head.sessions) {
+    // In one text, so that a printout of whatever form is a head.
+    sessions.push_back(line_of(session));
+  }
+  return {{"sha256", head.sha256}, {"sessions", sessions}};
+}
+
+/// To be printed or copied somewhere else: what study verify --head takes.
+std::string head_text(const StudyHead& head) {
+  std::string text = fmt::format("head      {}\n", head.sha256);
+  for (const SessionHead& session : head.sessions) {
+    text += fmt::format("session   {}\n", line_of(session));
+  }
+  return text;
+}
+
 void run_status(const RecordArguments& arguments) {
   const StudyRecords records = read_study(arguments.database);
   const StudyStatus status = status_of(records);
+  const StudyHead head = read_head(arguments.database);
   if (arguments.json) {
-    fmt::print("{}\n", json_status(records, status).dump(2));
+    nlohmann::json json = json_status(records, status);
+    json["head"] = json_head(head);
+    fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}", status_table(records, status));
+    fmt::print("{}{}", status_table(records, status), head_text(head));
+  }
+}
+
+/// Compares the study with a head that was written down.
+void add_head_comparison(const RecordArguments& arguments, Verification& found) {
+  constexpr std::size_t max_bytes = 16 << 20;
+  constexpr const char* remedy = "name a file of what foveola study status printed";
+  const std::vector<SessionHead> earlier = heads_in(read_file(arguments.head, max_bytes, remedy));
+  if (earlier.empty()) {
+    throw Error(arguments.head, "has no line of a session", remedy);
+  }
+  HeadComparison comparison = compare_with_head(arguments.database, earlier);
+  for (std::string& fault : comparison.faults) {
+    found.faults.push_back({"", std::move(fault)});
+  }
+  for (std::string& forgotten : comparison.forgotten) {
+    found.warnings.push_back({"", std::move(forgotten)});
   }
 }
 
 void run_verify(const RecordArguments& arguments) {
-  const Verification found = verify_study(arguments.database);
+  Verification found = verify_study(arguments.database);
+  if (!arguments.head.empty()) {
+    add_head_comparison(arguments, found);
+  }
   if (arguments.json) {
     fmt::print("{}\n", verification_json(found).dump(2));
   } else {
@@ -116,6 +164,11 @@ void run_merge(const RecordArguments& arguments) {
       merge_studies({arguments.sources.begin(), arguments.sources.end()}, arguments.output);
   fmt::print("{}: {} sessions, {} of them in several files\n", arguments.output,
              merge.sessions_added, merge.sessions_known);
+  if (merge.sessions_forgotten > 0) {
+    fmt::print(
+        "{} sessions are left out: their participants were forgotten in another of the files\n",
+        merge.sessions_forgotten);
+  }
 }
 
 void run_forget(const RecordArguments& arguments) {
@@ -129,6 +182,18 @@ void run_forget(const RecordArguments& arguments) {
   const Forgotten forgotten = forget_participant(arguments.database, arguments.participant);
   fmt::print("{}: participant {} is gone, from {} files\n", arguments.database,
              arguments.participant, forgotten.files);
+  fmt::print(
+      "The disk may hold what was deleted until something else is written there, and so may its "
+      "snapshots and other backups of this computer.\n");
+  for (const RemainingCopy& copy : forgotten.remaining) {
+    fmt::print("{}: {}\n", copy.file.string(), copy.what);
+  }
+  if (!forgotten.remaining.empty()) {
+    throw Error(arguments.database,
+                fmt::format("{} files still hold something of {}, or cannot be read",
+                            forgotten.remaining.size(), arguments.participant),
+                "look at those above, remove what is of this study, and give the command again");
+  }
 }
 
 void run_gaze(const RecordArguments& arguments) {
@@ -156,6 +221,9 @@ void add_verify(CLI::App& study) {
       study, "verify", "Check that a study's file is complete, and unchanged since it was written",
       "verify study.sqlite");
   add_database(command, arguments->database);
+  command->add_option(
+      "--head", arguments->head,
+      "A file of what study status printed earlier: the study must go on from there");
   add_json(command, arguments->json);
   command->callback([arguments] { run_verify(*arguments); });
 }

@@ -14,6 +14,7 @@ namespace foveola::study {
 /// Where a chunk belongs.
 struct ChunkPlace {
   std::int64_t session = 0;
+  std::string uuid;  ///< the session's
   std::int64_t trial = 0;
   int attempt = 1;
   std::int64_t first = 0;  ///< frame or sample, counted from the attempt's start
@@ -25,15 +26,24 @@ struct ChunkPlace {
 void insert_chunk(SQLite::Database& database, const std::string& table, const ChunkPlace& place,
                   const std::string& encoding, const std::string& bytes);
 
-/// What the columns data and data_sha256 of a row keep.
+/// A row of a table of chunks, all but its session.
 struct StoredChunk {
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+  std::string encoding;
   std::string data;
+  std::string place;  ///< the lines that its hash covers before what data holds
   std::string sha256;
 };
+
+/// The columns that stored_chunk() reads, in SQL, of frame_chunk or gaze_chunk in this study.
+std::string columns_of_chunk(SQLite::Database& study, const std::string& table);
+
+/// The row that stands in `row`.
 StoredChunk stored_chunk(SQLite::Statement& row);
 
-/// The chunk uncompressed, which has to be `count` times `bytes_each`. Throws std::invalid_argument
-/// if it is not what was written.
-std::string chunk_bytes(const StoredChunk& chunk, std::int64_t count, std::int64_t bytes_each);
+/// The chunk uncompressed, which has to be its count times `bytes_each`. Throws
+/// std::invalid_argument if it is not what was written.
+std::string chunk_bytes(const StoredChunk& chunk, std::int64_t bytes_each);
 
 }  // namespace foveola::study

@@ -111,10 +111,10 @@ std::vector<KeptAttempt> next_batch(KeptAttempts& attempts) {
     if (!attempt) {
       break;
     }
-    for (const StoredFrames& chunk : attempt->frames) {
+    for (const StoredChunk& chunk : attempt->frames) {
       rows += chunk.count;
     }
-    for (const StoredGaze& chunk : attempt->gaze) {
+    for (const StoredChunk& chunk : attempt->gaze) {
       rows += chunk.count;
     }
     batch.push_back(std::move(*attempt));

@@ -31,9 +31,13 @@ class Header {
     return size == 1 ? 65536 : size;
   }
   /// 0 if whoever wrote the file last did not keep it up.
-  std::uintmax_t pages() const {
-    const bool is_kept_up = number_at(24, 4) == number_at(92, 4);
-    return is_kept_up ? number_at(28, 4) : 0;
+  std::uintmax_t pages() const { return is_kept_up() ? number_at(28, 4) : 0; }
+  bool is_kept_up() const { return number_at(24, 4) == number_at(92, 4); }
+  /// The first of the free pages that list the others; 0 if there is none.
+  std::uintmax_t first_free_page() const { return number_at(32, 4); }
+  bool is_reserve_empty() const {
+    return std::all_of(bytes_.begin() + 72, bytes_.begin() + 92,
+                       [](char byte) { return byte == 0; });
   }
 
  private:
@@ -44,6 +48,40 @@ class Header {
   std::array<char, 100> bytes_{};
   bool is_whole_;
 };
+
+/// Where the file cannot be read, a page is of zeros.
+std::string page_at(const OpenFile& file, std::uintmax_t page_size, std::uintmax_t number) {
+  std::string page(page_size, '\0');
+  file.read((number - 1) * page_size, page);
+  return page;
+}
+
+/// Whether free pages hold anything but their list: section 1.5 of the same page. A list may have
+/// numbers of pages behind its end, which were in it.
+bool have_free_pages_content(const OpenFile& file, const Header& header) {
+  const std::uintmax_t size = header.page_size();
+  const std::uintmax_t pages = file.size() / size;
+  std::uintmax_t lists_left = pages;
+  for (std::uintmax_t list = header.first_free_page(); list != 0 && lists_left > 0; --lists_left) {
+    const std::string page = page_at(file, size, list);
+    const std::uintmax_t count = big_endian(page, 4);
+    for (std::uintmax_t entry = 0; entry < size / 4 - 2; ++entry) {
+      const std::uintmax_t number = big_endian(page, 8 + 4 * entry);
+      const bool is_page = number > 0 && number <= pages;
+      if (entry < count ? !is_page || page_at(file, size, number) != std::string(size, '\0')
+                        : number > pages) {
+        return true;
+      }
+    }
+    list = big_endian(page, 0);
+  }
+  return false;
+}
+
+/// With a log beside it, the file's own pages are those of another moment.
+bool has_log(SQLite::Database& database) {
+  return fs::exists(fmt::format("{}-wal", ::sqlite3_db_filename(database.getHandle(), "main")));
+}
 
 struct SchemaObject {
   std::string type;
@@ -68,9 +106,10 @@ std::vector<SchemaObject> objects_of(SQLite::Database& database) {
   return objects;
 }
 
-std::vector<SchemaObject> known_objects() {
+/// What the schema of this study has.
+std::vector<SchemaObject> known_objects(SQLite::Database& study) {
   SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
-  known.exec(study_schema());
+  known.exec(study_schema(schema_version_of(study)));
   return objects_of(known);
 }
 
@@ -91,7 +130,7 @@ bool is_of_analyze(const SchemaObject& object) {
 
 /// What the file has beside its schema.
 std::vector<SchemaObject> foreign_parts(SQLite::Database& study) {
-  const std::vector<SchemaObject> known = known_objects();
+  const std::vector<SchemaObject> known = known_objects(study);
   std::vector<SchemaObject> foreign = difference(objects_of(study), known);
   std::erase_if(foreign, [&](const SchemaObject& object) {
     const bool goes_with_foreign_table =
@@ -111,7 +150,8 @@ std::string text_of(const SchemaObject& object) {
 }  // namespace
 
 void require_schema(SQLite::Database& database, const fs::path& path) {
-  const std::vector<SchemaObject> missing = difference(known_objects(), objects_of(database));
+  const std::vector<SchemaObject> missing =
+      difference(known_objects(database), objects_of(database));
   if (!missing.empty()) {
     throw Error(path.string(),
                 fmt::format("its {} {} is missing or was changed", missing.front().type,
@@ -167,14 +207,25 @@ std::optional<std::string> size_fault(SQLite::Database& database) {
     return fmt::format("has {} bytes, which are no whole number of its pages of {} bytes", size,
                        header.page_size());
   }
-  // With a log beside it, the number of pages may be that of another moment.
-  const bool has_log =
-      fs::exists(fmt::format("{}-wal", ::sqlite3_db_filename(database.getHandle(), "main")));
-  if (!has_log && header.pages() != 0 && size != header.pages() * header.page_size()) {
+  if (!has_log(database) && header.pages() != 0 && size != header.pages() * header.page_size()) {
     return fmt::format("has {} bytes, and its {} pages of {} bytes have {}", size, header.pages(),
                        header.page_size(), header.pages() * header.page_size());
   }
   return std::nullopt;
+}
+
+std::optional<std::string> unused_bytes_fault(SQLite::Database& database) {
+  const OpenFile file = OpenFile::database(database);
+  const Header header(file);
+  if (!header.is_whole() || header.page_size() == 0 || has_log(database)) {
+    return std::nullopt;
+  }
+  if (!header.is_reserve_empty() || !header.is_kept_up()) {
+    return "its header holds what SQLite does not write";
+  }
+  return have_free_pages_content(file, header)
+             ? std::optional("its free pages hold what no table has")
+             : std::nullopt;
 }
 
 void require_whole_pages(SQLite::Database& database, const fs::path& path) {

@@ -36,6 +36,11 @@ void require_only_own_effects(SQLite::Database& study, const std::filesystem::pa
 /// missing of the last page for zeros, and does not see what is appended.
 std::optional<std::string> size_fault(SQLite::Database& database);
 
+/// What stands in bytes of the file that no table has, and which Foveola leaves zero: those that
+/// the header reserves, and free pages. Empty if nothing does, or if a log lies beside it. What
+/// stands between the rows of a page is not seen: SQLite leaves there what was.
+std::optional<std::string> unused_bytes_fault(SQLite::Database& database);
+
 /// Throws Error, which names the file by `path`, if there is a size_fault().
 void require_whole_pages(SQLite::Database& database, const std::filesystem::path& path);
 

@@ -11,19 +11,10 @@
 #include "study/record/event_json.h"
 #include "study/record/gaze_rows.h"
 #include "study/record/hash_chain.h"
+#include "study/record/schema.h"
 
 namespace foveola::study {
 namespace {
-
-bool is_in_attempt(const SessionState& state) {
-  return state.phase == Phase::armed || state.phase == Phase::marking ||
-         state.phase == Phase::rating;
-}
-
-/// Whether both are in one attempt at a trial.
-bool is_same_attempt(const SessionState& a, const SessionState& b) {
-  return is_in_attempt(a) && is_in_attempt(b) && a.step == b.step && a.attempt == b.attempt;
-}
 
 /// How an attempt ends, by the event that ends it.
 struct Outcome {
@@ -175,15 +166,27 @@ class EventRows {
 }  // namespace
 
 std::int64_t append_to_log(PreparedStatements& statements, std::int64_t session,
-                           const LoggedEvent& logged) {
+                           const LoggedEvent& logged, EventAttempt where) {
   const LastLine last = last_line(statements, session);
   const LogLine line = {.sequence = last.sequence + 1,
                         .time_ns = logged.time.count(),
                         .utc = logged.utc,
                         .type = name_of(logged.event),
-                        .payload = payload_of(logged.event)};
-  insert(statements, "INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?)", session, line.sequence,
-         line.time_ns, line.utc, line.type, line.payload, hash_of(last.hash, line));
+                        .payload = payload_of(logged.event),
+                        .trial = where.trial,
+                        .attempt = where.attempt,
+                        .measured = std::move(where.measured)};
+  PreparedStatement row(statements, "INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::bind(*row, session, line.sequence, line.time_ns, line.utc, line.type, line.payload);
+  if (line.trial) {
+    row->bind(7, *line.trial);
+    row->bind(8, *line.attempt);
+  }
+  if (!line.measured.empty()) {
+    row->bind(9, line.measured);
+  }
+  row->bind(10, hash_of(last.hash, line, study_schema_version));
+  row->exec();
   return line.sequence;
 }
 

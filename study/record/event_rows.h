@@ -3,15 +3,17 @@
 
 #include <cstdint>
 
+#include "study/record/measured.h"
 #include "study/record/prepared_statements.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
 
-/// Appends `logged` to the session's log and its hash chain; returns its number there. Call both
-/// inside one transaction; they throw what SQLite throws.
+/// Appends `logged`, which happened in an attempt or in none, to the session's log and its hash
+/// chain; returns its number there. Call both inside one transaction; they throw what SQLite
+/// throws.
 std::int64_t append_to_log(PreparedStatements& statements, std::int64_t session,
-                           const LoggedEvent& logged);
+                           const LoggedEvent& logged, EventAttempt where);
 
 /// Writes what follows from `event`, whose number in the log is `sequence`, and which took the
 /// session from `before` to `after`.

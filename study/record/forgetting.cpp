@@ -4,14 +4,18 @@
 #include <set>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/database_checks.h"
+#include "study/record/hash_chain.h"
 #include "study/record/maintenance.h"
+#include "study/record/remaining_copies.h"
 #include "study/record/schema.h"
 #include "study/record/table_rows.h"
 #include "study/record/temporary_database.h"
@@ -62,9 +66,29 @@ void make(SQLite::Database& target, const std::string& sql) {
   SQLite::Statement(target, sql).exec();
 }
 
+/// What is left of a session: see schema.sql.
+void add_tombstone(SQLite::Database& study, const FoundSession& session, SQLite::Database& target) {
+  if (schema_version_of(study) < 5) {
+    return;
+  }
+  SQLite::Statement last(
+      study,
+      "SELECT coalesce(max(sequence), 0), coalesce(hash, ''), study_created_utc"
+      " FROM session LEFT JOIN event ON event.session = session.id WHERE id = ?");
+  last.bind(1, session.id);
+  last.executeStep();
+  PreparedStatements statements(study);
+  const std::string hash = last.getColumn(1).getString();
+  SQLite::Statement row(target, "INSERT INTO forgotten VALUES (?, ?, ?, ?)");
+  SQLite::bind(row, sha256(session.uuid), last.getColumn(0).getInt64(),
+               hash.empty() ? hash_before_events(statements, session.id) : hash,
+               last.getColumn(2).getString());
+  row.exec();
+}
+
 /// Makes a new file of the rows that stay: one from which rows were removed keeps their bytes in
 /// its free space. secure_delete fills that of the new one with zeros, whatever was in the memory.
-void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& path) {
+void copy_others(SQLite::Database& study, const FoundSession& session, const fs::path& path) {
   SQLite::Database target(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   target.exec("PRAGMA secure_delete = ON");
   SQLite::Transaction transaction(target);
@@ -72,8 +96,9 @@ void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& 
   while (tables.executeStep()) {
     const std::string table = tables.getColumn("name").getString();
     make(target, tables.getColumn("sql").getString());
-    copy_rows(study, target, table, others_than(study, table, session));
+    copy_rows(study, target, table, others_than(study, table, session.id));
   }
+  add_tombstone(study, session, target);
   SQLite::Statement others = objects_of(study, "'index', 'view', 'trigger'");
   while (others.executeStep()) {
     make(target, others.getColumn("sql").getString());
@@ -98,17 +123,19 @@ std::optional<std::string> rebuild_without(const fs::path& file, const std::stri
     return std::nullopt;
   }
   const TemporaryDatabase temporary(file);
-  copy_others(study, session->id, temporary.path());
+  copy_others(study, *session, temporary.path());
   temporary.replace_final();
   return session->uuid;
 }
 
+/// Those of a folder and of those in it.
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.is_regular_file()) {
-      files.push_back(entry.path());
+  std::error_code failure;
+  fs::recursive_directory_iterator entry(folder, failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
+    if (entry->is_regular_file()) {
+      files.push_back(entry->path());
     }
   }
   return files;
@@ -153,91 +180,40 @@ void remove_leftovers(const fs::path& study, const std::vector<fs::path>& copies
   }
 }
 
-/// All files that belong to the study by their names.
-std::set<fs::path> files_of(const fs::path& study) {
-  const std::string name = study.filename().string();
-  std::set<fs::path> files;
-  for (const fs::path& file : files_in(folder_of(study))) {
-    if (file.filename().string().find(name) != std::string::npos) {
-      files.insert(file);
-    }
-  }
-  for (const fs::path& file : files_in(backup_folder(study))) {
-    files.insert(file);
-  }
-  return files;
-}
-
-/// Whether a text of the study, of whoever else, has these letters in it.
-bool is_in_another_text(const fs::path& file, const std::string& code) {
-  SQLite::Database study = open_as_it_is(file);
-  SQLite::Statement tables = objects_of(study, "'table'");
-  while (tables.executeStep()) {
-    const std::string table = tables.getColumn("name").getString();
-    SQLite::Statement columns(study, "SELECT name FROM pragma_table_info(?) WHERE type = 'TEXT'");
-    columns.bind(1, table);
-    while (columns.executeStep()) {
-      SQLite::Statement found(study, fmt::format("SELECT 1 FROM {} WHERE instr({}, ?) LIMIT 1",
-                                                 table, columns.getColumn(0).getString()));
-      found.bind(1, code);
-      if (found.executeStep()) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/// What must not be in any byte of the files. A short code is among compressed numbers by chance,
-/// and others' texts may hold it: then the UUID has to do, which stood beside it.
-std::set<std::string> traces_of(const std::string& code, const std::set<std::string>& uuids,
-                                const std::vector<fs::path>& copies) {
-  constexpr std::size_t never_by_chance = 6;
-  std::set<std::string> traces = uuids;
-  const bool is_elsewhere = std::any_of(copies.begin(), copies.end(), [&](const fs::path& copy) {
-    return is_in_another_text(copy, code);
-  });
-  if (code.size() >= never_by_chance && !is_elsewhere) {
-    traces.insert(code);
-  }
-  return traces;
-}
-
-void require_gone(const fs::path& study, const std::set<std::string>& traces) {
-  for (const fs::path& file : files_of(study)) {
-    const std::string bytes = read_file(file);
-    for (const std::string& trace : traces) {
-      if (bytes.find(trace) != std::string::npos) {
-        throw Error(file.string(), fmt::format("still holds {}", trace),
-                    "look at that file, and remove it if it is an old copy");
-      }
-    }
-  }
-}
-
 Forgotten forget(const fs::path& study, const std::string& code) {
   const ControllerLock lock(study);
   const std::vector<fs::path> copies = copies_of(study);
-  for (const fs::path& copy : copies) {
-    with_clear_errors(copy, [&] { require_study(copy); });
-  }
   // First, so that the copies alone show what is left to do by another call.
   remove_leftovers(study, copies);
   Forgotten forgotten;
   std::set<std::string> uuids;
   for (const fs::path& copy : copies) {
-    with_clear_errors(copy, [&] {
-      if (const std::optional<std::string> uuid = rebuild_without(copy, code)) {
-        uuids.insert(*uuid);
-        ++forgotten.files;
+    try {
+      with_clear_errors(copy, [&] {
+        require_study(copy);
+        if (const std::optional<std::string> uuid = rebuild_without(copy, code)) {
+          uuids.insert(*uuid);
+          ++forgotten.files;
+        }
+      });
+    } catch (const Error& fault) {
+      if (copy == study) {
+        throw;
       }
-    });
+      forgotten.remaining.push_back({copy, fault.what()});
+    }
   }
-  if (forgotten.files == 0) {
+  for (RemainingCopy& copy : remaining_copies(study, code, uuids)) {
+    if (std::ranges::find(forgotten.remaining, copy.file, &RemainingCopy::file) ==
+        forgotten.remaining.end()) {
+      forgotten.remaining.push_back(std::move(copy));
+    }
+  }
+  std::ranges::sort(forgotten.remaining, {}, &RemainingCopy::file);
+  if (forgotten.files == 0 && forgotten.remaining.empty()) {
     throw Error(study.string(), fmt::format("has no participant {}", code),
                 "foveola study status says whose sessions there are");
   }
-  require_gone(study, traces_of(code, uuids, copies));
   return forgotten;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/digest.h"
+#include "study/record/schema.h"
 
 namespace foveola::study {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::array facts = {
     "SELECT json_array(position, mark) FROM study_mark ORDER BY position",
     "SELECT json_array(position, rating, question) FROM study_rating ORDER BY position",
     "SELECT json_array(uuid, participant, kind, seed, design_row, started_utc, program_version,"
-    "  compiler, build_type, processor, cores, operating_system, devices, migrated_from)"
+    "  compiler, build_type, processor, cores, operating_system, devices, migrated_from{})"
     " FROM session WHERE id = ?1",
     "SELECT json_array(scene, file_name, file_sha256, shown_as) FROM session_scene"
     " WHERE session = ?1 ORDER BY scene",
@@ -33,9 +34,11 @@ constexpr std::array facts = {
 }  // namespace
 
 std::string hash_before_events(PreparedStatements& statements, std::int64_t session) {
+  const char* const since_5 =
+      schema_version_of(statements.database()) < 5 ? "" : ", study_created_utc";
   std::string lines;
   for (const char* sql : facts) {
-    PreparedStatement rows(statements, sql);
+    PreparedStatement rows(statements, fmt::format(fmt::runtime(sql), since_5));
     if (rows->getBindParameterCount() > 0) {
       rows->bind(1, session);
     }
@@ -46,9 +49,32 @@ std::string hash_before_events(PreparedStatements& statements, std::int64_t sess
   return sha256(lines);
 }
 
-std::string hash_of(const std::string& previous, const LogLine& line) {
-  return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", previous, line.sequence, line.time_ns,
-                            line.utc, line.type, line.payload));
+LogLine log_line(SQLite::Statement& row, int schema) {
+  LogLine line{.sequence = row.getColumn("sequence").getInt64(),
+               .time_ns = row.getColumn("time_ns").getInt64(),
+               .utc = row.getColumn("utc").getString(),
+               .type = row.getColumn("type").getString(),
+               .payload = row.getColumn("payload").getString()};
+  if (schema >= 5) {
+    if (const SQLite::Column trial = row.getColumn("trial"); !trial.isNull()) {
+      line.trial = trial.getInt64();
+      line.attempt = row.getColumn("attempt").getInt64();
+    }
+    line.measured = row.getColumn("measured").getString();
+  }
+  return line;
+}
+
+std::string hash_of(const std::string& previous, const LogLine& line, int schema) {
+  std::string lines = fmt::format("{}\n{}\n{}\n{}\n{}\n{}", previous, line.sequence, line.time_ns,
+                                  line.utc, line.type, line.payload);
+  if (schema >= 5) {
+    const auto text = [](const std::optional<std::int64_t>& number) {
+      return number ? std::to_string(*number) : "";
+    };
+    lines += fmt::format("\n{}\n{}\n{}", text(line.trial), text(line.attempt), line.measured);
+  }
+  return sha256(lines);
 }
 
 }  // namespace foveola::study

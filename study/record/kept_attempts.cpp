@@ -6,6 +6,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "study/protocol/protocol.h"
@@ -44,7 +45,7 @@ void start(SQLite::Statement& rows, const KeptAttempt& of) {
 
 std::vector<FrameRow> KeptAttempt::decoded_frames() const {
   try {
-    return decode_stored(frames);
+    return frames_in(frames);
   } catch (const std::invalid_argument&) {
     throw changed_frames(session, trial, attempt);
   }
@@ -52,7 +53,7 @@ std::vector<FrameRow> KeptAttempt::decoded_frames() const {
 
 std::vector<GazeSample> KeptAttempt::decoded_gaze() const {
   try {
-    return decode_stored(gaze);
+    return gaze_in(gaze);
   } catch (const std::invalid_argument&) {
     throw changed_record(session, trial, attempt, "gaze samples");
   }
@@ -73,12 +74,12 @@ KeptAttempts::KeptAttempts(SQLite::Database& database)
       sessions_(database, "SELECT devices, kind = 'simulated' FROM session WHERE id = ?"),
       notes_(database, "SELECT time_ns, text FROM note WHERE session = ? ORDER BY sequence"),
       scenes_(database, "SELECT shown_as FROM session_scene WHERE session = ? AND scene = ?"),
-      frames_(database,
-              "SELECT * FROM frame_chunk WHERE session = ? AND trial = ? AND attempt = ?"
-              " ORDER BY first_frame"),
-      gaze_(database,
-            "SELECT * FROM gaze_chunk WHERE session = ? AND trial = ? AND attempt = ?"
-            " ORDER BY first_sample"),
+      frames_(database, fmt::format("SELECT {} FROM frame_chunk WHERE session = ? AND trial = ?"
+                                    " AND attempt = ? ORDER BY first_frame",
+                                    columns_of_chunk(database, "frame_chunk"))),
+      gaze_(database, fmt::format("SELECT {} FROM gaze_chunk WHERE session = ? AND trial = ?"
+                                  " AND attempt = ? ORDER BY first_sample",
+                                  columns_of_chunk(database, "gaze_chunk"))),
       marks_(query_of_marks(database)),
       simulated_view_(protocols_view(database)) {}
 
@@ -105,11 +106,11 @@ std::optional<KeptAttempt> KeptAttempts::next() {
   }
   start(frames_, kept);
   while (frames_.executeStep()) {
-    kept.frames.push_back(stored_frames(frames_));
+    kept.frames.push_back(stored_chunk(frames_));
   }
   start(gaze_, kept);
   while (gaze_.executeStep()) {
-    kept.gaze.push_back(stored_gaze(gaze_));
+    kept.gaze.push_back(stored_chunk(gaze_));
   }
   kept.marks = read_marks(marks_, kept.session, kept.trial, kept.attempt, first_frame);
   return kept;

@@ -28,8 +28,8 @@ struct KeptAttempt {
   std::string shown_as;             ///< the text that schema.sql describes at session_scene
   std::optional<FieldOfView> view;  ///< as it was then; empty if the record does not say
   std::string tracker;  ///< its profile's name, or "simulated"; empty if the record does not say
-  std::vector<StoredFrames> frames;
-  std::vector<StoredGaze> gaze;
+  std::vector<StoredChunk> frames;
+  std::vector<StoredChunk> gaze;
   std::vector<MarkedMoment> marks;  ///< session clock, in the order of time
 
   /// Decodes what is kept. Throw Error if it is not what was written.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "study/record/remaining_copies.h"
+
 namespace foveola::study {
 
 /// A fault of a study's file, in words that say where it is.
@@ -34,22 +36,25 @@ Verification verify_study(const std::filesystem::path& path);
 
 struct Merge {
   std::size_t sessions_added = 0;
-  std::size_t sessions_known = 0;  ///< sessions that an earlier source had, too, by UUID
+  std::size_t sessions_known = 0;      ///< sessions that an earlier source had, too, by UUID
+  std::size_t sessions_forgotten = 0;  ///< that another source was told to forget, left out
 };
 
-/// Adds the sessions of `sources` to a new file at `target`, each once, by UUID. Throws Error, and
-/// leaves no target, if the studies differ, a session differs between two of them, or two people
-/// have one code.
+/// Adds the sessions of `sources`, files of one schema, to a new file at `target`, each once, by
+/// UUID. Throws Error, and leaves no target, if the studies differ, a session differs between two
+/// of them, or two people have one code.
 Merge merge_studies(const std::vector<std::filesystem::path>& sources,
                     const std::filesystem::path& target);
 
 struct Forgotten {
-  std::size_t files = 0;  ///< rebuilt: the study and its copies
+  std::size_t files = 0;                 ///< rebuilt: the study and its backups
+  std::vector<RemainingCopy> remaining;  ///< that still hold something of the participant
 };
 
-/// Rebuilds the study and all of its backups without one participant's session, and checks that
-/// nothing of it is left in the files. What a kill leaves undone is done by calling it again.
-/// Throws Error if there is no such participant, or if anything is left.
+/// Rebuilds the study and all of its backups without one participant's session, and looks for what
+/// is left of it in their folder. A backup that cannot be read is left as it is. What a kill leaves
+/// undone is done by calling it again. Throws Error if there is no such participant, or if the
+/// study itself cannot be rebuilt.
 Forgotten forget_participant(const std::filesystem::path& path, const std::string& code);
 
 /// Where a study's backups lie: beside it, STUDY.sqlite.backups.

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
 #include "renderer/base/digest.h"
@@ -37,6 +39,15 @@ void require_new(const fs::path& target) {
   if (fs::exists(target)) {
     throw Error(target.string(), "exists already", "name a new file");
   }
+}
+
+/// A text in SQL.
+std::string sql_text_of(const std::string& text) {
+  std::string sql = "'";
+  for (const char letter : text) {
+    sql += letter == '\'' ? "''" : std::string(1, letter);
+  }
+  return sql + "'";
 }
 
 std::optional<std::int64_t> session_where(SQLite::Database& study, const char* column,
@@ -114,11 +125,11 @@ class Merging {
     const fs::path& path = sources_[source];
     SQLite::Database study = open_study_to_read(path);
     if (source == 0) {
-      for (const char* table : study_tables) {
-        copy_rows(study, target_, table);
-      }
+      make_target(study);
     }
+    require_same_schema(study, path);
     require_same_study(study, path);
+    add_forgotten(study);
     require_same_simulation(study, path);
     SQLite::Statement rows(study,
                            "SELECT id, uuid, participant, started_utc, coalesce(design_row, 0)"
@@ -130,6 +141,62 @@ class Merging {
                           .participant = rows.getColumn("participant").getString(),
                           .started_utc = rows.getColumn("started_utc").getString(),
                           .design_row = rows.getColumn("design_row").getInt64()});
+    }
+  }
+
+  /// Of the first file's schema, with its study.
+  void make_target(SQLite::Database& study) {
+    schema_ = schema_version_of(study);
+    target_.exec(study_schema(schema_));
+    for (const char* table : study_tables) {
+      copy_rows(
+          study, target_, table, "true",
+          std::string(table) == "study" && schema_ >= 5
+              ? Replacements{{"created_utc", "coalesce(" + earliest_date() + ", created_utc)"}}
+              : Replacements{});
+    }
+  }
+
+  /// Of the studies in which the sessions were begun, in SQL; NULL if there is no session.
+  std::string earliest_date() const {
+    std::string earliest;
+    for (const fs::path& path : sources_) {
+      SQLite::Database study = open_study_to_read(path);
+      const std::string date =
+          study
+              .execAndGet(
+                  "SELECT min(utc) FROM (SELECT study_created_utc AS utc FROM session UNION"
+                  " ALL SELECT study_created_utc FROM forgotten)")
+              .getString();
+      if (!date.empty() && (earliest.empty() || date < earliest)) {
+        earliest = date;
+      }
+    }
+    return earliest.empty() ? "NULL" : sql_text_of(earliest);
+  }
+
+  void require_same_schema(SQLite::Database& study, const fs::path& path) const {
+    if (const int schema = schema_version_of(study); schema != schema_) {
+      throw Error(
+          path.string(),
+          fmt::format("has schema {}, and {} has {}", schema, sources_.front().string(), schema_),
+          "merge files of one schema only");
+    }
+  }
+
+  /// Whom one file has forgotten, no other brings back.
+  void add_forgotten(SQLite::Database& study) {
+    if (schema_ < 5) {
+      return;
+    }
+    SQLite::Statement rows(study, "SELECT * FROM forgotten");
+    SQLite::Statement row(target_, "INSERT OR IGNORE INTO forgotten VALUES (?, ?, ?, ?)");
+    while (rows.executeStep()) {
+      forgotten_.insert(rows.getColumn(0).getString());
+      row.reset();
+      SQLite::bind(row, rows.getColumn(0).getString(), rows.getColumn(1).getInt64(),
+                   rows.getColumn(2).getString(), rows.getColumn(3).getString());
+      row.exec();
     }
   }
 
@@ -177,6 +244,10 @@ class Merging {
   }
 
   void add_session(SQLite::Database& source, const SourceSession& session) {
+    if (forgotten_.contains(sha256(session.uuid))) {
+      ++result_.sessions_forgotten;
+      return;
+    }
     if (const auto known = session_where(target_, "uuid", session.uuid)) {
       require_same_session(source, session, *known);
       ++result_.sessions_known;
@@ -212,6 +283,8 @@ class Merging {
 
   SQLite::Database& target_;
   const std::vector<fs::path>& sources_;
+  int schema_ = study_schema_version;
+  std::set<std::string> forgotten_;  ///< SHA-256 of the sessions' UUIDs
   std::optional<Simulation> simulation_;
   std::optional<SQLite::Database> open_;  ///< the file of the session that is added
   std::size_t open_source_ = 0;
@@ -222,7 +295,6 @@ Merge merge_into(const std::vector<fs::path>& sources, const fs::path& path) {
   SQLite::Database target(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   target.exec("PRAGMA foreign_keys = ON");
   SQLite::Transaction transaction(target);
-  target.exec(study_schema());
   const Merge merge = Merging(target, sources).run();
   transaction.commit();
   return merge;

@@ -16,20 +16,9 @@ class Statement;
 
 namespace foveola::study {
 
-/// A row of frame_chunk as it is kept.
-struct StoredFrames {
-  std::string encoding;
-  std::int64_t first = 0;
-  std::int64_t count = 0;
-  StoredChunk chunk;
-};
-
-/// The row that stands in `row`, whose columns are those of frame_chunk.
-StoredFrames stored_frames(SQLite::Statement& row);
-
-/// The frames of all rows of an attempt, in their order. Throws std::invalid_argument if they are
+/// The frames of all chunks of an attempt, in their order. Throws std::invalid_argument if they are
 /// not what was written.
-std::vector<FrameRow> decode_stored(const std::vector<StoredFrames>& rows);
+std::vector<FrameRow> frames_in(const std::vector<StoredChunk>& chunks);
 
 /// What to throw to the user then.
 Error changed_frames(std::int64_t session, std::size_t trial, int attempt);
@@ -46,7 +35,9 @@ std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session
 std::vector<FilmHash> film_hashes_of(SQLite::Database& database, std::int64_t session,
                                      std::size_t trial, int attempt);
 
-/// The checksum that a row of film_hash has, as schema.sql describes it.
-std::string film_row_sha256(std::int64_t trial, int attempt, const FilmHash& hash);
+/// The checksum that a row of film_hash has, as schema.sql describes it. uuid: of the session;
+/// empty in schema 4.
+std::string film_row_sha256(const std::string& uuid, std::int64_t trial, int attempt,
+                            const FilmHash& hash);
 
 }  // namespace foveola::study

@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-std::vector<GazeSample> samples_of(SQLite::Statement& chunks, const fs::path& path) {
-  std::vector<StoredGaze> rows;
-  while (chunks.executeStep()) {
-    rows.push_back(stored_gaze(chunks));
+std::vector<GazeSample> samples_of(SQLite::Statement& rows, const fs::path& path) {
+  std::vector<StoredChunk> chunks;
+  while (rows.executeStep()) {
+    chunks.push_back(stored_chunk(rows));
   }
   try {
-    return decode_stored(rows);
+    return gaze_in(chunks);
   } catch (const std::invalid_argument&) {
     throw Error(path.string(), "its gaze samples are not those that were written",
                 "restore it from a copy");
@@ -35,9 +35,11 @@ class AttemptReader {
  public:
   AttemptReader(SQLite::Database& database, const fs::path& path)
       : path_(path),
-        chunks_(database,
-                "SELECT data, data_sha256, sample_count FROM gaze_chunk"
-                " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY first_sample"),
+        chunks_(
+            database,
+            fmt::format("SELECT {} FROM gaze_chunk"
+                        " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY first_sample",
+                        columns_of_chunk(database, "gaze_chunk"))),
         marks_(query_of_marks(database)) {}
 
   void read(std::int64_t session, AttemptGaze& attempt) {
@@ -71,15 +73,10 @@ AttemptGaze attempt_in(SQLite::Statement& row) {
 
 }  // namespace
 
-StoredGaze stored_gaze(SQLite::Statement& row) {
-  return {row.getColumn("sample_count").getInt64(), stored_chunk(row)};
-}
-
-std::vector<GazeSample> decode_stored(const std::vector<StoredGaze>& rows) {
+std::vector<GazeSample> gaze_in(const std::vector<StoredChunk>& chunks) {
   std::vector<GazeSample> samples;
-  for (const StoredGaze& row : rows) {
-    const std::vector<GazeSample> more =
-        decode_gaze(chunk_bytes(row.chunk, row.count, bytes_per_gaze_sample));
+  for (const StoredChunk& chunk : chunks) {
+    const std::vector<GazeSample> more = decode_gaze(chunk_bytes(chunk, bytes_per_gaze_sample));
     samples.insert(samples.end(), more.begin(), more.end());
   }
   return samples;
@@ -115,11 +112,12 @@ std::vector<GazeSample> read_gaze(const fs::path& path, const std::string& parti
     SQLite::Database database = open_study_to_read(path);
     SQLite::Statement chunks(
         database,
-        "SELECT data, data_sha256, sample_count FROM gaze_chunk AS chunk"
-        " JOIN session ON session.id = chunk.session"
-        " WHERE participant = ? AND trial = ? AND attempt = (SELECT max(attempt) FROM attempt"
-        "  WHERE attempt.session = chunk.session AND attempt.trial = chunk.trial)"
-        " ORDER BY first_sample");
+        fmt::format("SELECT {} FROM gaze_chunk JOIN session ON session.id = gaze_chunk.session"
+                    " WHERE participant = ? AND trial = ?"
+                    " AND attempt = (SELECT max(attempt) FROM attempt"
+                    "  WHERE attempt.session = gaze_chunk.session"
+                    "   AND attempt.trial = gaze_chunk.trial) ORDER BY first_sample",
+                    columns_of_chunk(database, "gaze_chunk")));
     SQLite::bind(chunks, participant, static_cast<std::int64_t>(trial));
     samples = samples_of(chunks, path);
   });

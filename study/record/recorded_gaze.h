@@ -13,24 +13,11 @@
 #include "study/record/chunk.h"
 #include "study/record/recorded_marks.h"
 
-namespace SQLite {
-class Statement;
-}
-
 namespace foveola::study {
 
-/// A row of gaze_chunk as it is kept.
-struct StoredGaze {
-  std::int64_t count = 0;
-  StoredChunk chunk;
-};
-
-/// The row that stands in `row`, whose columns are those of gaze_chunk.
-StoredGaze stored_gaze(SQLite::Statement& row);
-
-/// The samples of all rows of an attempt, in their order. Throws std::invalid_argument if they are
-/// not what was written.
-std::vector<GazeSample> decode_stored(const std::vector<StoredGaze>& rows);
+/// The samples of all chunks of an attempt, in their order. Throws std::invalid_argument if they
+/// are not what was written.
+std::vector<GazeSample> gaze_in(const std::vector<StoredChunk>& chunks);
 
 /// The samples of the participant's last attempt at a trial, 0 being the first, in the order of
 /// their arrival; times are of the session's clock. Throws Error if the file is no study, there are

@@ -1,4 +1,5 @@
--- The file of a study, schema version 4.
+-- The file of a study, schema versions 5 and 4. A line that ends with --5 or --4 is of that version
+-- only, and stands in the file without this mark.
 --
 -- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
 -- with milliseconds, in virtual time, which simulated sessions have, by a clock with which the study
@@ -6,17 +7,21 @@
 -- of the protocol's. What was measured is only ever added: triggers refuse to change or remove it.
 --
 -- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
--- outside the statements, and whoever changes a statement raises user_version. A program reads and
--- writes only the version that it knows; no released program wrote an older one than 4.
+-- outside the statements, and whoever changes a statement raises user_version. Files of version 4 are
+-- read, verified, analysed and merged with one another; sessions are recorded in version 5 only. No
+-- released program wrote an older one than 4.
 --
 -- Version 2: study_method_file; session_scene.shown_as; frames-2, which report a held gaze.
 -- Version 3: study_profile; gaze_run, gaze_target and the state refused; gaze_chunk.
 -- Version 4: marks, ratings and questionnaires as the protocol names them; practice and catch
 --            trials; planned_step, design_row, devices, migrated_from; reactions, notes, pauses,
 --            exclusions; the hash chain; film_hash; compressed chunks, and frames-3.
+-- Version 5: each event's trial and attempt, and what was measured in an attempt that it ended, in the
+--            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
-PRAGMA user_version = 4;
+PRAGMA user_version = 4; --4
+PRAGMA user_version = 5; --5
 
 -- protocol_text is the researcher's file, to the letter.
 CREATE TABLE study (
@@ -80,8 +85,9 @@ CREATE TABLE study_rating (
 -- the program that began the session: another that goes on with it says so in a note. devices is
 -- what the display and the eye tracker turned out to be, of a simulated session how it was
 -- simulated, and what traced the rays by which instructions. migrated_from is the schema that the session was recorded in,
--- if it was another; such a session has no design_row. state is the phase that the session is in, or
--- ended in.
+-- if it was another; such a session has no design_row. study_created_utc is created_utc of the study
+-- that the session was begun in; the study's own is the earliest of its sessions'. state is the phase
+-- that the session is in, or ended in.
 CREATE TABLE session (
   id INTEGER PRIMARY KEY,
   uuid TEXT NOT NULL UNIQUE CHECK (length(uuid) = 36),
@@ -98,6 +104,7 @@ CREATE TABLE session (
   operating_system TEXT NOT NULL,
   devices TEXT NOT NULL CHECK (json_type(devices) = 'object'),
   migrated_from INTEGER CHECK (migrated_from < 4),
+  study_created_utc TEXT NOT NULL, --5
   state TEXT NOT NULL CHECK (
     state IN ('created', 'consent', 'questionnaire', 'validation', 'reaction', 'choosing_object',
               'ready', 'armed', 'marking', 'rating', 'paused', 'interrupted', 'completed',
@@ -159,9 +166,17 @@ CREATE TABLE planned_step (
 -- Everything that happened. payload has the event's values, on one line. The tables below follow
 -- from this log and the plan, but for what was measured meanwhile: frames, gaze samples and films.
 --
--- hash chains a session's events. It is the SHA-256 of six lines in UTF-8, joined by line feeds,
--- without one at the end: the hash of the event before, then sequence, time_ns, utc, type and
--- payload as they are here. What stands for the hash before the first event is the SHA-256, in the
+-- trial and attempt say in which attempt it happened; of trial_started, which one it began. The event
+-- that ends an attempt states in measured what the tables of frames, gaze and films then held of it,
+-- as {"frames":{"count":N,"sha256":"..."},"gaze":{...},"films":{...}}: how many frames, samples and
+-- film hashes, and the SHA-256 of their rows' hashes in their order (data_sha256; of films row_sha256),
+-- joined by line feeds. An attempt in which the program died is ended by the event that interrupts it
+-- when the session is resumed.
+--
+-- hash chains a session's events. It is the SHA-256 of nine lines in UTF-8, joined by line feeds,
+-- without one at the end: the hash of the event before, then sequence, time_ns, utc, type, payload,
+-- trial, attempt and measured as they are here, of which NULL is an empty line; in version 4 the first
+-- six of them. What stands for the hash before the first event is the SHA-256, in the
 -- same form, of the lines below: each is a row as a JSON array of the named columns, without spaces
 -- and with every character beyond ASCII as it is (Python: json.dumps(row, separators=(',', ':'),
 -- ensure_ascii=False)).
@@ -187,6 +202,9 @@ CREATE TABLE event (
              'marked', 'timed_out', 'rated', 'retime_requested', 'pause_requested', 'interrupted',
              'resumed', 'note_written', 'withdrawn', 'excluded')),
   payload TEXT NOT NULL CHECK (json_type(payload) = 'object'),
+  trial INTEGER, --5
+  attempt INTEGER CHECK ((attempt IS NULL) = (trial IS NULL)), --5
+  measured TEXT CHECK (json_type(measured) = 'object'), --5
   hash TEXT NOT NULL CHECK (length(hash) = 64 AND hash NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, sequence)
 ) STRICT;
@@ -300,7 +318,9 @@ CREATE TABLE rating (
 ) STRICT;
 
 -- Consecutive rendered frames of an attempt; first_frame counts from the attempt's start. data is a
--- zlib stream (RFC 1950); data_sha256 is of what it holds.
+-- zlib stream (RFC 1950); data_sha256 is of six lines, each with a line feed behind it, of the session's
+-- uuid, trial, attempt, first_frame, frame_count and encoding, and then of what data holds; in version 4
+-- of that alone.
 --
 -- Encoding 'frames-3' is frame_count records of 52 bytes without gaps, all little-endian:
 --   offset  0  int64    time when head and gaze were polled, session clock, ns
@@ -334,7 +354,7 @@ CREATE TABLE frame_chunk (
 
 -- Consecutive gaze samples that arrived during an attempt, all of them, in the order of their
 -- arrival; first_sample counts from the attempt's start. Where a session's gaze is corrected, so
--- are these. data is a zlib stream (RFC 1950); data_sha256 is of what it holds.
+-- are these. data and data_sha256 are as in frame_chunk.
 --
 -- Encoding 'gaze-1' is sample_count records of 24 bytes without gaps, all little-endian:
 --   offset  0  int64    time when the eye was there, session clock, ns
@@ -360,7 +380,8 @@ CREATE TABLE gaze_chunk (
 ) STRICT;
 
 -- What an attempt's film was after a frame, for checking a replay; frame counts from the attempt's
--- start. row_sha256 is of trial, attempt, frame and film_sha256 as a JSON array, as at event.
+-- start. row_sha256 is of the session's uuid, trial, attempt, frame and film_sha256 as a JSON array, as
+-- at event; in version 4 without the uuid.
 CREATE TABLE film_hash (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
@@ -373,6 +394,18 @@ CREATE TABLE film_hash (
   PRIMARY KEY (session, trial, attempt, frame),
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;
+
+-- Sessions that study forget took out, of which nothing else is left: the SHA-256 of the session's uuid,
+-- how many events it had, the hash of the last of them, and study_created_utc. So a head that was written
+-- down before can be checked.
+CREATE TABLE forgotten ( --5
+  uuid_sha256 TEXT PRIMARY KEY --5
+    CHECK (length(uuid_sha256) = 64 AND uuid_sha256 NOT GLOB '*[^0-9a-f]*'), --5
+  events INTEGER NOT NULL CHECK (events >= 0), --5
+  last_hash TEXT NOT NULL --5
+    CHECK (length(last_hash) = 64 AND last_hash NOT GLOB '*[^0-9a-f]*'), --5
+  study_created_utc TEXT NOT NULL --5
+) STRICT; --5
 
 -- One row per planned test trial with its last attempt's values, as far as the protocol has them;
 -- attempts is 0 if it was never begun.
@@ -411,7 +444,9 @@ WHERE planned_trial.kind = 'test';
 -- Two tables change after their rows are made, in these ways only.
 CREATE TRIGGER session_changes_state_only
 BEFORE UPDATE OF id, uuid, participant, kind, seed, design_row, started_utc, program_version,
-  compiler, build_type, processor, cores, operating_system, devices, migrated_from ON session
+  compiler, build_type, processor, cores, operating_system, devices, migrated_from ON session --4
+  compiler, build_type, processor, cores, operating_system, devices, migrated_from, --5
+  study_created_utc ON session --5
 BEGIN SELECT raise(ABORT, 'only a session''s state changes'); END;
 CREATE TRIGGER session_ends_once BEFORE UPDATE ON session
 WHEN OLD.state IN ('completed', 'withdrawn', 'excluded', 'refused')
@@ -511,3 +546,7 @@ CREATE TRIGGER film_hash_is_fixed BEFORE UPDATE ON film_hash
 BEGIN SELECT raise(ABORT, 'film_hash is only added to'); END;
 CREATE TRIGGER film_hash_stays BEFORE DELETE ON film_hash
 BEGIN SELECT raise(ABORT, 'film_hash is only added to'); END;
+CREATE TRIGGER forgotten_is_fixed BEFORE UPDATE ON forgotten --5
+BEGIN SELECT raise(ABORT, 'forgotten is only added to'); END; --5
+CREATE TRIGGER forgotten_stays BEFORE DELETE ON forgotten --5
+BEGIN SELECT raise(ABORT, 'forgotten is only added to'); END; --5

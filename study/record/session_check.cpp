@@ -17,6 +17,7 @@
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
 #include "study/record/hash_chain.h"
+#include "study/record/measured.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/schema.h"
 #include "study/record/session_rows.h"
@@ -47,6 +48,7 @@ class SessionCheck {
         again_(again),
         session_(session.id),
         participant_(session.participant),
+        schema_(schema_version_of(study.database())),
         found_(found) {}
 
   void run() {
@@ -54,8 +56,8 @@ class SessionCheck {
       check_what_follows();
     }
     try {
-      check_chunks("frame_chunk", "first_frame", "frame_count");
-      check_chunks("gaze_chunk", "first_sample", "sample_count");
+      check_chunks("frame_chunk");
+      check_chunks("gaze_chunk");
       check_film_hashes();
     } catch (const SQLite::Exception& damage) {
       fault_of(damage);
@@ -84,19 +86,12 @@ class SessionCheck {
   bool chain_holds() {
     std::string previous = hash_before_events(study_, session_);
     std::int64_t expected = 1;
-    PreparedStatement log = rows(
-        "SELECT sequence, time_ns, utc, type, payload, hash FROM event WHERE session = ?"
-        " ORDER BY sequence");
+    PreparedStatement log = rows("SELECT * FROM event WHERE session = ? ORDER BY sequence");
     while (log->executeStep()) {
-      const LogLine line{.sequence = log->getColumn(0).getInt64(),
-                         .time_ns = log->getColumn(1).getInt64(),
-                         .utc = log->getColumn(2).getString(),
-                         .type = log->getColumn(3).getString(),
-                         .payload = log->getColumn(4).getString()};
+      const LogLine& line = lines_.emplace_back(log_line(*log, schema_));
       ++found_.events;
-      previous = hash_of(previous, line);
-      payloads_.push_back(line.payload);
-      if (line.sequence != expected || previous != log->getColumn(5).getString()) {
+      previous = hash_of(previous, line, schema_);
+      if (line.sequence != expected || previous != log->getColumn("hash").getString()) {
         fault(expected == 1 ? "event 1, the study, the session or its plan is not what was written"
                             : fmt::format("event {} is not what was written", expected));
         return false;
@@ -110,13 +105,17 @@ class SessionCheck {
   void check_what_follows() {
     try {
       const std::vector<LoggedEvent> events = events_of(study_.database(), session_);
-      if (!std::equal(events.begin(), events.end(), payloads_.begin(), payloads_.end(),
-                      [](const LoggedEvent& logged, const std::string& payload) {
-                        return payload_of(logged.event) == payload;
+      if (!std::equal(events.begin(), events.end(), lines_.begin(), lines_.end(),
+                      [](const LoggedEvent& logged, const LogLine& line) {
+                        return payload_of(logged.event) == line.payload;
                       })) {
         fault("its events say more than this program writes of them");
       }
-      replay_events(again_, session_, recorded_procedure_of(again_.database(), session_), events);
+      const Procedure procedure = recorded_procedure_of(again_.database(), session_);
+      replay_events(again_, session_, procedure, events);
+      if (schema_ >= 5) {
+        check_attempts(procedure, events);
+      }
       for (const char* table : following_tables) {
         const std::string sql = fmt::format("SELECT * FROM {} WHERE session = ?", table);
         if (sorted_rows(*rows(study_, sql)) != sorted_rows(*rows(again_, sql))) {
@@ -134,18 +133,38 @@ class SessionCheck {
     }
   }
 
+  /// Whether the events say in which attempts they happened, and what was measured in those that
+  /// they ended.
+  void check_attempts(const Procedure& procedure, const std::vector<LoggedEvent>& events) {
+    auto line = lines_.begin();
+    for_each_step(
+        procedure, events, participant_,
+        [&](const LoggedEvent& /*logged*/, const SessionState& before, const SessionState& after) {
+          const EventAttempt expected =
+              attempt_of_event(study_, session_, procedure, before, after);
+          if (line->trial != expected.trial || line->attempt != expected.attempt) {
+            fault(fmt::format("event {} is in another attempt than it says", line->sequence));
+          } else if (line->measured != expected.measured) {
+            fault(
+                fmt::format("trial {}, attempt {}: its frames, gaze or films are not those "
+                            "that event {} states",
+                            *line->trial, *line->attempt, line->sequence));
+          }
+          ++line;
+        });
+  }
+
   std::string state_in(PreparedStatements& statements) const {
     PreparedStatement row = rows(statements, "SELECT state FROM session WHERE id = ?");
     row->executeStep();
     return row->getColumn(0).getString();
   }
 
-  void check_chunks(const std::string& table, const std::string& first, const std::string& count) {
+  void check_chunks(const std::string& table) {
     std::map<std::pair<std::int64_t, int>, std::int64_t> next;  // of each attempt
     PreparedStatement chunks =
-        rows(fmt::format("SELECT *, {} AS first, {} AS count FROM {} WHERE session = ?"
-                         " ORDER BY trial, attempt, first",
-                         first, count, table));
+        rows(fmt::format("SELECT {} FROM {} WHERE session = ? ORDER BY trial, attempt, first",
+                         columns_of_chunk(study_.database(), table), table));
     while (chunks->executeStep()) {
       ++found_.chunks;
       const std::int64_t trial = chunks->getColumn("trial").getInt64();
@@ -163,12 +182,12 @@ class SessionCheck {
   }
 
   static bool is_what_was_written(SQLite::Statement& chunk) {
-    const std::string encoding = chunk.getColumn("encoding").getString();
+    const StoredChunk stored = stored_chunk(chunk);
+    const std::string& encoding = stored.encoding;
     const bool is_gaze = encoding == gaze_encoding_name;
     try {
       const std::string bytes =
-          chunk_bytes(stored_chunk(chunk), chunk.getColumn("count").getInt64(),
-                      is_gaze ? bytes_per_gaze_sample : bytes_per_frame(encoding));
+          chunk_bytes(stored, is_gaze ? bytes_per_gaze_sample : bytes_per_frame(encoding));
       if (is_gaze) {
         decode_gaze(bytes);
       } else {
@@ -216,6 +235,11 @@ class SessionCheck {
     list_gaps(
         "SELECT 'is not over: ' || state FROM session WHERE id = ?"
         " AND state NOT IN ('completed', 'withdrawn', 'excluded', 'refused')");
+    if (schema_ >= 5) {
+      list_gaps(
+          "SELECT 'trial ' || trial || ', attempt ' || attempt || ' is open: no event states its"
+          " frames, gaze and films' FROM attempt WHERE session = ? AND outcome = 'open'");
+    }
     list_gaps(
         "SELECT 'trial ' || trial || ', attempt ' || attempt || ' has no frames' FROM attempt"
         " JOIN session ON session.id = attempt.session"
@@ -242,7 +266,8 @@ class SessionCheck {
   PreparedStatements& again_;
   std::int64_t session_;
   std::string participant_;
-  std::vector<std::string> payloads_;  ///< of the log, as far as it was read
+  int schema_;
+  std::vector<LogLine> lines_;  ///< of the log, as far as it was read
   Verification& found_;
 };
 
@@ -251,7 +276,7 @@ class SessionCheck {
 SQLite::Database without_sessions(SQLite::Database& study) {
   SQLite::Database blank(":memory:",
                          SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX);
-  blank.exec(study_schema());
+  blank.exec(study_schema(schema_version_of(study)));
   for (const char* table : study_tables) {
     copy_rows(study, blank, table);
   }

@@ -68,8 +68,10 @@ std::int64_t insert_facts(SQLite::Database& database, const SessionFacts& facts,
   SQLite::Statement session(
       database,
       "INSERT INTO session (uuid, participant, kind, seed, started_utc, program_version, compiler,"
-      "  build_type, processor, cores, operating_system, devices, design_row, state)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'created')");
+      "  build_type, processor, cores, operating_system, devices, design_row, study_created_utc,"
+      "  state)"
+      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, (SELECT created_utc FROM study), "
+      "'created')");
   SQLite::bind(session, origin.uuid, facts.participant, name_of(facts.kind),
                std::to_string(facts.seed), origin.started_utc, facts.build.version,
                facts.build.compiler, facts.build.build_type, facts.machine.processor,

@@ -21,6 +21,7 @@
 #include "study/record/log_keeper.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
+#include "study/record/schema.h"
 #include "study/record/session_rows.h"
 #include "study/record/temporary_database.h"
 
@@ -35,11 +36,12 @@ std::string utc_at(Nanoseconds time, RecordDates dates) {
 }
 
 SessionOrigin origin_of(const SessionFacts& facts, const Protocol& protocol, RecordDates dates) {
-  return {.uuid = dates == RecordDates::wall_clock
-                      ? random_uuid()
-                      : uuid_of(fmt::format("{}\n{}\n{}\n{}\n{}", protocol.sha256, facts.devices,
-                                            facts.seed, facts.design_row, facts.participant)),
-          .started_utc = utc_at({}, dates)};
+  return {
+      .uuid = dates == RecordDates::wall_clock
+                  ? random_uuid()
+                  : study::uuid_of(fmt::format("{}\n{}\n{}\n{}\n{}", protocol.sha256, facts.devices,
+                                               facts.seed, facts.design_row, facts.participant)),
+      .started_utc = utc_at({}, dates)};
 }
 
 /// Makes the study at `path` if there is none; otherwise it must be the protocol's.
@@ -49,6 +51,14 @@ std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& pro
     create_study(path, protocol, utc_at({}, dates));
   }
   SQLite::Database checked = open_study_to_read(path);
+  if (const int schema = schema_version_of(checked); schema < study_schema_version) {
+    throw Error(
+        path.string(),
+        fmt::format("has schema {}, in which this program records no sessions", schema),
+        fmt::format("continue it with {} (docs/howto/older-studies.md says how to install it), "
+                    "or begin a new study",
+                    program_of_oldest_schema));
+  }
   require_only_own_effects(checked, path);
   return require_same_protocol(checked, path, protocol, other);
 }
@@ -68,9 +78,10 @@ FileIdentity identity_of(const fs::path& path) {
                                             : FileIdentity{};
 }
 
-ChunkPlace place_of(std::int64_t session, const AttemptKey& attempt, std::uint64_t first,
-                    std::size_t count) {
+ChunkPlace place_of(std::int64_t session, std::string uuid, const AttemptKey& attempt,
+                    std::uint64_t first, std::size_t count) {
   return {.session = session,
+          .uuid = std::move(uuid),
           .trial = static_cast<std::int64_t>(attempt.trial),
           .attempt = attempt.attempt,
           .first = static_cast<std::int64_t>(first),
@@ -165,23 +176,27 @@ struct StudyStore::Implementation {
   }
 
   void insert(std::int64_t session, const EventEntry& entry) {
+    const Procedure& procedure = procedure_of_session(session);
     const std::int64_t sequence =
         append_to_log(statements, session,
-                      {.time = entry.time, .event = entry.event, .utc = utc_at(entry.time, dates)});
-    insert_what_follows(statements, session, procedure_of_session(session), sequence, entry.event,
-                        entry.before, entry.after);
+                      {.time = entry.time, .event = entry.event, .utc = utc_at(entry.time, dates)},
+                      attempt_of_event(statements, session, procedure, entry.before, entry.after));
+    insert_what_follows(statements, session, procedure, sequence, entry.event, entry.before,
+                        entry.after);
   }
 
   void insert(std::int64_t session, const FrameChunk& chunk) {
-    insert_chunk(database, "frame_chunk",
-                 place_of(session, chunk.attempt, chunk.first, chunk.frames.size()),
-                 frame_encoding_name, encode_frames(chunk.frames));
+    insert_chunk(
+        database, "frame_chunk",
+        place_of(session, uuid_of(session), chunk.attempt, chunk.first, chunk.frames.size()),
+        frame_encoding_name, encode_frames(chunk.frames));
   }
 
   void insert(std::int64_t session, const GazeChunk& chunk) {
-    insert_chunk(database, "gaze_chunk",
-                 place_of(session, chunk.attempt, chunk.first, chunk.samples.size()),
-                 gaze_encoding_name, encode_gaze(chunk.samples));
+    insert_chunk(
+        database, "gaze_chunk",
+        place_of(session, uuid_of(session), chunk.attempt, chunk.first, chunk.samples.size()),
+        gaze_encoding_name, encode_gaze(chunk.samples));
   }
 
   void insert(std::int64_t session, const FilmEntry& film) {
@@ -189,8 +204,14 @@ struct StudyStore::Implementation {
     SQLite::Statement row(database, "INSERT INTO film_hash VALUES (?, ?, ?, ?, ?, ?)");
     SQLite::bind(row, session, trial, film.attempt.attempt,
                  static_cast<std::int64_t>(film.hash.frame), film.hash.sha256,
-                 film_row_sha256(trial, film.attempt.attempt, film.hash));
+                 film_row_sha256(uuid_of(session), trial, film.attempt.attempt, film.hash));
     row.exec();
+  }
+
+  std::string uuid_of(std::int64_t session) {
+    PreparedStatement row(statements, "SELECT uuid FROM session WHERE id = ?", session);
+    row->executeStep();
+    return row->getColumn(0).getString();
   }
 
   /// As it was planned when the session began.

@@ -13,6 +13,7 @@
 #include "study/record/database.h"
 #include "study/record/database_checks.h"
 #include "study/record/maintenance.h"
+#include "study/record/schema.h"
 #include "study/record/session_check.h"
 #include "study/record/session_programs.h"
 
@@ -55,8 +56,23 @@ void check_schema(SQLite::Database& study, const fs::path& path, Verification& f
   for (const std::string& object : foreign_objects(study)) {
     found.faults.push_back({"", fmt::format("has the {}, which is not Foveola's", object)});
   }
-  if (const std::optional<std::string> fault = statistics_fault(study)) {
-    found.faults.push_back({"", *fault});
+  for (const std::optional<std::string>& fault :
+       {statistics_fault(study), unused_bytes_fault(study)}) {
+    if (fault) {
+      found.faults.push_back({"", *fault});
+    }
+  }
+  if (schema_version_of(study) < 5) {
+    found.gaps.push_back({"",
+                          "has schema 4: whether frames, gaze or films were exchanged, removed or "
+                          "forged, and when the study was made, cannot be seen"});
+  } else if (study
+                 .execAndGet(
+                     "SELECT (SELECT min(utc) FROM"
+                     "  (SELECT study_created_utc AS utc FROM session UNION ALL"
+                     "   SELECT study_created_utc FROM forgotten)) <> created_utc FROM study")
+                 .getInt() != 0) {
+    found.faults.push_back({"", "its date is not that of which its sessions tell"});
   }
 }
 

@@ -1,16 +1,14 @@
-// A study's file of schema 4 that was written once and stays as it is (tests/data/schema-4):
-// whatever becomes of the program, it reads the file as it was, and goes on with it. What is
-// expected was read from the file's tables by sqlite3.
+// Studies' files that were written once and stay as they are (tests/data/schema-4, schema-5):
+// whatever becomes of the program, it reads them as they were, and continues one of schema 5. What
+// is expected was read from their tables by sqlite3.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <sqlite3.h>
 
 #include "renderer/base/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/seated_participant.h"
-#include "tests/end_to_end/study_rows.h"
 
 namespace fs = std::filesystem;
 
@@ -21,29 +19,29 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::StartsWith;
 
-std::string kept_file(const std::string& name) {
-  return read_file(fs::path(TEST_DATA_DIR) / "schema-4" / name);
+std::string kept_file(const std::string& name, const std::string& schema = "schema-4") {
+  return read_file(fs::path(TEST_DATA_DIR) / schema / name);
 }
 
 /// Copies the study, and all that its protocol names to where the program looks for it.
-void copy_kept_study(const TemporaryFolder& folder) {
+void copy_kept_study(const TemporaryFolder& folder, const std::string& schema,
+                     const std::string& scene) {
   const std::vector<std::pair<std::string, std::string>> places = {
       {"study.sqlite", "study.sqlite"},
       {"keys.toml", "share/protocols/keys.toml"},
       {"hall.toml", "share/scenes/hall.toml"},
-      {"hall.gltf", "real/hall.gltf"},
+      {scene, "real/" + scene},
       {"desktop.toml", "share/data/displays/desktop.toml"},
       {"pointer.toml", "share/data/trackers/pointer.toml"}};
   for (const auto& [name, place] : places) {
-    folder.write(place, kept_file(name));
+    folder.write(place, kept_file(name, schema));
   }
 }
 
 class KeptStudy : public testing::Test {
  protected:
-  KeptStudy() { copy_kept_study(hall_.folder); }
+  KeptStudy() { copy_kept_study(hall_.folder, "schema-4", "hall.gltf"); }
 
   ProgramResult run(const std::vector<std::string>& arguments) const {
     return hall_.run(arguments);
@@ -69,6 +67,8 @@ TEST_F(KeptStudy, IsWhole) {
   EXPECT_EQ(found.at("events"), 157);
   EXPECT_EQ(found.at("chunks"), 38);
   EXPECT_THAT(found.at("faults"), IsEmpty());
+  EXPECT_THAT(found.at("gaps").at(0).at("what"),
+              HasSubstr("whether frames, gaze or films were exchanged"));
   EXPECT_THAT(found.at("warnings"), IsEmpty()) << "one program wrote it";
   EXPECT_EQ(read_file(study_), kept_file("study.sqlite")) << "reading changes nothing";
 }
@@ -144,73 +144,69 @@ TEST_F(KeptStudy, IsReplayed) {
               ElementsAre("0 1: 38", "1 1: 36", "1 2: 42", "2 1: 64", "3 1: 8", "3 2: 39"));
 }
 
-TEST_F(KeptStudy, TakesInAnotherParticipantAndAnotherFile) {
-  const std::string other = path_of("other.sqlite");
-  const auto simulate = [&](const std::string& file) {
-    return run({"study", "simulate", "keys", "--db", file, "--participants", "1"});
-  };
-  ASSERT_EQ(simulate(other).exit_code, 0);
-  const std::string all = path_of("all.sqlite");
-  EXPECT_EQ(run({"study", "merge", study_, other, "-o", all}).output,
-            all + ": 7 sessions, 0 of them in several files\n");
-  const ProgramResult added = simulate(study_);
-  EXPECT_EQ(added.exit_code, 0) << added.errors;
-  for (const std::string& file : {all, study_}) {
-    const nlohmann::json found = json_of({"study", "verify", file});
-    EXPECT_EQ(found.at("sessions"), 7);
-    EXPECT_THAT(found.at("faults"), IsEmpty());
+TEST_F(KeptStudy, IsMergedWithItsOwnKindAlone) {
+  const std::string part = hall_.folder.write("part/part.sqlite", kept_file("study.sqlite"));
+  for (const char* participant : {"PROGRAM-1", "PROGRAM-2"}) {
+    EXPECT_EQ(run({"study", "forget", part, participant, "--yes"}).exit_code, 0);
   }
+  const std::string all = path_of("all.sqlite");
+  EXPECT_EQ(run({"study", "merge", part, study_, "-o", all}).output,
+            all + ": 6 sessions, 4 of them in several files\n");
+  EXPECT_THAT(json_of({"study", "verify", all}).at("faults"), IsEmpty());
+  const std::string newer = path_of("newer.sqlite");
+  ASSERT_EQ(run({"study", "simulate", "keys", "--db", newer, "--participants", "1"}).exit_code, 0);
+  expect_one_line(run({"study", "merge", study_, newer, "-o", path_of("both.sqlite")}), 1,
+                  "newer.sqlite: has schema 5, and " + study_ + " has 4");
 }
 
-/// As if a program of this version had begun the sessions, but for the hashes of their logs.
-void begun_by_version(const fs::path& study, const std::string& version) {
-  const std::string guard =
-      value_of(study, "SELECT sql FROM sqlite_schema WHERE name = 'session_changes_state_only'");
-  const std::string over =
-      value_of(study, "SELECT sql FROM sqlite_schema WHERE name = 'session_ends_once'");
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(study.c_str(), &database), SQLITE_OK);
-  const std::string sql =
-      "DROP TRIGGER session_changes_state_only; DROP TRIGGER session_ends_once;"
-      " UPDATE session SET program_version = '" +
-      version + "'; " + guard + "; " + over;
-  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
-  sqlite3_close(database);
+TEST_F(KeptStudy, GetsNoMoreSessions) {
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"study", "simulate", "keys", "--db", study_, "--participants", "1"},
+           {"study", "run", "keys", "--db", study_, "--participant", "PROGRAM-2", "--window",
+            "640x480", "--resume"}}) {
+    const ProgramResult refused = run(command);
+    expect_one_line(refused, 1, "has schema 4, in which this program records no sessions");
+    EXPECT_THAT(refused.errors,
+                AllOf(HasSubstr("Foveola 0.1.0"), HasSubstr("docs/howto/older-studies.md")));
+  }
+  EXPECT_EQ(read_file(study_), kept_file("study.sqlite"));
 }
 
-TEST(KeptSession, GoesOnByAnotherProgramWhereThatIsSaidAndNamesBoth) {
+TEST(KeptNewStudy, IsReadAndContinuedAsItWas) {
   SeatedParticipant participant;
-  copy_kept_study(participant.folder());
-  begun_by_version(participant.database(), "0.0.9");
-  expect_one_line(participant.run_besides("PROGRAM-2", {"--resume"}), 1,
-                  "participant PROGRAM-2: has a session by Foveola 0.0.9 (");
+  copy_kept_study(participant.folder(), "schema-5", "hall.glb");
+  const std::string study = participant.database();
+  const fs::path head = fs::path(TEST_DATA_DIR) / "schema-5/head.txt";
+  const ProgramResult verified = run_foveola({"study", "verify", study, "--head", head.string()});
+  EXPECT_EQ(verified.exit_code, 0) << verified.errors;
+  EXPECT_THAT(verified.output,
+              AllOf(HasSubstr("sessions  2\nevents    19\nchunks    4\nfaults    0\n"),
+                    HasSubstr("PROGRAM-2: trial 0, attempt 1 is open: no event states its frames,"
+                              " gaze and films\n")));
+  EXPECT_EQ(participant.status().output, read_file(head));
+  EXPECT_EQ(read_file(study), kept_file("study.sqlite", "schema-5")) << "reading changes nothing";
 
   participant.seat("PROGRAM-2");
   participant.begin({"--resume", "--despite-changes"});
-  EXPECT_EQ(participant.wait_for_page(), "ready");
-  participant.type("space");
-  for (int mark = 0; mark < 2; ++mark) {
-    EXPECT_EQ(participant.wait_for_page(), "marking");
+  for (int trial = 0; trial < 2; ++trial) {
+    EXPECT_EQ(participant.wait_for_page(), "ready");
     participant.type("space");
+    for (int mark = 0; mark < 2; ++mark) {
+      EXPECT_EQ(participant.wait_for_page(), "marking");
+      participant.type("space");
+    }
+    participant.answer_page("Return");  // to look around
+    participant.wait_for_page();        // the rating
+    participant.type_all({"4", "Return", "Return"});
   }
-  participant.answer_page("Return");  // to look around
-  participant.wait_for_page();        // the rating
-  participant.type_all({"4", "Return", "Return"});
-  participant.wait_for_page();
-  participant.program().type_line("quit");
+  participant.answer_page("Return");
   EXPECT_EQ(participant.program().wait_for_end(), 0);
-
+  EXPECT_EQ(run_foveola({"study", "verify", study, "--head", head.string()}).exit_code, 0);
+  EXPECT_THAT(participant.ask("SELECT trial, attempt, outcome FROM attempt WHERE session = 3"),
+              ElementsAre("0|1|interrupted", "0|2|rated", "1|1|rated"));
   EXPECT_THAT(
-      participant.ask("SELECT text FROM note JOIN session ON session.id = session WHERE participant"
-                      " = 'PROGRAM-2' AND text LIKE '% instead of %'"),
-      ElementsAre(
-          AllOf(StartsWith("goes on with Foveola "), HasSubstr(" instead of Foveola 0.0.9 ("))));
-  EXPECT_THAT(participant.ask(
-                  "SELECT trial, attempt, outcome FROM attempt JOIN session ON session.id ="
-                  " session WHERE participant = 'PROGRAM-2' ORDER BY attempt.rowid DESC LIMIT 2"),
-              ElementsAre("2|2|rated", "2|1|interrupted"));
-  EXPECT_THAT(participant.status().output, HasSubstr("PROGRAM-2 by Foveola 0.0.9 ("));
-  expect_one_line(participant.run_besides("PROGRAM-4", {"--resume"}), 1, "which is excluded");
+      participant.ask("SELECT CAST(time_ns AS TEXT) FROM mark WHERE session = 1 ORDER BY rowid"),
+      ElementsAre("301472674", "931237820", "386816622", "1117546927"));
 }
 
 }  // namespace

@@ -104,15 +104,16 @@ std::vector<BadFile> bad_files() {
       {"NewerSchema",
        [](const fs::path& path) {
          write_small_study(path);
-         overwrite(path, 63, "\x05");
+         overwrite(path, 63, "\x06");
        },
-       "has schema 5, and this program knows only 4; use a newer Foveola"},
+       "has schema 6, and this program knows only 4 and 5; use a newer Foveola"},
       {"OlderSchema",
        [](const fs::path& path) {
          write_small_study(path);
          overwrite(path, 63, "\x03");
        },
-       "has schema 3, and this program knows only 4; go on with the Foveola that began it, or "
+       "has schema 3, and this program knows only 4 and 5; go on with the Foveola that began it, "
+       "or "
        "begin "
        "a new study"},
       {"Truncated",

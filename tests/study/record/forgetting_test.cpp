@@ -1,6 +1,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/files.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
@@ -47,12 +48,63 @@ class Forgetting : public StudyFile {
   std::string uuid_;
 };
 
-TEST_F(Forgetting, RefusesAnythingWithASecondNameByWhichThePersonWouldStay) {
+TEST_F(Forgetting, ListsOtherNamesByWhichThePersonStays) {
   fs::create_hard_link(backups().back(), folder_ / "kept.sqlite");
-  const std::string before = everything();
-  EXPECT_THAT(refusal([&] { forget_participant(path_, code); }),
-              AllOf(HasSubstr(backups().back().string()), HasSubstr("has 2 names")));
-  EXPECT_EQ(everything(), before);
+  EXPECT_THAT(forget_participant(path_, code).remaining,
+              ElementsAre(FieldsAre(folder_ / "kept.sqlite", "holds the session's UUID"),
+                          FieldsAre(backups().back(), HasSubstr("has 2 names"))));
+}
+
+TEST_F(Forgetting, ListsAllThatOtherCommandsWrote) {
+  const std::string text = read_file(path_);
+  fs::create_directories(backup_folder(path_) / "older");
+  folder_.write("study.sqlite.backups/older/a.sqlite", text);
+  folder_.write("report/bids/sub-PERSON-0123_gaze.tsv", "1");
+  folder_.write("receipt.csv", "trial,code\n1,PERSON-0123\n");
+  folder_.write("code-of-another.csv", "PERSON-01234\n");
+  folder_.write("head.txt", "session   " + uuid_ + " 31 " + std::string(64, 'a'));
+  {
+    StudyStore other(folder_ / "other.sqlite", other_protocol());
+    PlayedSession(other, facts_of(code), small_plan()).begin();
+  }
+  folder_.write("study.sqlite.backups/.old.sqlite.1.partial", text);
+  folder_.write("quoted.txt", "session " + uuid_ + " of a person");
+  fs::create_symlink("/dev/zero", folder_ / "link");
+  folder_.write("locked/a.csv", "1");
+  fs::permissions(folder_ / "locked", fs::perms::none);
+  const Forgotten forgotten = forget_participant(path_, code);
+  fs::permissions(folder_ / "locked", fs::perms::owner_all);
+  EXPECT_EQ(forgotten.files, 3U) << "a backup in a folder of its own is one";
+  std::vector<std::string> remaining;
+  for (const RemainingCopy& copy : forgotten.remaining) {
+    remaining.push_back(copy.file.lexically_relative(folder_.path()).string() + " " + copy.what);
+  }
+  std::erase(remaining, "locked cannot be read");  // but by root
+  EXPECT_THAT(remaining, ElementsAre("quoted.txt holds the session's UUID",
+                                     "receipt.csv holds the code PERSON-0123",
+                                     "report/bids/sub-PERSON-0123_gaze.tsv is named after"
+                                     " PERSON-0123"));
+  EXPECT_FALSE(fs::exists(backup_folder(path_) / ".old.sqlite.1.partial"));
+}
+
+TEST_F(Forgetting, ContinuesBehindABackupThatCannotBeRead) {
+  const fs::path damaged = backups().front();
+  write_file(damaged, "SQLite format 3");
+  const Forgotten forgotten = forget_participant(path_, code);
+  EXPECT_EQ(forgotten.files, 2U);
+  EXPECT_THAT(forgotten.remaining, ElementsAre(FieldsAre(damaged, HasSubstr("is no database"))));
+  fs::remove(damaged);
+  EXPECT_THAT(refusal([&] { forget_participant(path_, code); }), HasSubstr("has no participant"));
+}
+
+TEST_F(Forgetting, LeavesATombstoneWithoutPersonalData) {
+  const std::string tombstone =
+      query(path_,
+            "SELECT count(*) || ' ' || (SELECT hash FROM event WHERE session = 2 ORDER BY sequence"
+            " DESC) FROM event WHERE session = 2");
+  forget_participant(path_, code);
+  EXPECT_EQ(query(path_, "SELECT uuid_sha256 || ' ' || events || ' ' || last_hash FROM forgotten"),
+            sha256(uuid_) + " " + tombstone);
 }
 
 TEST_F(Forgetting, LeavesNoByteOfThePerson) {
@@ -111,13 +163,6 @@ TEST_F(Forgetting, RefusesWhoeverIsNotThere) {
   EXPECT_THAT(refusal([&] { forget_participant(path_, "P99"); }),
               AllOf(HasSubstr("has no participant P99"), HasSubstr("foveola study status")));
   EXPECT_EQ(everything(), before);
-}
-
-TEST_F(Forgetting, SaysWhatStillHoldsThePerson) {
-  folder_.write("old study.sqlite copy", "... " + uuid_ + " ...");
-  EXPECT_THAT(refusal([&] { forget_participant(path_, code); }),
-              AllOf(HasSubstr("old study.sqlite copy: still holds " + uuid_),
-                    HasSubstr("remove it if it is an old copy")));
 }
 
 TEST_F(Forgetting, WaitsForNoController) {

@@ -8,6 +8,7 @@ import hashlib
 import json
 import sqlite3
 import sys
+import zlib
 
 FACTS = [
     ("protocol_name, protocol_title, protocol_text, protocol_sha256", "study"),
@@ -45,14 +46,44 @@ def hash_before_events(study, session):
     return sha256(lines)
 
 
+def chunk_hash(uuid, trial, attempt, first, count, encoding, data):
+    place = "".join(f"{value}\n" for value in (uuid, trial, attempt, first, count, encoding))
+    return hashlib.sha256(place.encode() + zlib.decompress(data)).hexdigest()
+
+
+def what_was_measured(study, session, trial, attempt):
+    """What an event that ends an attempt has to state, from the rows themselves."""
+    uuid, = study.execute("SELECT uuid FROM session WHERE id = ?", [session]).fetchone()
+
+    def chunks(table, first, count):
+        rows = study.execute(
+            f"SELECT {first}, {count}, encoding, data FROM {table} WHERE session = ? AND trial = ?"
+            f" AND attempt = ? ORDER BY {first}", [session, trial, attempt]).fetchall()
+        return (sum(row[1] for row in rows),
+                [chunk_hash(uuid, trial, attempt, *row) for row in rows])
+
+    films = [sha256([as_line([uuid, trial, attempt, *row])]) for row in study.execute(
+        "SELECT frame, film_sha256 FROM film_hash WHERE session = ? AND trial = ? AND attempt = ?"
+        " ORDER BY frame", [session, trial, attempt])]
+    return json.dumps({
+        name: {"count": count, "sha256": sha256(hashes)} for name, (count, hashes) in [
+            ("frames", chunks("frame_chunk", "first_frame", "frame_count")),
+            ("gaze", chunks("gaze_chunk", "first_sample", "sample_count")),
+            ("films", (len(films), films))]
+    }, separators=(",", ":"))
+
+
 def main():
     study = sqlite3.connect(f"file:{sys.argv[1]}?mode=ro", uri=True)
     for session, participant in study.execute("SELECT id, participant FROM session ORDER BY id"):
         previous = hash_before_events(study, session)
         count = 0
-        for *line, expected in study.execute(
-                "SELECT sequence, time_ns, utc, type, payload, hash FROM event WHERE session = ?"
-                " ORDER BY sequence", [session]):
+        for *line, trial, attempt, measured, expected in study.execute(
+                "SELECT sequence, time_ns, utc, type, payload, trial, attempt, measured, hash"
+                " FROM event WHERE session = ? ORDER BY sequence", [session]):
+            if measured and measured != what_was_measured(study, session, trial, attempt):
+                sys.exit(f"{participant}: event {line[0]} states other measurements")
+            line += ["" if value is None else value for value in (trial, attempt, measured)]
             previous = sha256([previous, *map(str, line)])
             if previous != expected:
                 sys.exit(f"{participant}: event {line[0]} is not what was written")

@@ -15,14 +15,26 @@ namespace foveola::study {
 namespace {
 
 // Python: hashlib.sha256('\n'.join(['0' * 64, '7', '-5', '2026-11-21T09:30:00.123Z', 'marked',
-// '{"time_ns":1}']).encode()).hexdigest()
+// '{"time_ns":1}']).encode()).hexdigest(), and in schema 5 with '3', '2', '{}' behind them, or
+// with three empty texts.
 TEST(HashChain, IsOfTheLinesThatTheSchemaNames) {
-  EXPECT_EQ(hash_of(std::string(64, '0'), {.sequence = 7,
-                                           .time_ns = -5,
-                                           .utc = "2026-11-21T09:30:00.123Z",
-                                           .type = "marked",
-                                           .payload = R"({"time_ns":1})"}),
+  LogLine line = {.sequence = 7,
+                  .time_ns = -5,
+                  .utc = "2026-11-21T09:30:00.123Z",
+                  .type = "marked",
+                  .payload = R"({"time_ns":1})",
+                  .trial = 3,
+                  .attempt = 2,
+                  .measured = "{}"};
+  const std::string before(64, '0');
+  EXPECT_EQ(hash_of(before, line, 4),
             "cf27bac9047241d53f7af7b92622a2030c1faa3cf4da8c014fb0185868c8a8fd");
+  EXPECT_EQ(hash_of(before, line, 5),
+            "993df92c7751a2c5ba0fbca0d5a67ae3177a60982b7e4fc97fc4086a63a7a44c");
+  line.trial = line.attempt = std::nullopt;
+  line.measured.clear();
+  EXPECT_EQ(hash_of(before, line, 5),
+            "33b77c8df153dfaf424c26cf821cdf990df6003bc27c3da11cc8c72544c44fe8");
 }
 
 /// What hash_chain.py, which knows nothing of this program, says of the file.
@@ -88,6 +100,7 @@ TEST(HashChain, CoversEveryFactAndEveryEvent) {
       "UPDATE session SET program_version = 'x'",
       "UPDATE session SET cores = 3",
       "UPDATE session SET migrated_from = 3",
+      "UPDATE session SET study_created_utc = 'x'",
       "UPDATE session_scene SET shown_as = '{\"a\":1}'",
       "UPDATE planned_trial SET scene_position = 5 WHERE trial = 0",
       "UPDATE planned_step SET times = times + 1 WHERE times IS NOT NULL"};

@@ -26,9 +26,8 @@ class Merging : public testing::Test {
   static void run_session(StudyStore& store, const std::string& participant) {
     PlayedSession session(store, facts_of(participant), small_plan(), thorough_protocol());
     session.begin_thoroughly();
-    session.run_trial(ms(100), ms(2000), ms(3000), 2);
-    store.record(session.id(),
-                 FrameChunk{.attempt = {}, .first = 0, .frames = plausible_frames(10)});
+    session.run_trial(ms(100), ms(2000), ms(3000), 2,
+                      {FrameChunk{.attempt = {}, .first = 0, .frames = plausible_frames(10)}});
   }
 
   std::vector<std::string> participants(const fs::path& path) {
@@ -72,7 +71,7 @@ TEST_F(Merging, RefusesASessionThatDiffers) {
   fs::copy(a_, folder_ / "older.sqlite");
   {
     StudyStore store(a_, thorough_protocol());
-    store.record(2, FrameChunk{.attempt = {}, .first = 10, .frames = plausible_frames(10)});
+    store.record(2, EventEntry{.time = ms(9000), .event = NoteWritten{"late"}});
   }
   EXPECT_THAT(refusal([&] { merge_studies({a_, folder_ / "older.sqlite"}, all_); }),
               AllOf(StartsWith((folder_ / "older.sqlite").string()),

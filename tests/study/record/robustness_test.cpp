@@ -86,7 +86,9 @@ TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
     SessionState state;
     for (const LoggedEvent& logged : events) {
       const Transition next = step(procedure, state, logged.event).value();
-      const std::int64_t sequence = append_to_log(statements, session, logged);
+      const std::int64_t sequence =
+          append_to_log(statements, session, logged,
+                        attempt_of_event(statements, session, procedure, state, next.state));
       insert_what_follows(statements, session, procedure, sequence, logged.event, state,
                           next.state);
       state = next.state;

@@ -42,9 +42,9 @@ TEST_F(Schema, IdentifiesTheFile) {
   const std::string bytes = folder_.content().at("study.sqlite");
   // The SQLite file format, section 1.3: application id at offset 68, user version at 60.
   EXPECT_EQ(bytes.substr(68, 4), "Fovl");
-  EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\4", 4));
+  EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\5", 4));
   EXPECT_EQ(study_application_id, 'F' << 24 | 'o' << 16 | 'v' << 8 | 'l');
-  EXPECT_EQ(study_schema_version, 4);
+  EXPECT_EQ(study_schema_version, 5);
 }
 
 TEST_F(Schema, EveryTableIsStrict) {
@@ -53,7 +53,8 @@ TEST_F(Schema, EveryTableIsStrict) {
                   " WHERE type = 'table' AND schema = 'main' AND NOT strict"
                   " AND name NOT LIKE 'sqlite%'"),
             "");
-  EXPECT_THAT(answer("INSERT INTO event VALUES (1, 99, 'soon', 'now', 'withdrawn', '{}', '')"),
+  EXPECT_THAT(answer("INSERT INTO event VALUES (1, 99, 'soon', 'now', 'withdrawn', '{}', NULL, "
+                     "NULL, NULL, '')"),
               testing::HasSubstr("cannot store TEXT value in INTEGER column"));
 }
 
@@ -137,10 +138,19 @@ TEST_F(Schema, RefusesImpossibleValues) {
       {"INSERT INTO planned_step VALUES (1, 20, 'consent', 'background', NULL, NULL, NULL)", check},
       {"INSERT INTO planned_step VALUES (1, 20, 'reaction', NULL, NULL, NULL, NULL)", check},
       {"INSERT INTO planned_step VALUES (1, 20, 'trial', NULL, NULL, 99, 1)", foreign},
-      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '[]', event_hash)", check},
-      {"INSERT INTO event VALUES (1, 99, 0, '', 'sneezed', '{}', event_hash)", check},
-      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '{}', 'ABC')", check},
-      {"INSERT INTO event VALUES (3, 1, 0, '', 'withdrawn', '{}', event_hash)", foreign},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '[]', NULL, NULL, NULL, event_hash)",
+       check},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'sneezed', '{}', NULL, NULL, NULL, event_hash)",
+       check},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '{}', NULL, NULL, NULL, 'ABC')",
+       check},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '{}', 1, NULL, NULL, event_hash)",
+       check},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '{}', 1, 1, '[]', event_hash)", check},
+      {"INSERT INTO forgotten VALUES ('abc', 1, event_hash, '')", check},
+      {"INSERT INTO forgotten VALUES (event_hash, -1, event_hash, '')", check},
+      {"INSERT INTO event VALUES (3, 1, 0, '', 'withdrawn', '{}', NULL, NULL, NULL, event_hash)",
+       foreign},
       {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', 1.0, 'one')", check},
       {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', NULL, NULL)", check},
       {"INSERT INTO questionnaire_answer VALUES (1, 99, 'a', 'b', 1.0, NULL)", foreign},

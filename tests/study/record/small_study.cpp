@@ -191,11 +191,14 @@ void PlayedSession::choose_and_start(Nanoseconds time, const std::string& object
 }
 
 void PlayedSession::run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material,
-                              int rating) {
+                              int rating, const std::vector<SessionEntry>& measured) {
   choose_and_start(first_frame - ms(1));
   happen(first_frame, FirstFramePresented{first_frame});
   happen(first_frame + outline, Marked{first_frame + outline});
   happen(first_frame + material, Marked{first_frame + material});
+  for (const SessionEntry& entry : measured) {
+    store_.record(id_, entry);
+  }
   happen(first_frame + material + ms(1), rated(rating));
 }
 
@@ -211,13 +214,13 @@ void run_thorough_session(StudyStore& store, const std::string& participant, con
   session.choose_and_start(ms(2000));
   session.happen(ms(2001), FirstFramePresented{ms(2001)});
   session.happen(ms(2100), TimedOut{ms(2100)});
-  session.happen(ms(2200), RetimeRequested{});
   store.record(session.id(), FrameChunk{.attempt = {.trial = 1, .attempt = 1},
                                         .first = 0,
                                         .frames = plausible_frames(50)});
   store.record(
       session.id(),
       GazeChunk{.attempt = {.trial = 1, .attempt = 1}, .first = 0, .samples = plausible_gaze(80)});
+  session.happen(ms(2200), RetimeRequested{});
   session.choose_and_start(ms(3000));
   session.happen(ms(3001), FirstFramePresented{ms(3001)});
   session.happen(ms(3100), PauseRequested{});
@@ -226,12 +229,30 @@ void run_thorough_session(StudyStore& store, const std::string& participant, con
   session.choose_and_start(ms(5000));
   session.happen(ms(5100), Interrupted{});
   session.happen(ms(5200), Resumed{});
-  for (int trial = 2; trial < 6; ++trial) {
+  for (int trial = 2; trial < 5; ++trial) {
     session.run_trial(ms(5000 + 1000 * trial), ms(500), ms(600), 3);
   }
-  store.record(session.id(), FilmEntry{.attempt = {.trial = 5, .attempt = 1},
-                                       .hash = {.frame = 12, .sha256 = std::string(64, '2')}});
+  session.run_trial(ms(10'000), ms(500), ms(600), 3,
+                    {FilmEntry{.attempt = {.trial = 5, .attempt = 1},
+                               .hash = {.frame = 12, .sha256 = std::string(64, '2')}}});
   session.happen(ms(20'000), last);
+}
+
+void run_whole_session(StudyStore& store, const std::string& participant) {
+  PlayedSession session(store, facts_of(participant), small_plan(), thorough_protocol());
+  session.begin_thoroughly();
+  for (std::size_t trial = 0; trial < small_plan().size(); ++trial) {
+    const AttemptKey attempt = {.trial = trial, .attempt = 1};
+    session.run_trial(
+        ms(1000 + 10'000 * static_cast<int>(trial)), ms(2000), ms(3000), 2,
+        {FrameChunk{.attempt = attempt, .first = 0, .frames = plausible_frames(60)},
+         FrameChunk{.attempt = attempt, .first = 60, .frames = plausible_frames(40)},
+         GazeChunk{.attempt = attempt, .first = 0, .samples = plausible_gaze(100)},
+         FilmEntry{.attempt = attempt, .hash = {.frame = 99, .sha256 = std::string(64, '1')}}});
+  }
+  session.happen(ms(60'000),
+                 QuestionnaireAnswered{.questionnaire = "debrief",
+                                       .answers = {{.question = "comments", .value = "none"}}});
 }
 
 std::vector<FrameRow> plausible_frames(int count) {

@@ -57,8 +57,10 @@ class PlayedSession {
   void begin_thoroughly();
   /// Until the first frame of the next attempt is to be presented.
   void choose_and_start(Nanoseconds time, const std::string& object = "vase");
-  /// One whole trial: the first frame at `first_frame`, the marks so long after it.
-  void run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material, int rating);
+  /// One whole trial: the first frame at `first_frame`, the marks so long after it; `measured`
+  /// comes before the rating, which ends it.
+  void run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material, int rating,
+                 const std::vector<SessionEntry>& measured = {});
 
   std::int64_t id() const { return id_; }
   const SessionState& state() const { return state_; }
@@ -78,6 +80,10 @@ Rated rated(int artifacts);
 /// films.
 void run_thorough_session(StudyStore& store, const std::string& participant,
                           const Event& last = Excluded{.reason = "the tracker was lost"});
+
+/// A complete session of small_plan: each trial has 100 frames in two chunks, 100 gaze samples and
+/// a film. Of two participants, all times and answers are the same.
+void run_whole_session(StudyStore& store, const std::string& participant);
 
 /// `count` frames as a person's might be, each other than those before it.
 std::vector<FrameRow> plausible_frames(int count);

@@ -312,7 +312,8 @@ TEST_F(Store, KeepsFramesAndGazeCompressedWithTheirHashes) {
                      " FROM gaze_chunk"),
               ElementsAre("0+2 gaze-1"));
   EXPECT_EQ(stored("SELECT data_sha256 FROM frame_chunk WHERE first_frame = 0"),
-            sha256(std::string(3 * 52, '\0')));
+            sha256(stored("SELECT uuid FROM session") + "\n0\n1\n0\n3\nframes-3\n" +
+                   std::string(3 * 52, '\0')));
   // RFC 1950: the first byte of a zlib stream with a window of 32 KiB.
   EXPECT_EQ(stored("SELECT hex(substr(data, 1, 1)) FROM frame_chunk WHERE first_frame = 0"), "78");
 }
@@ -326,9 +327,9 @@ TEST_F(Store, KeepsFilmHashes) {
                FilmEntry{.attempt = {}, .hash = {.frame = 12, .sha256 = std::string(64, 'a')}});
   EXPECT_EQ(stored("SELECT trial || attempt || ' ' || frame || film_sha256 FROM film_hash"),
             "01 12" + std::string(64, 'a'));
-  // Python: hashlib.sha256(('[0,1,12,"' + 'a' * 64 + '"]').encode()).hexdigest()
   EXPECT_EQ(stored("SELECT row_sha256 FROM film_hash"),
-            "e01c1c9cb8ff159dd7e3b4de63821114ca8836dd0b11b51bce8575df75ff5c38");
+            sha256("[\"" + stored("SELECT uuid FROM session") + "\",0,1,12,\"" +
+                   std::string(64, 'a') + "\"]"));
 }
 
 TEST_F(Store, AppendsToAStudyThatExists) {

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "study/record/hash_chain.h"
+#include "study/record/schema.h"
 #include "study/record/table_rows.h"
 #include "study_file.h"
 
@@ -21,32 +22,10 @@ class VerifiedStudy : public StudyFile {
  protected:
   VerifiedStudy() {
     StudyStore store(path_, thorough_protocol());
-    run_whole_session(store);
+    run_whole_session(store, "P01");
     run_thorough_session(store, "P02");
     PlayedSession third(store, facts_of("P03"), thorough_plan(), thorough_protocol());
     third.begin_thoroughly();
-  }
-
-  static void run_whole_session(StudyStore& store) {
-    PlayedSession session(store, facts_of("P01"), small_plan(), thorough_protocol());
-    session.begin_thoroughly();
-    for (std::size_t trial = 0; trial < small_plan().size(); ++trial) {
-      session.run_trial(ms(1000 + 10'000 * static_cast<int>(trial)), ms(2000), ms(3000), 2);
-      store.record(session.id(), FrameChunk{.attempt = {.trial = trial, .attempt = 1},
-                                            .first = 0,
-                                            .frames = plausible_frames(60)});
-      store.record(session.id(), FrameChunk{.attempt = {.trial = trial, .attempt = 1},
-                                            .first = 60,
-                                            .frames = plausible_frames(40)});
-      store.record(session.id(), GazeChunk{.attempt = {.trial = trial, .attempt = 1},
-                                           .first = 0,
-                                           .samples = plausible_gaze(100)});
-      store.record(session.id(), FilmEntry{.attempt = {.trial = trial, .attempt = 1},
-                                           .hash = {.frame = 99, .sha256 = std::string(64, '1')}});
-    }
-    session.happen(ms(60'000),
-                   QuestionnaireAnswered{.questionnaire = "debrief",
-                                         .answers = {{.question = "comments", .value = "none"}}});
   }
 
   std::vector<RecordFault> faults_after(const std::string& sql) {
@@ -143,11 +122,13 @@ TEST_F(VerifiedStudy, FindsAnEventThatSaysMoreThanFoveolaWrites) {
   };
   std::string payload = of_last("payload");
   payload.replace(payload.size() - 1, 1, ",\"note\":1}");
-  const std::string hash = hash_of(of_last("hash", 1), {.sequence = std::stoll(of_last("sequence")),
-                                                        .time_ns = std::stoll(of_last("time_ns")),
-                                                        .utc = of_last("utc"),
-                                                        .type = of_last("type"),
-                                                        .payload = payload});
+  const std::string hash = hash_of(of_last("hash", 1),
+                                   {.sequence = std::stoll(of_last("sequence")),
+                                    .time_ns = std::stoll(of_last("time_ns")),
+                                    .utc = of_last("utc"),
+                                    .type = of_last("type"),
+                                    .payload = payload},
+                                   study_schema_version);
   EXPECT_THAT(
       faults_after(fmt::format("UPDATE event SET payload = '{}', hash = '{}'"
                                " WHERE session = 1 AND sequence = {}",

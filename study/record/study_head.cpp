@@ -1,0 +1,128 @@
+#include "study/record/study_head.h"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/digest.h"
+#include "study/record/database.h"
+#include "study/record/hash_chain.h"
+#include "study/record/schema.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+/// Whether a tombstone is that of the session, which had as many events or more.
+bool is_forgotten(SQLite::Database& study, const SessionHead& earlier) {
+  if (schema_version_of(study) < 5) {
+    return false;
+  }
+  SQLite::Statement row(study,
+                        "SELECT 1 FROM forgotten WHERE uuid_sha256 = ?"
+                        " AND (events > ? OR (events = ? AND last_hash = ?))");
+  SQLite::bind(row, sha256(earlier.uuid), earlier.events, earlier.events, earlier.last_hash);
+  return row.executeStep();
+}
+
+/// The hash of the session after so many events; empty if it has fewer.
+std::string hash_after(SQLite::Database& study, std::int64_t session, std::int64_t events) {
+  if (events == 0) {
+    PreparedStatements statements(study);
+    return hash_before_events(statements, session);
+  }
+  SQLite::Statement event(study, "SELECT hash FROM event WHERE session = ? AND sequence = ?");
+  SQLite::bind(event, session, events);
+  return event.executeStep() ? event.getColumn(0).getString() : "";
+}
+
+void compare(SQLite::Database& study, const SessionHead& earlier, HeadComparison& comparison) {
+  SQLite::Statement session(study, "SELECT id FROM session WHERE uuid = ?");
+  session.bind(1, earlier.uuid);
+  if (!session.executeStep()) {
+    if (is_forgotten(study, earlier)) {
+      comparison.forgotten.push_back(fmt::format("session {} was forgotten", earlier.uuid));
+    } else {
+      comparison.faults.push_back(fmt::format("session {} is missing", earlier.uuid));
+    }
+    return;
+  }
+  const std::string hash = hash_after(study, session.getColumn(0).getInt64(), earlier.events);
+  if (hash.empty()) {
+    comparison.faults.push_back(
+        fmt::format("session {} has no event {}", earlier.uuid, earlier.events));
+  } else if (hash != earlier.last_hash) {
+    comparison.faults.push_back(
+        fmt::format("session {} is another up to event {}", earlier.uuid, earlier.events));
+  }
+}
+
+}  // namespace
+
+StudyHead study_head(SQLite::Database& study) {
+  StudyHead head;
+  PreparedStatements statements(study);
+  SQLite::Statement rows(
+      study,
+      "SELECT uuid, id, coalesce(max(sequence), 0), coalesce(hash, '') FROM session"
+      " LEFT JOIN event ON event.session = session.id GROUP BY id ORDER BY uuid");
+  std::vector<std::string> hashes;
+  while (rows.executeStep()) {
+    const std::string last = rows.getColumn(3).getString();
+    head.sessions.push_back(
+        {.uuid = rows.getColumn(0).getString(),
+         .events = rows.getColumn(2).getInt64(),
+         .last_hash =
+             last.empty() ? hash_before_events(statements, rows.getColumn(1).getInt64()) : last});
+    hashes.push_back(head.sessions.back().last_hash);
+  }
+  if (schema_version_of(study) >= 5) {
+    SQLite::Statement forgotten(study, "SELECT last_hash FROM forgotten ORDER BY uuid_sha256");
+    while (forgotten.executeStep()) {
+      hashes.push_back(forgotten.getColumn(0).getString());
+    }
+  }
+  head.sha256 = sha256(fmt::format("{}", fmt::join(hashes, "\n")));
+  return head;
+}
+
+StudyHead read_head(const fs::path& path) {
+  StudyHead head;
+  with_clear_errors(path, [&] {
+    SQLite::Database study = open_study_to_read(path);
+    head = study_head(study);
+  });
+  return head;
+}
+
+std::vector<SessionHead> heads_in(const std::string& text) {
+  static const std::regex line_of_session(
+      "([0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12})[^0-9a-f]+([0-9]{1,18})"
+      "[^0-9a-f]+([0-9a-f]{64})");
+  std::vector<SessionHead> heads;
+  for (std::sregex_iterator found(text.begin(), text.end(), line_of_session), end; found != end;
+       ++found) {
+    heads.push_back(
+        {.uuid = (*found)[1], .events = std::stoll((*found)[2]), .last_hash = (*found)[3]});
+  }
+  return heads;
+}
+
+HeadComparison compare_with_head(const fs::path& path, const std::vector<SessionHead>& earlier) {
+  HeadComparison comparison;
+  with_clear_errors(path, [&] {
+    SQLite::Database study = open_study_to_read(path);
+    for (const SessionHead& session : earlier) {
+      compare(study, session, comparison);
+    }
+  });
+  return comparison;
+}
+
+}  // namespace foveola::study
