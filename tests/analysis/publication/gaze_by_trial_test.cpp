@@ -74,18 +74,16 @@ class GazeByTrial : public study::StudyFile {
     }
     study::PlayedSession session(store, facts, study::small_plan());
     session.begin();
-    const auto record = [&](std::size_t trial, const std::vector<FrameRow>& frames) {
-      store.record(session.id(),
-                   study::FrameChunk{
-                       .attempt = {.trial = trial, .attempt = 1}, .first = 0, .frames = frames});
+    const auto run_trial = [&](std::size_t trial, const std::vector<FrameRow>& frames) {
+      session.run_trial(
+          frames.front().presented, ms(500), ms(1000), 3,
+          {study::FrameChunk{
+              .attempt = {.trial = trial, .attempt = 1}, .first = 0, .frames = frames}});
     };
-    session.run_trial(ms(10'000), ms(500), ms(1000), 3);
-    session.run_trial(ms(20'000), ms(500), ms(1000), 3);
-    session.run_trial(ms(30'000), ms(500), ms(1000), 3);
+    run_trial(0, frames_from(ms(10'000)));
+    run_trial(1, turned_away(frames_from(ms(20'000))));
+    run_trial(2, looking_elsewhere(frames_from(ms(30'000))));
     session.run_trial(ms(40'000), ms(500), ms(1000), 3);
-    record(0, frames_from(ms(10'000)));
-    record(1, turned_away(frames_from(ms(20'000))));
-    record(2, looking_elsewhere(frames_from(ms(30'000))));
   }
 
   AnalysisOutput analyse() const { return analyze_study(path_, folder_ / "out"); }
