@@ -31,6 +31,7 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownS
       console_(console),
       recorder_(recorder),
       zero_(seat.clock.now() - settings.position.time),
+      clock_watch_(seat.read_clocks()),
       eye_(seat.tracker),
       prompt_{.reaction = ReactionPresses(Pcg32(derive_seed(
                   settings.seed, SeedPurpose::waiting, {settings.position.state.presses_left})))},

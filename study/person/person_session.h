@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "renderer/gaze/pointer_eye_tracker.h"
 #include "study/console/console.h"
 #include "study/console/live_figures.h"
+#include "study/driver/clock_watch.h"
 #include "study/driver/session_driver.h"
 #include "study/person/live_attempt.h"
 #include "study/person/page_watch.h"
@@ -57,6 +59,8 @@ struct Seat {
   HeadTracker* head = nullptr;           ///< none: keys, mouse and gamepad turn the head
   /// Who takes part in a person's place, and whose `events` then are.
   SimulatedOperator* simulated_operator = nullptr;
+  /// The computer's clocks, read before each frame.
+  std::function<ClockReadings()> read_clocks = study::read_clocks;
 };
 
 class PersonSession final : private ClockPort, private DisplayPort, private InputPort {
@@ -142,6 +146,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Console& console_;
   SessionRecorder& recorder_;
   Nanoseconds zero_;  ///< the clock's time at which the session's is 0
+  ClockWatch clock_watch_;
   PersonTracker eye_;
   PromptState prompt_;
   PageWatch page_watch_;

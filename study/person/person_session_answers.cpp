@@ -13,7 +13,8 @@
 
 namespace foveola::study {
 
-void PersonSession::act(SessionDriver& /*driver*/) {
+void PersonSession::act(SessionDriver& driver) {
+  follow_clocks(clock_watch_, seat_.read_clocks(), driver);
   answer_window();
   pause_if_due();
   answer_console();

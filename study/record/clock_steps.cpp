@@ -1,5 +1,6 @@
 #include "study/record/clock_steps.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <string_view>
@@ -14,6 +15,14 @@ namespace {
 constexpr double minute_s = 60.0;
 constexpr double day_s = 86400.0;
 constexpr std::string_view clock_set_back_by = "the computer's clock was set back by ";
+constexpr std::string_view clock_set_forward_by = "the computer's clock was set forward by ";
+constexpr std::string_view computer_slept_for = "the computer slept for ";
+constexpr std::string_view while_session_ran = " while the session ran";
+
+/// "3 m 05 s", "2 h 10 m" or "3653 days".
+std::string words_for_step(double step_s) {
+  return step_s < 2.0 * day_s ? human_duration(step_s) : fmt::format("{:.0f} days", step_s / day_s);
+}
 
 /// Since 1970. Empty if the text is no UTC time.
 std::optional<double> seconds_of(const std::string& utc) {
@@ -33,8 +42,7 @@ std::optional<std::string> clock_set_back(const std::string& before, const std::
   if (!before_s || !after_s || *before_s - *after_s <= minute_s) {
     return std::nullopt;
   }
-  const double back_s = *before_s - *after_s;
-  return back_s < 2.0 * day_s ? human_duration(back_s) : fmt::format("{:.0f} days", back_s / day_s);
+  return words_for_step(*before_s - *after_s);
 }
 
 std::optional<std::string> note_of_clock(const std::vector<LoggedEvent>& events,
@@ -49,6 +57,24 @@ std::optional<std::string> note_of_clock(const std::vector<LoggedEvent>& events,
               : std::nullopt;
 }
 
-bool is_note_of_clock(const std::string& note) { return note.starts_with(clock_set_back_by); }
+std::string note_of_clock_step(Nanoseconds step) {
+  return fmt::format("{}{}{}", step < Nanoseconds(0) ? clock_set_back_by : clock_set_forward_by,
+                     words_for_step(std::abs(seconds(step))), while_session_ran);
+}
+
+std::string note_of_sleep(Nanoseconds duration) {
+  return fmt::format("{}{}{}", computer_slept_for, words_for_step(seconds(duration)),
+                     while_session_ran);
+}
+
+bool is_note_of_running_session(const std::string& note) {
+  return note.ends_with(while_session_ran) &&
+         (note.starts_with(clock_set_back_by) || note.starts_with(clock_set_forward_by) ||
+          note.starts_with(computer_slept_for));
+}
+
+bool is_note_of_clock(const std::string& note) {
+  return note.starts_with(clock_set_back_by) || is_note_of_running_session(note);
+}
 
 }  // namespace foveola::study

@@ -1,11 +1,13 @@
-// The wall clock of a record, which may be set while a session goes on: its times stand, since they
-// are by a clock that nobody sets, but its dates are then in doubt.
+// Notes of the computer's clocks: the wall clock may be set, and the computer may sleep, while a
+// session runs. A record's times stand, since they are by a clock that nobody sets, but its dates
+// are then in doubt.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/base/clock.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
@@ -20,7 +22,17 @@ std::optional<std::string> clock_set_back(const std::string& before, const std::
 std::optional<std::string> note_of_clock(const std::vector<LoggedEvent>& events,
                                          const std::string& now);
 
-/// Whether it is such a note.
+/// "the computer's clock was set forward by 5 h 00 m while the session ran"; back by a negative
+/// step.
+std::string note_of_clock_step(Nanoseconds step);
+
+/// "the computer slept for 2 m 00 s while the session ran".
+std::string note_of_sleep(Nanoseconds duration);
+
+/// Whether it is one of these two.
+bool is_note_of_running_session(const std::string& note);
+
+/// Whether it is any note of this page.
 bool is_note_of_clock(const std::string& note);
 
 }  // namespace foveola::study

@@ -25,7 +25,8 @@ struct Verification {
   /// damage, but not complete either.
   std::vector<RecordFault> gaps;
   /// What is no damage, and is to be known before dates or times are compared: a wall clock that
-  /// was set back within a session, and several programs that recorded one session, or the file.
+  /// was set or a computer that slept within a session, and several programs that recorded one
+  /// session, or the file; and what lies beside the file and belongs to it, or does not.
   std::vector<RecordFault> warnings;
 };
 

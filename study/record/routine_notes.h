@@ -12,7 +12,7 @@ namespace foveola::study {
 std::string note_of_window_size(const IVec2& pixels);
 
 /// Whether it is one of the devices or the amended protocol that a session goes on with, of the
-/// program or the computer's clock, which verify_study warns of, or of the window's size.
+/// program or the computer's clocks, which verify_study warns of, or of the window's size.
 bool is_routine_note(const std::string& note);
 
 }  // namespace foveola::study

@@ -217,11 +217,16 @@ class SessionCheck {
     PreparedStatement session = rows("SELECT started_utc FROM session WHERE id = ?");
     session->executeStep();
     std::string before = session->getColumn(0).getString();
-    PreparedStatement log =
-        rows("SELECT sequence, type, utc FROM event WHERE session = ? ORDER BY sequence");
+    PreparedStatement log = rows(
+        "SELECT sequence, type, utc, CASE WHEN type = 'note_written' AND json_valid(payload)"
+        " THEN json_extract(payload, '$.text') END FROM event WHERE session = ?"
+        " ORDER BY sequence");
     while (log->executeStep()) {
       const std::string utc = log->getColumn(2).getString();
-      if (const std::optional<std::string> back = clock_set_back(before, utc)) {
+      const std::string note = log->getColumn(3).getString();
+      if (is_note_of_running_session(note)) {
+        warning(fmt::format("event {}: {}", log->getColumn(0).getInt64(), note));
+      } else if (const std::optional<std::string> back = clock_set_back(before, utc)) {
         warning(
             fmt::format("the computer's clock was set back by {} before event {} ({}): dates are "
                         "in doubt, and times stand, since they are by another clock",

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "study/driver/clock_watch.h"
+
 namespace foveola::study {
 namespace {
 
@@ -115,6 +117,19 @@ class SessionDriverTest : public ::testing::Test {
     };
   }
 
+  /// The same before clocks of which UTC is set ten seconds back once `happens`.
+  void take_part_until_clock_is_set(std::deque<Nanoseconds> marks,
+                                    const std::function<bool(const SessionState&)>& happens) {
+    take_part(std::move(marks));
+    world_.does = [this, happens, takes_part = world_.does, watch = ClockWatch(ClockReadings{}),
+                   step = Nanoseconds(0)](SessionDriver& driver) mutable {
+      step = happens(driver.state()) ? Nanoseconds(-10s) : step;
+      const Nanoseconds now = world_.now();
+      follow_clocks(watch, {.steady = now, .since_boot = now, .since_1970 = now + step}, driver);
+      takes_part(driver);
+    };
+  }
+
   Protocol protocol_ = protocol_of_one_trial();
   Plan plan_ = {{.scene = "box", .method = "od"}};
   ScriptedWorld world_;
@@ -192,6 +207,30 @@ TEST_F(SessionDriverTest, WhatDiedInATrialGoesOnBeforeIt) {
   EXPECT_EQ(world_.attempts_ended, 0) << "it was another program's";
   EXPECT_THAT(world_.log, ElementsAre("0 interrupted", "0 note_written", "0 resumed",
                                       "seen interrupted", "seen note_written", "seen resumed"));
+}
+
+TEST_F(SessionDriverTest, AnAttemptInWhichTheClockIsSetIsTimedAgain) {
+  take_part_until_clock_is_set({250ms, 470ms, 550ms},
+                               [](const SessionState& state) { return state.mark == 1; });
+  EXPECT_EQ(run().trials, 1U);
+  EXPECT_EQ(world_.attempts_ended, 2);
+  EXPECT_THAT(world_.log,
+              ElementsAre("0 session_started", "seen session_started", "0 object_chosen",
+                          "seen object_chosen", "0 trial_started", "seen trial_started",
+                          "100 first_frame_presented", "seen first_frame_presented", "250 marked",
+                          "seen marked", "300 note_written", "frames", "300 retime_requested",
+                          "seen note_written", "seen retime_requested", "300 trial_started",
+                          "seen trial_started", "400 first_frame_presented",
+                          "seen first_frame_presented", "470 marked", "seen marked", "550 marked",
+                          "seen marked", "frames", "1100 rated", "seen rated"));
+}
+
+TEST_F(SessionDriverTest, BetweenAttemptsAClockThatIsSetIsOnlyNoted) {
+  take_part_until_clock_is_set(
+      {250ms, 470ms}, [](const SessionState& state) { return state.phase == Phase::ready; });
+  EXPECT_EQ(run().trials, 1U);
+  EXPECT_EQ(world_.attempts_ended, 1);
+  EXPECT_THAT(world_.log, ::testing::Contains("0 note_written"));
 }
 
 TEST_F(SessionDriverTest, AStopInterruptsTheAttempt) {

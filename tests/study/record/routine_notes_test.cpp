@@ -19,6 +19,7 @@ TEST(RoutineNotes, AreThoseOfASessionThatGoesOn) {
       Amendment{.sha256 = sha256(std::string_view(amended)), .changed = {}, .text = amended})));
   EXPECT_TRUE(is_routine_note(*note_of_clock(
       {{Nanoseconds(1), Interrupted{}, "2026-11-21T09:40:00.000Z"}}, "2026-11-21T09:35:00.000Z")));
+  EXPECT_TRUE(is_routine_note(note_of_sleep(std::chrono::minutes(2))));
 }
 
 TEST(RoutineNotes, AreThoseOfTheWindowsSize) {
