@@ -29,6 +29,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/protocol/cautions.h"
+#include "study/record/damage_remedy.h"
 
 namespace fs = std::filesystem;
 
@@ -321,8 +322,9 @@ study::Verification verified_study(const fs::path& database, bool takes_changed)
                 fmt::format("is not what was written ({}, the first: {}{}{})",
                             counted(found.faults.size(), "fault"), first.participant,
                             first.participant.empty() ? "" : ": ", first.what),
-                "restore it from a backup (foveola study verify lists the faults), or analyse it "
-                "as it is with --unverified");
+                fmt::format("{} (foveola study verify lists the faults); or analyse it as it is "
+                            "with --unverified",
+                            study::damage_remedy));
   }
   return found;
 }

@@ -25,6 +25,7 @@ void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
   add_gaze(*study);
   add_verify(*study);
   add_backup(*study);
+  add_restore(*study);
   add_merge(*study);
   add_forget(*study);
 }

@@ -1,7 +1,9 @@
 #include "study/commands/record_commands.h"
 
+#include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "renderer/base/files.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/study_head.h"
@@ -17,6 +20,8 @@
 #include "study/record/verification_json.h"
 #include "study/tables/record_tables.h"
 #include "study/tables/session_summary.h"
+
+namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
@@ -28,6 +33,7 @@ struct RecordArguments {
   int trial = 0;
   std::string output;
   std::string head;
+  std::string copy;
   bool yes = false;
   bool json = false;
 };
@@ -150,13 +156,32 @@ void run_verify(const RecordArguments& arguments) {
     fmt::print("{}", verification_table(found));
   }
   if (!found.faults.empty()) {
-    throw Error(arguments.database, "is not what was written: see the faults above",
-                "restore it from a backup");
+    throw Error(arguments.database, "is not what was written: see the faults above", damage_remedy);
   }
 }
 
 void run_backup(const RecordArguments& arguments) {
   fmt::print("{}\n", back_up_study(arguments.database).string());
+}
+
+void run_restore(const RecordArguments& arguments) {
+  const Restored restored = restore_study(
+      arguments.database,
+      arguments.copy.empty() ? std::nullopt : std::optional<fs::path>(arguments.copy));
+  fmt::print("{}: restored from {}\n", arguments.database, restored.copy.string());
+  for (const fs::path& file : restored.moved_aside) {
+    fmt::print("{}: what was there before\n", file.string());
+  }
+  if (!restored.missing && !restored.moved_aside.empty()) {
+    fmt::print("What the copy lacks is not known: what was there before cannot be read.\n");
+  }
+  for (const MissingEvents& session : restored.missing.value_or(std::vector<MissingEvents>{})) {
+    fmt::print("missing in the copy: {} of {} events of {}\n", session.missing, session.events,
+               session.participant);
+  }
+  if (restored.missing && restored.missing->empty()) {
+    fmt::print("The copy has all events that were there before.\n");
+  }
 }
 
 void run_merge(const RecordArguments& arguments) {
@@ -236,6 +261,18 @@ void add_backup(CLI::App& study) {
                   "backup study.sqlite");
   add_database(command, arguments->database);
   command->callback([arguments] { run_backup(*arguments); });
+}
+
+void add_restore(CLI::App& study) {
+  const auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command = add_command(
+      study, "restore",
+      "Put a copy in the place of a study's file that is damaged or gone; what is there is renamed",
+      "restore study.sqlite --from /media/backups/study.sqlite");
+  add_database(command, arguments->database);
+  command->add_option("--from", arguments->copy,
+                      "The copy (default: the newest backup beside the study that is not damaged)");
+  command->callback([arguments] { run_restore(*arguments); });
 }
 
 void add_merge(CLI::App& study) {

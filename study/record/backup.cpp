@@ -12,6 +12,19 @@ namespace foveola::study {
 
 fs::path backup_folder(const fs::path& study) { return study.string() + ".backups"; }
 
+std::vector<fs::path> backups_of(const fs::path& study) {
+  std::vector<fs::path> backups;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(backup_folder(study), ignored)) {
+    const fs::path& file = entry.path();
+    if (entry.is_regular_file() && file.extension() == ".sqlite" &&
+        !file.filename().string().starts_with('.')) {
+      backups.push_back(file);
+    }
+  }
+  return backups;
+}
+
 fs::path new_backup(const fs::path& study) {
   const fs::path folder = backup_folder(study);
   std::error_code failure;

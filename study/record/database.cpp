@@ -13,6 +13,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/database_checks.h"
 #include "study/record/journal_check.h"
 #include "study/record/question_json.h"
@@ -245,15 +246,25 @@ void fold_in_log(const fs::path& path) {
 
 void copy_checked(SQLite::Database& database, const fs::path& path) {
   const TemporaryDatabase temporary(path);
-  {
+  copy_into(temporary, database, path);
+  temporary.replace_final();
+}
+
+void copy_into(const TemporaryDatabase& temporary, SQLite::Database& database,
+               const fs::path& path) {
+  try {
     SQLite::Database copy(temporary.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Backup(copy, database).executeStep();
     // So that reading it makes no files beside it.
     copy.execAndGet("PRAGMA journal_mode = DELETE");
+  } catch (const SQLite::Exception& fault) {
+    if (fault.getErrorCode() == SQLITE_CORRUPT) {
+      throw;  // the other's
+    }
+    throw error_of(path, fault);
   }
   SQLite::Database copy = open_immutable(temporary.path());
   require_intact(copy, path);
-  temporary.replace_final();
 }
 
 void require_writable_file(const fs::path& path) {

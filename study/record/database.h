@@ -16,6 +16,8 @@ class Database;
 
 namespace foveola::study {
 
+class TemporaryDatabase;
+
 /// Lets SQLite keep no counts of its memory, which nobody reads: they lie behind one lock, for
 /// which threads with a database each would wait. Of the whole program, and before it opens any.
 void keep_no_memory_counts();
@@ -55,5 +57,10 @@ void fold_in_log(const std::filesystem::path& path);
 /// Copies `database` to `path` in one step and checks the copy; a file that is there is replaced.
 /// Throws Error or what SQLite throws.
 void copy_checked(SQLite::Database& database, const std::filesystem::path& path);
+
+/// Copies `database` into a new file that has not its final path yet, and checks the copy. Throws
+/// Error, which names `path`, or what SQLite throws.
+void copy_into(const TemporaryDatabase& temporary, SQLite::Database& database,
+               const std::filesystem::path& path);
 
 }  // namespace foveola::study

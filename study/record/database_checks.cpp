@@ -12,6 +12,7 @@
 
 #include "renderer/base/error.h"
 #include "study/record/big_endian.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/open_file.h"
 #include "study/record/schema.h"
 
@@ -175,8 +176,8 @@ void require_only_own_effects(SQLite::Database& study, const fs::path& path) {
           path.string(),
           fmt::format("has the {}, which is not Foveola's and could change what is recorded",
                       text_of(object)),
-          fmt::format("remove it (DROP {} in sqlite3), or restore the file from a copy",
-                      object.type == "index" ? "INDEX" : "TRIGGER"));
+          fmt::format("remove it (DROP {} in sqlite3), or {}",
+                      object.type == "index" ? "INDEX" : "TRIGGER", damage_remedy));
     }
   }
 }

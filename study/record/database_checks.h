@@ -12,9 +12,6 @@ class Database;
 
 namespace foveola::study {
 
-/// What to do with a damaged file.
-inline constexpr const char* damage_remedy = "restore it from a copy";
-
 /// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a
 /// query do anything else, and a file whose guards were removed is not trusted. Others may stand
 /// beside: see foreign_objects(). Throws Error.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/event_json.h"
 #include "study/record/event_rows.h"
 #include "study/record/stored_number.h"
@@ -14,7 +15,7 @@ namespace foveola::study {
 namespace {
 
 Error bad_event(const std::string& whose, std::int64_t sequence, const std::string& what) {
-  return {fmt::format("{}, event {}", whose, sequence), what, "restore it from a copy"};
+  return {fmt::format("{}, event {}", whose, sequence), what, damage_remedy};
 }
 
 std::string name_of_session(std::int64_t session) { return fmt::format("session {}", session); }

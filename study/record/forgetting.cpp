@@ -143,12 +143,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 /// The backups, and the study itself as the last: as long as it has the person, the others may.
 std::vector<fs::path> copies_of(const fs::path& study) {
-  std::vector<fs::path> copies;
-  for (const fs::path& file : files_in(backup_folder(study))) {
-    if (file.extension() == ".sqlite" && !file.filename().string().starts_with('.')) {
-      copies.push_back(file);
-    }
-  }
+  std::vector<fs::path> copies = backups_of(study);
   copies.push_back(study);
   return copies;
 }

@@ -1,8 +1,9 @@
-// What a researcher does with a study's file between sessions: check, merge, forget.
+// What a researcher does with a study's file between sessions: check, merge, forget, restore.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct Verification {
 /// the programs. Changes nothing. Throws Error for what is no study.
 Verification verify_study(const std::filesystem::path& path);
 
+/// Throws Error, with the first fault and `remedy`, if verify_study finds any.
+void require_sound_record(const std::filesystem::path& path, const std::string& remedy);
+
 struct Merge {
   std::size_t sessions_added = 0;
   std::size_t sessions_known = 0;      ///< sessions that an earlier source had, too, by UUID
@@ -61,10 +65,34 @@ Forgotten forget_participant(const std::filesystem::path& path, const std::strin
 /// Where a study's backups lie: beside it, STUDY.sqlite.backups.
 std::filesystem::path backup_folder(const std::filesystem::path& study);
 
+/// All that lie there, in any order.
+std::vector<std::filesystem::path> backups_of(const std::filesystem::path& study);
+
 /// A free name in it, by the time of now; the folder is made. Throws Error if it cannot be.
 std::filesystem::path new_backup(const std::filesystem::path& study);
 
 /// Copies the study to new_backup and checks the copy. Returns its path. Throws Error.
 std::filesystem::path back_up_study(const std::filesystem::path& study);
+
+/// Events of a session that a damaged study has and the restored one lacks.
+struct MissingEvents {
+  std::string participant;
+  std::size_t missing = 0;
+  std::size_t events = 0;  ///< of the session in the damaged study
+};
+
+struct Restored {
+  std::filesystem::path copy;  ///< what the study is a copy of now
+  /// The new names of what lay under the study's name: its journal, log and index, and last itself.
+  std::vector<std::filesystem::path> moved_aside;
+  /// By participant; empty if there was no study, or if nobody can read it.
+  std::optional<std::vector<MissingEvents>> missing;
+};
+
+/// Puts `copy`, or else the newest sound backup, in the place of a study that is damaged or gone.
+/// What was there is renamed. Throws Error, and moves nothing, if the copy has a fault, if no
+/// backup is without one, or if another program writes the study.
+Restored restore_study(const std::filesystem::path& path,
+                       const std::optional<std::filesystem::path>& copy);
 
 }  // namespace foveola::study

@@ -10,6 +10,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
 #include "study/record/schema.h"
@@ -22,17 +23,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-void require_sound_record(const fs::path& path) {
-  const Verification found = verify_study(path);
-  if (!found.faults.empty()) {
-    const RecordFault& first = found.faults.front();
-    throw Error(
-        path.string(),
-        (first.participant.empty() ? "" : "participant " + first.participant + ": ") + first.what,
-        "restore it from a copy before it is merged");
-  }
-}
 
 void require_new(const fs::path& target) {
   require_writable(target);
@@ -305,7 +295,7 @@ Merge merge_into(const std::vector<fs::path>& sources, const fs::path& path) {
 Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target) {
   require_new(target);
   for (const fs::path& source : sources) {
-    require_sound_record(source);
+    require_sound_record(source, damage_remedy);
   }
   Merge merge;
   with_clear_errors(target, [&] {

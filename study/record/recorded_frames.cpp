@@ -9,6 +9,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/schema.h"
 #include "study/record/stored_number.h"
@@ -34,7 +35,7 @@ Error changed_frames(std::int64_t session, std::size_t trial, int attempt) {
 
 Error changed_record(std::int64_t session, std::size_t trial, int attempt, const char* what) {
   return {fmt::format("session {}, trial {}, attempt {}", session, trial, attempt),
-          fmt::format("its {} are not those that were written", what), "restore it from a copy"};
+          fmt::format("its {} are not those that were written", what), damage_remedy};
 }
 
 std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session, std::size_t trial,

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/database.h"
 #include "study/record/gaze_encoding.h"
 #include "study/record/stored_number.h"
@@ -25,8 +26,7 @@ std::vector<GazeSample> samples_of(SQLite::Statement& rows, const fs::path& path
   try {
     return gaze_in(chunks);
   } catch (const std::invalid_argument&) {
-    throw Error(path.string(), "its gaze samples are not those that were written",
-                "restore it from a copy");
+    throw Error(path.string(), "its gaze samples are not those that were written", damage_remedy);
   }
 }
 

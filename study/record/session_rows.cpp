@@ -13,6 +13,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/question_json.h"
 #include "study/record/session_devices.h"
 #include "study/record/stored_number.h"
@@ -25,7 +26,7 @@ constexpr std::array trial_kinds = {TrialKind::test, TrialKind::practice, TrialK
 
 Error unknown_word(std::int64_t session, const std::string& word) {
   return {fmt::format("session {}", session), fmt::format("its record says \"{}\"", word),
-          "restore it from a copy"};
+          damage_remedy};
 }
 
 SessionKind session_kind_named(std::int64_t session, const std::string& name) {
@@ -283,12 +284,11 @@ Procedure recorded_procedure_of(SQLite::Database& database, std::int64_t session
   try {
     procedure.ratings = ratings_from_record(database);
   } catch (const std::invalid_argument& fault) {
-    throw Error("study_rating", fmt::format("cannot be read ({})", fault.what()),
-                "restore it from a copy");
+    throw Error("study_rating", fmt::format("cannot be read ({})", fault.what()), damage_remedy);
   }
   if (procedure.agenda.empty() || procedure.marks == 0) {
     throw Error(fmt::format("session {}", session), "its record has no plan or no marks",
-                "restore it from a copy");
+                damage_remedy);
   }
   return procedure;
 }

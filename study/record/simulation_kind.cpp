@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "study/protocol/scaled_protocol.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/shown_scene.h"
 
 namespace foveola::study {
@@ -63,8 +64,7 @@ std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
                           .injected = injected_in(simulation),
                           .people_sha256 = simulation.at("people_sha256").get<std::string>()};
   } catch (const nlohmann::json::exception&) {
-    throw Error("a simulated session", "does not say how it was simulated",
-                "restore the study's file from a copy");
+    throw Error("a simulated session", "does not say how it was simulated", damage_remedy);
   }
 }
 

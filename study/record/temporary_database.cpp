@@ -90,11 +90,8 @@ void TemporaryDatabase::replace_final() const {
 
 bool TemporaryDatabase::take_free_name() const {
   sync();
-  if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, final_path_.c_str(), RENAME_NOREPLACE) != 0) {
-    if (errno == EEXIST) {
-      return false;
-    }
-    throw cannot_be_made(final_path_);
+  if (!rename_to_free(path_, final_path_)) {
+    return false;
   }
   sync_to_disk(folder_of(final_path_));
   return true;
@@ -116,6 +113,16 @@ bool is_temporary_of(const fs::path& final_path, const std::string& file_name) {
 
 bool is_temporary(const std::string& file_name) {
   return file_name.starts_with('.') && file_name.find(temporary_suffix) != std::string::npos;
+}
+
+bool rename_to_free(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) {
+    return true;
+  }
+  if (errno != EEXIST) {
+    throw cannot_be_made(to);
+  }
+  return false;
 }
 
 std::string date_in_file_name() {

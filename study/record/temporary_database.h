@@ -42,6 +42,10 @@ bool is_temporary_of(const std::filesystem::path& final_path, const std::string&
 /// Whether it is one of any database.
 bool is_temporary(const std::string& file_name);
 
+/// Renames a file, and leaves one that has that name. Returns false if there is one. Throws Error
+/// if it cannot.
+bool rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// The current date in UTC for a file's name: "2026-11-21T09-30-00.123Z".
 std::string date_in_file_name();
 

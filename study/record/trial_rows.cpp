@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "study/record/damage_remedy.h"
 #include "study/record/stored_number.h"
 
 namespace foveola::study {
@@ -29,7 +30,7 @@ std::uint16_t position_of(const Positions& positions, const std::string& name, c
   const auto found = positions.find(name);
   if (found == positions.end()) {
     throw Error(fmt::format("the {} '{}' of a planned trial", what, name),
-                "is not one of the study's", "restore the study's file from a copy");
+                "is not one of the study's", damage_remedy);
   }
   return static_cast<std::uint16_t>(found->second);
 }

@@ -194,4 +194,15 @@ Verification verify_study(const fs::path& path) {
   return found;
 }
 
+void require_sound_record(const fs::path& path, const std::string& remedy) {
+  const Verification found = verify_study(path);
+  if (!found.faults.empty()) {
+    const RecordFault& first = found.faults.front();
+    throw Error(
+        path.string(),
+        (first.participant.empty() ? "" : "participant " + first.participant + ": ") + first.what,
+        remedy);
+  }
+}
+
 }  // namespace foveola::study

@@ -190,6 +190,24 @@ TEST_F(StudyFile, BackupIsTheStudyOnceMore) {
   }
 }
 
+TEST_F(StudyFile, RestorePutsACopyInThePlaceOfADamagedFile) {
+  const std::string good = read_file(north_);
+  const std::string copy = path_of("copy.sqlite");
+  fs::copy_file(north_, copy);
+  fs::resize_file(north_, good.size() / 2);
+  expect_one_line(study({"status", north_}), 1,
+                  "put a copy in the study's place by foveola study restore");
+  expect_one_line(study({"restore", north_}), 1, "north.sqlite: has no sound backup in ");
+  const ProgramResult restored = study({"restore", north_, "--from", copy});
+  EXPECT_EQ(restored.exit_code, 0) << restored.errors;
+  EXPECT_THAT(restored.output,
+              MatchesRegex(fmt::format("{0}: restored from {1}\n"
+                                       "{0}[.]damaged-[^:]*: what was there before\n.*\n",
+                                       north_, copy)));
+  EXPECT_EQ(content_of(north_, "P002"), content_of(copy, "P002"));
+  EXPECT_EQ(study({"verify", north_}).exit_code, 0);
+}
+
 TEST_F(StudyFile, MergePutsTwoSitesTogether) {
   const std::string all = path_of("all.sqlite");
   expect_one_line(study({"merge", north_, south_, "-o", all}), 1,

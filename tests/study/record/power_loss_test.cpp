@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <set>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -394,6 +395,28 @@ TEST(PowerLoss, WhoWasForgottenDoesNotComeBack) { lose_power_forgetting(HeldBy::
 
 // Then nothing but the removal itself brings that to the disk.
 TEST(PowerLoss, ARemovedBackupDoesNotComeBack) { lose_power_forgetting(HeldBy::killed_backup); }
+
+TEST(PowerLoss, AStudyIsRestoredAndNothingOfTheFormerOneIsLost) {
+  const TemporaryFolder folder;
+  leave_study(folder, HeldBy::backup);
+  std::vector<DiskCall> calls;
+  {
+    DiskWatch watch(folder.path());
+    restore_study(folder / study_name, std::nullopt);
+    watch.acknowledge();
+    calls = watch.calls();
+  }
+  lose_power(calls, losses_or(15), Syncs::kept,
+             [&](const TemporaryFolder& left, std::size_t acknowledged) {
+               EXPECT_GE(count_files_with(left.path(), forgotten_code), acknowledged > 0 ? 3U : 2U)
+                   << "its log, the backup and what was restored";
+               if (acknowledged == 0) {
+                 restore_study(left / study_name, std::nullopt);
+               }
+               EXPECT_FALSE(fs::exists(left / "study.sqlite-wal"));
+               expect_others_in(left / study_name);
+             });
+}
 
 }  // namespace
 }  // namespace foveola::study
