@@ -46,6 +46,10 @@ std::string holder(int descriptor) {
                     : "another program";
 }
 
+fs::path lock_file(const fs::path& study) {
+  return fs::weakly_canonical(study).string() + ".controller";
+}
+
 int open_lock_file(const fs::path& path) {
   make_new_file(path, FileAccess::own);
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -94,7 +98,7 @@ void write_name(int descriptor) {
 }  // namespace
 
 ControllerLock::ControllerLock(const fs::path& study)
-    : path_(fs::weakly_canonical(study).string() + ".controller"), descriptor_(lock(path_, study)) {
+    : path_(lock_file(study)), descriptor_(lock(path_, study)) {
   write_name(descriptor_);
 }
 
@@ -102,6 +106,17 @@ ControllerLock::~ControllerLock() {
   std::error_code ignored;
   fs::remove(path_, ignored);
   ::close(descriptor_);
+}
+
+bool is_controlled(const fs::path& study) {
+  const int descriptor =
+      ::open(lock_file(study).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) {
+    return false;
+  }
+  const bool is_free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+  ::close(descriptor);
+  return !is_free;
 }
 
 }  // namespace foveola::study

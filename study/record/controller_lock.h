@@ -21,4 +21,7 @@ class ControllerLock {
   int descriptor_;
 };
 
+/// Whether a program holds the study now.
+bool is_controlled(const std::filesystem::path& study);
+
 }  // namespace foveola::study

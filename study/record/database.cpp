@@ -67,8 +67,6 @@ SQLite::Database open_immutable(const fs::path& path) {
   return {immutable_uri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI};
 }
 
-bool has_write_ahead_log(const fs::path& path) { return fs::exists(path.string() + "-wal"); }
-
 /// Where its folder cannot be written, SQLite cannot read a log: of a copy that has no name any
 /// more when this returns.
 SQLite::Database open_copy(const fs::path& path) {
@@ -211,10 +209,12 @@ void require_study(const fs::path& path) {
   }
 }
 
+bool has_log(const fs::path& path) { return fs::exists(path.string() + "-wal"); }
+
 SQLite::Database open_as_it_is(const fs::path& path) {
   const fs::path file = fs::canonical(path);
   // Without a log nobody writes, and SQLite would leave an empty one behind if it took part.
-  return has_write_ahead_log(file) ? open_with_log(file) : open_immutable(file);
+  return has_log(file) ? open_with_log(file) : open_immutable(file);
 }
 
 SQLite::Database open_study_to_read(const fs::path& path) {
@@ -233,13 +233,13 @@ void create_study(const fs::path& path, const Protocol& protocol, const std::str
 }
 
 void fold_in_log(const fs::path& path) {
-  if (!has_write_ahead_log(path) && !has_journal(path)) {
+  if (!has_log(path) && !has_journal(path)) {
     return;
   }
   require_own_journal(path);
   SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
   database.execAndGet("PRAGMA journal_mode = DELETE");
-  if (has_write_ahead_log(path)) {
+  if (has_log(path)) {
     throw Error(path.string(), "is in use by another program", "let that finish and try again");
   }
 }

@@ -29,6 +29,9 @@ void with_clear_errors(const std::filesystem::path& path, const std::function<vo
 /// it is missing, no study, of another schema, or if it has a second name (hard link).
 void require_study(const std::filesystem::path& path);
 
+/// Whether a write-ahead log lies beside the file at `path`, by its own name.
+bool has_log(const std::filesystem::path& path);
+
 /// The file at `path`, which exists, unchecked, to read only. Nothing beside it is made, even in a
 /// folder that cannot be written, and no journal that lies beside it is played into it. Throws
 /// Error or what SQLite throws.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
@@ -163,6 +165,38 @@ void LogKeeper::save(const fs::path& path) {
     require_intact(copy, path);
   }
   temporary.take_free_name();
+}
+
+bool has_commits_in_log(SQLite::Database& database) {
+  if (database.execAndGet("PRAGMA journal_mode").getString() != "wal") {
+    return false;  // SQLite reads no log
+  }
+  const OpenFile log = OpenFile::log(database);
+  std::string bytes(log.size(), '\0');
+  if (bytes.size() < log_header_size || !log.read(0, bytes)) {
+    return false;
+  }
+  using Pages = std::map<std::uintmax_t, std::string_view>;  // by their numbers, which begin with 1
+  Pages committed;
+  Pages transaction;
+  const std::size_t frame_size = frame_size_in(bytes);
+  for (std::size_t at = log_header_size; at + frame_size <= bytes.size(); at += frame_size) {
+    const std::string_view frame = std::string_view(bytes).substr(at, frame_size);
+    if (frame.substr(8, 8) != salts_of(bytes)) {
+      break;  // from before the log was begun anew
+    }
+    transaction[big_endian(frame, 0)] = frame.substr(frame_header_size);
+    const std::uintmax_t pages_after_commit = big_endian(frame, 4);
+    if (pages_after_commit != 0) {
+      transaction.merge(committed);
+      committed = std::exchange(transaction, {});
+    }
+  }
+  const OpenFile file = OpenFile::database(database);
+  return std::ranges::any_of(committed, [&](const Pages::value_type& page) {
+    std::string in_file(page.second.size(), '\0');
+    return !file.read((page.first - 1) * in_file.size(), in_file) || in_file != page.second;
+  });
 }
 
 }  // namespace foveola::study

@@ -43,4 +43,8 @@ class LogKeeper {
   std::string kept_;  ///< the log's bytes
 };
 
+/// Whether the log beside a database, which is open and was read, holds commits that are not in its
+/// file yet.
+bool has_commits_in_log(SQLite::Database& database);
+
 }  // namespace foveola::study

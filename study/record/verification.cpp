@@ -10,8 +10,11 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/ordered_jobs.h"
+#include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/database_checks.h"
+#include "study/record/journal_check.h"
+#include "study/record/log_keeper.h"
 #include "study/record/maintenance.h"
 #include "study/record/schema.h"
 #include "study/record/session_check.h"
@@ -86,6 +89,25 @@ void check_texts(SQLite::Database& study, Verification& found) {
       found.faults.push_back(
           {"", texts.getColumn(0).getString() + " is not the one that its SHA-256 names"});
     }
+  }
+}
+
+/// What another program would play into the file. Nothing may have the file open.
+void check_journal(const fs::path& file, Verification& found) {
+  try {
+    require_own_journal(file);
+  } catch (const Error& foreign) {
+    found.warnings.push_back({"", foreign.what()});
+  }
+}
+
+/// What a copy of the file alone would lack. A program that writes the study has such a log.
+void check_log(SQLite::Database& study, const fs::path& file, Verification& found) {
+  if (has_log(file) && !is_controlled(file) && has_commits_in_log(study)) {
+    found.warnings.push_back(
+        {"", fmt::format("its log, {}-wal, holds commits that are not in the file yet: keep and "
+                         "copy both together until a session has folded them in",
+                         file.filename().string())});
   }
 }
 
@@ -166,8 +188,12 @@ void check_file_and_sessions(const fs::path& path, const std::vector<SessionKey>
 
 Verification verify(const fs::path& path) {
   require_study(path);
+  const fs::path file = fs::canonical(path);
   Verification found;
   std::vector<SessionKey> sessions;
+  if (!has_log(file)) {
+    check_journal(file, found);
+  }
   {
     SQLite::Database study = open_as_it_is(path);
     if (const std::optional<std::string> fault = size_fault(study)) {
@@ -177,6 +203,7 @@ Verification verify(const fs::path& path) {
       append(found, check_integrity(path));
       return found;
     }
+    check_log(study, file, found);
     check_schema(study, path, found);
     check_texts(study, found);
     check_programs(study, found);

@@ -139,5 +139,25 @@ TEST_F(DamagedStudy, IsNotTakenFromAProgramThatWritesIt) {
   EXPECT_EQ(folder_.content(), before);
 }
 
+using StudyOfAKilledProgram = StudyFile;
+
+// With the file alone, what the log holds would be lost.
+TEST_F(StudyOfAKilledProgram, BelongsToTheLogThatHoldsItsCommits) {
+  {
+    StudyStore store(path_, thorough_protocol());
+    run_thorough_session(store, "P01");
+    EXPECT_THAT(verify_study(path_).warnings, IsEmpty()) << "it is being written";
+    for (const char* suffix : {"", "-wal"}) {
+      fs::copy_file(path_.string() + suffix, folder_ / ("killed.sqlite" + std::string(suffix)));
+    }
+  }
+  EXPECT_THAT(verify_study(path_).warnings, IsEmpty());
+  const Verification killed = verify_study(folder_ / "killed.sqlite");
+  EXPECT_THAT(killed.faults, IsEmpty());
+  EXPECT_THAT(killed.warnings, ElementsAre(FieldsAre(
+                                   "", StartsWith("its log, killed.sqlite-wal, holds commits that "
+                                                  "are not in the file yet: keep and copy both"))));
+}
+
 }  // namespace
 }  // namespace foveola::study

@@ -52,6 +52,9 @@ TEST_F(StrangersFiles, AJournalIsNotPlayedIntoTheFile) {
   const std::string before = read_file(path_);
   folder_.write("study.sqlite-journal", journal_of_zeros());
   EXPECT_THAT(faults(), IsEmpty());
+  EXPECT_THAT(
+      verify_study(path_).warnings,
+      ElementsAre(FieldsAre("", StartsWith(path_.string() + "-journal: is not the study's"))));
   EXPECT_EQ(read_study(path_).sessions.size(), 1U);
   EXPECT_THAT(refusal([&] { const StudyStore store(path_, thorough_protocol()); }),
               AllOf(StartsWith(path_.string() + "-journal: is not the study's"),
