@@ -92,7 +92,7 @@ void SeatedParticipant::begin(const std::vector<std::string>& options) {
   std::vector<std::string> arguments = command();
   arguments.insert(arguments.end(), {"--screens", screens_.string()});
   arguments.insert(arguments.end(), options.begin(), options.end());
-  program_ = std::make_unique<RunningProgram>(arguments, hall_.environment());
+  program_ = std::make_unique<RunningProgram>(arguments, environment_);
   const std::string line = program_->wait_for("Session time 0 is ");
   zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
   point_at(320, 240);

@@ -38,6 +38,11 @@ class SeatedParticipant {
   /// Another participant takes the seat, which at first is P1's.
   void seat(std::string participant) { code_ = std::move(participant); }
 
+  /// Of the programs that begin from now on.
+  void set_environment(const std::string& name, const std::string& value) {
+    environment_.emplace_back(name, value);
+  }
+
   /// Starts the program for the participant, with more options if there are any, and waits until
   /// the session has begun.
   void begin(const std::vector<std::string>& options = {});
@@ -92,6 +97,7 @@ class SeatedParticipant {
   XServer server_;
   std::optional<XUser> user_{std::in_place, server_.display()};
   Hall hall_;
+  Environment environment_ = hall_.environment();
   std::filesystem::path database_ = hall_.folder / "study.sqlite";
   std::string code_ = "P1";
   std::unique_ptr<RunningProgram> program_;
