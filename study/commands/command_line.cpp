@@ -1,5 +1,11 @@
 #include "study/commands/command_line.h"
 
+#include <fmt/format.h>
+
+#include "renderer/base/files.h"
+#include "renderer/commands/warnings.h"
+#include "study/record/maintenance.h"
+
 namespace foveola::study {
 
 CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& purpose,
@@ -40,6 +46,15 @@ void add_threads(CLI::App* command, int& threads) {
 
 void add_json(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print the result as JSON");
+}
+
+void require_backup_target(const std::filesystem::path& folder,
+                           const std::filesystem::path& study) {
+  require_writable(new_backup_in(folder, study));
+  if (is_on_disk_of(folder, study)) {
+    print_warnings({fmt::format("{}: is on the same disk as {}, and is lost with it",
+                                folder.string(), study.string())});
+  }
 }
 
 }  // namespace foveola::study

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -21,5 +22,9 @@ void add_database(CLI::App* command, std::string& database);  ///< the file of a
 void add_participants_and_seed(CLI::App* command, int& participants, std::uint64_t& seed);
 void add_threads(CLI::App* command, int& threads);
 void add_json(CLI::App* command, bool& json);
+
+/// Throws Error unless a copy of the study can be put into the folder. Warns of a folder on the
+/// study's own disk.
+void require_backup_target(const std::filesystem::path& folder, const std::filesystem::path& study);
 
 }  // namespace foveola::study

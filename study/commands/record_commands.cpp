@@ -10,6 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/command_line/output_options.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
 #include "study/record/damage_remedy.h"
@@ -33,6 +34,7 @@ struct RecordArguments {
   int trial = 0;
   std::string output;
   std::string head;
+  std::string folder;
   std::string copy;
   bool yes = false;
   bool json = false;
@@ -161,7 +163,12 @@ void run_verify(const RecordArguments& arguments) {
 }
 
 void run_backup(const RecordArguments& arguments) {
-  fmt::print("{}\n", back_up_study(arguments.database).string());
+  if (arguments.folder.empty()) {
+    fmt::print("{}\n", back_up_study(arguments.database).string());
+    return;
+  }
+  require_backup_target(arguments.folder, arguments.database);
+  fmt::print("{}\n", back_up_study_to(arguments.folder, arguments.database).string());
 }
 
 void run_restore(const RecordArguments& arguments) {
@@ -258,8 +265,10 @@ void add_backup(CLI::App& study) {
   CLI::App* command =
       add_command(study, "backup",
                   "Copy a study's file into the folder of backups beside it, and check the copy",
-                  "backup study.sqlite");
+                  "backup study.sqlite --to /media/backups");
   add_database(command, arguments->database);
+  mark_output(command->add_option("--to", arguments->folder,
+                                  "A folder, best on another disk, that gets the copy instead"));
   command->callback([arguments] { run_backup(*arguments); });
 }
 

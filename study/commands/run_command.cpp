@@ -43,6 +43,7 @@ struct RunArguments {
   bool takes_amendment = false;
   std::string screens;
   std::string receipt;
+  std::string backup_folder;
   bool json = false;
 };
 
@@ -104,16 +105,22 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
     }
     settings.receipt = arguments.receipt;
   }
+  if (!arguments.backup_folder.empty()) {
+    require_backup_target(arguments.backup_folder, arguments.database);
+    settings.backup_folder = arguments.backup_folder;
+  }
   const RunReport report = run_person(settings, find_scene, stop);
   if (arguments.json) {
     fmt::print("{}\n", json_line("end", {{"participant", arguments.participant},
                                          {"phase", name_of(report.phase)},
-                                         {"backup", report.backup.string()}}));
+                                         {"backup", report.backup.string()},
+                                         {"copy", report.copy.string()}}));
     return;
   }
   fmt::print("{}", session_summary(arguments.database, arguments.participant));
-  fmt::print("{}: {} {}; backup {}\n", arguments.database, arguments.participant,
-             name_of(report.phase), report.backup.string());
+  fmt::print("{}: {} {}; backup {}{}\n", arguments.database, arguments.participant,
+             name_of(report.phase), report.backup.string(),
+             report.copy.empty() ? "" : fmt::format("; copy {}", report.copy.string()));
   if (report.phase == Phase::interrupted) {
     fmt::print("To go on, give the same command with --resume.\n");
   }
@@ -183,6 +190,9 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   mark_output(command->add_option("--receipt", arguments->receipt,
                                   "A file that gets what the participant consented to, and when, "
                                   "for them to take along"));
+  mark_output(command->add_option("--backup-to", arguments->backup_folder,
+                                  "A folder, best on another disk, that gets a copy of the study "
+                                  "after the session, besides the backup"));
   command->add_flag("--json", arguments->json,
                     "The experimenter's console for machines: a JSON object a line, and how the "
                     "session stands every second");

@@ -336,6 +336,25 @@ void write_receipt(const RunSettings& settings, const Protocol& protocol, const 
   }
 }
 
+/// In the backup_folder. The session counts with the copy or without: it goes on to its backup.
+fs::path copy_if_asked(const StudyStore& store, const RunSettings& settings) {
+  if (!settings.backup_folder) {
+    return {};
+  }
+  try {
+    fs::path copy = new_backup_in(*settings.backup_folder, settings.database);
+    store.back_up(copy);
+    return copy;
+  } catch (const std::exception& fault) {
+    fmt::print(stderr, "foveola: warning: {}\n",
+               printable(fmt::format("{}: got no copy of {} ({}); make one with foveola study "
+                                     "backup --to once that is mended",
+                                     settings.backup_folder->string(), settings.database.string(),
+                                     fault.what())));
+    return {};
+  }
+}
+
 /// Throws Error, which says that the session itself is safe, if there can be none.
 fs::path back_up(const StudyStore& store, const RunSettings& settings) {
   fs::path backup;
@@ -389,6 +408,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                   how_to_go_on(settings, store));
     }
     write_receipt(settings, protocol, store);
+    report.copy = copy_if_asked(store, settings);
     report.backup = back_up(store, settings);
   });
   return report;

@@ -37,11 +37,14 @@ struct RunSettings {
   bool json = false;
   /// Gets a receipt of the participant's consent, once that was given.
   std::optional<std::filesystem::path> receipt;
+  /// Gets a copy of the study after the session, besides its backup.
+  std::optional<std::filesystem::path> backup_folder;
 };
 
 struct RunReport {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
   std::filesystem::path backup;
+  std::filesystem::path copy;  ///< in the backup_folder; empty if there is none
 };
 
 /// Runs in the program's first thread, whose is the window. The experimenter's console is standard

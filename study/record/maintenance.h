@@ -74,6 +74,17 @@ std::filesystem::path new_backup(const std::filesystem::path& study);
 /// Copies the study to new_backup and checks the copy. Returns its path. Throws Error.
 std::filesystem::path back_up_study(const std::filesystem::path& study);
 
+/// A free name for a copy of the study in a folder, by the time of now: STUDY.TIME.sqlite.
+std::filesystem::path new_backup_in(const std::filesystem::path& folder,
+                                    const std::filesystem::path& study);
+
+/// As back_up_study, to new_backup_in the folder.
+std::filesystem::path back_up_study_to(const std::filesystem::path& folder,
+                                       const std::filesystem::path& study);
+
+/// Whether the folder is on the disk of the study's folder, whose failure then takes both.
+bool is_on_disk_of(const std::filesystem::path& folder, const std::filesystem::path& study);
+
 /// Events of a session that a damaged study has and the restored one lacks.
 struct MissingEvents {
   std::string participant;

@@ -190,6 +190,17 @@ TEST_F(StudyFile, BackupIsTheStudyOnceMore) {
   }
 }
 
+TEST_F(StudyFile, BackupGoesToAnotherFolder) {
+  const TemporaryFolder disk;
+  const ProgramResult backup = study({"backup", north_, "--to", disk.path()});
+  ASSERT_EQ(backup.exit_code, 0) << backup.errors;
+  const fs::path copy = disk.path() / disk.entries().at(0);
+  EXPECT_EQ(backup.output, copy.string() + "\n");
+  EXPECT_EQ(content_of(copy, "P002"), content_of(north_, "P002"));
+  EXPECT_FALSE(fs::exists(north_ + ".backups"));
+  expect_one_line(study({"backup", north_, "--to", disk / "none"}), 1, "does not exist");
+}
+
 TEST_F(StudyFile, RestorePutsACopyInThePlaceOfADamagedFile) {
   const std::string good = read_file(north_);
   const std::string copy = path_of("copy.sqlite");

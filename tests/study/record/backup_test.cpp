@@ -51,5 +51,26 @@ TEST_F(Backup, LiesBesideTheStudyByItsTime) {
   EXPECT_TRUE(read_study(second).sessions.empty());
 }
 
+TEST_F(Backup, GoesToAnyFolderUnderTheStudysName) {
+  {
+    StudyStore store(path_, thorough_protocol());
+    run_thorough_session(store, "P01");
+  }
+  const TemporaryFolder disk;
+  const fs::path copy = back_up_study_to(disk.path(), path_);
+  EXPECT_EQ(disk.entries(), std::vector{copy.filename().string()});
+  EXPECT_THAT(copy.filename().string(),
+              testing::MatchesRegex("study[.]20[0-9-]+T[0-9-]+[.][0-9]+Z\\.sqlite"));
+  EXPECT_THAT(verify_study(copy).faults, IsEmpty());
+  EXPECT_EQ(read_study(copy).sessions.size(), 1U);
+  EXPECT_EQ(folder_.entries(), std::vector<std::string>{"study.sqlite"}) << "and nowhere else";
+}
+
+TEST_F(Backup, KnowsTheDiskOfTheStudy) {
+  EXPECT_TRUE(is_on_disk_of(folder_.path(), path_));
+  EXPECT_FALSE(is_on_disk_of("/proc", path_));
+  EXPECT_FALSE(is_on_disk_of(folder_ / "none", path_));
+}
+
 }  // namespace
 }  // namespace foveola::study
