@@ -380,7 +380,13 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   for (const TextFile& file : files_of(output, quality, records, published)) {
     write_output(staged.path(), file.name, file.content, output);
   }
-  output.files = staged.publish(output.files);
+  PublishedFiles published_files = staged.publish(output.files);
+  output.files = std::move(published_files.files);
+  for (const fs::path& file : published_files.staying) {
+    output.warnings.push_back(fmt::format(
+        "{} is of an earlier analysis and stays, since it was changed or a link leads to it.",
+        file.string()));
+  }
   output.report = output.files.back();
   return output;
 }

@@ -54,9 +54,10 @@ study::Verification verified_study(const std::filesystem::path& database, bool t
 bool is_written_by_rows(const Table& table);
 
 /// Verifies the study's file, reads it and writes its tables and figures to `folder`,
-/// which is made if its parent exists. Files of an earlier analysis are replaced, others left
-/// alone; nothing is written before everything is computed. Throws Error if the verification fails
-/// (unless options.unverified), there is nothing to analyse, or the folder cannot be written.
+/// which is made if its parent exists. Files of an earlier analysis are replaced, or removed if
+/// this one does not write them; others are left alone, and so is what was changed since. Nothing
+/// is written before everything is computed. Throws Error if the verification fails (unless
+/// options.unverified), there is nothing to analyse, or the folder cannot be written.
 AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder,
                              const AnalysisOptions& options = {});

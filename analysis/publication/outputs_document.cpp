@@ -30,6 +30,12 @@ what the results leave out. The data of sessions that a participant withdrew fro
 unless `--withdrawn` is given: then they are in these three, with the status `withdrawn`, and still in
 no result and not in `psych-ds/` or `bids/`. `study forget` erases a participant from the study's file.
 
+An analysis into the folder of an earlier one replaces that one's files and removes those that it does
+not write itself, such as the gaze of somebody who was forgotten meanwhile, or `bids/` without `--bids`.
+`manifest.sha256` says which files these are. What was changed since, what was put there, and what a
+link leads to stays, and a line names it if the earlier analysis wrote it. A folder without a manifest
+loses nothing.
+
 Where frames were recorded, the rows of trials also say where gaze and object were, as
 `gaze_by_trial.csv` does of the analysed trials alone, with the tracker's name. The directions of
 objects and the display's fields of view are the recorded ones; what a record does not say is empty, as
@@ -39,6 +45,7 @@ is all of it in withdrawn sessions.
 |---|---|
 | `report.html` | the whole report, one file that needs no network |
 | `OUTPUTS.md`, `codebook.csv` | the files' columns |
+| `manifest.sha256` | the SHA-256 of every other file, as `sha256sum -c manifest.sha256` checks it |
 | `times-MARK.tex`, `geometric-means.tex`, `ratings-RATING.tex`, `planned-comparisons.tex` and others | the report's tables for LaTeX, each in a file to `\input`, with the packages array, booktabs and graphicx; what would be wider than the text is set smaller |
 | `relative_times`, `relative_times_by_scene`, `times_in_seconds`, `time_to_MARK`, `ratings_RATING`: `.svg`, `.pdf`, `.png` | figures |
 | `psych-ds/` | trials and participants as Psych-DS 1 lays them out |

@@ -4,6 +4,7 @@
 
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 
 namespace foveola::analysis {
 
@@ -27,6 +28,7 @@ void RowFile::close() {
   if (!stream_) {
     throw Error(path_.string(), "cannot be written", "make room on the disk, or choose another");
   }
+  sync_to_disk(path_);
 }
 
 void RowFile::flush() {

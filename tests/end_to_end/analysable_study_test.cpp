@@ -293,5 +293,30 @@ TEST_F(AnalysableStudy, LabelsAreTheProtocolsFromTheProtocolToTheReport) {
       AllOf(HasSubstr("1 keine &amp; &lt;b&gt; to 5 überall"), Not(HasSubstr("not discernible"))));
 }
 
+TEST_F(AnalysableStudy, AForgottenParticipantIsInNoFileOfTheNextAnalysis) {
+  write_protocol("");
+  const std::string study = path_of("study.sqlite");
+  ASSERT_EQ(
+      run({"study", "simulate", path_of("p.toml"), "--db", study, "--participants", "2"}).exit_code,
+      0);
+  const auto files_of_p001 = [&] {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_of("out"))) {
+      if (entry.path().filename().string().find("P001") != std::string::npos ||
+          (entry.is_regular_file() && read_file(entry.path()).find("P001") != std::string::npos)) {
+        files.push_back(entry.path());
+      }
+    }
+    return files;
+  };
+  const std::vector<std::string> analyse = {"analyze", study, "--bids", "-o", path_of("out")};
+  ASSERT_EQ(run_foveola(analyse).exit_code, 0);
+  EXPECT_THAT(files_of_p001(), testing::Contains(HasSubstr("recording-eye1_physio.tsv.gz")));
+  ASSERT_EQ(run({"study", "forget", study, "P001", "--yes"}).exit_code, 0);
+  ASSERT_EQ(run_foveola(analyse).exit_code, 0);
+  EXPECT_THAT(files_of_p001(), IsEmpty());
+  EXPECT_TRUE(std::filesystem::exists(path_of("out/bids/participants.tsv")));
+}
+
 }  // namespace
 }  // namespace foveola::test

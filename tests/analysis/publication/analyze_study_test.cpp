@@ -46,13 +46,13 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
           "background-answers.tex", "background_correlation.csv", "catch_trials.csv",
           "codebook.csv", "comparisons.csv", "data_quality.csv", "exclusions.csv",
           "exploratory-comparisons.tex", "gaze_by_trial.csv", "geometric-means.tex", "latency.csv",
-          "model_versions.csv", "models.R", "models.csv", "models_plan.csv", "omnibus-ranks.tex",
-          "omnibus-times.tex", "omnibus.csv", "order-effects.tex", "order_effects.csv",
-          "outlying_times.csv", "participants_wide.csv", "psych-ds", "questionnaire_scores.csv",
-          "ranks.tex", "rating-differences.tex", "rating_counts.csv", "ratings-artifacts.tex",
-          "ratings_artifacts.pdf", "ratings_artifacts.png", "ratings_artifacts.svg",
-          "ratings_by_method.csv", "ratios-over-participants.tex", "reaction_times.csv",
-          "relative_times.pdf", "relative_times.png", "relative_times.svg",
+          "manifest.sha256", "model_versions.csv", "models.R", "models.csv", "models_plan.csv",
+          "omnibus-ranks.tex", "omnibus-times.tex", "omnibus.csv", "order-effects.tex",
+          "order_effects.csv", "outlying_times.csv", "participants_wide.csv", "psych-ds",
+          "questionnaire_scores.csv", "ranks.tex", "rating-differences.tex", "rating_counts.csv",
+          "ratings-artifacts.tex", "ratings_artifacts.pdf", "ratings_artifacts.png",
+          "ratings_artifacts.svg", "ratings_by_method.csv", "ratios-over-participants.tex",
+          "reaction_times.csv", "relative_times.pdf", "relative_times.png", "relative_times.svg",
           "relative_times_by_scene.pdf", "relative_times_by_scene.png",
           "relative_times_by_scene.svg", "report.html", "time-to-mark.tex", "time_to_mark.csv",
           "time_to_material.pdf", "time_to_material.png", "time_to_material.svg",
@@ -64,7 +64,7 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
       names_in(folder / "psych-ds" / "data"),
       ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));
   EXPECT_EQ(output.report, folder / "report.html");
-  EXPECT_EQ(output.files.size(), 64U);
+  EXPECT_EQ(output.files.size(), 65U);
   EXPECT_THAT(output.summary, HasSubstr("geometric"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("6 sessions or values are left out")));
 }
