@@ -25,6 +25,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/base/progress.h"
 #include "renderer/cluster/cluster_command.h"
 #include "renderer/command_line/commands.h"
@@ -155,11 +156,11 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
-/// Returns the scene. Throws Error if an output is its file or its environment's.
-SceneSource apart_from(const std::vector<OutputPath>& outputs, SceneSource scene) {
-  require_no_input(outputs, scene.file);
+/// Returns the scene. Throws OutputIsInput if an output is its file or its environment's.
+SceneSource apart_from_outputs(SceneSource scene) {
+  require_no_output(scene.file);
   if (scene.environment_file) {
-    require_no_input(outputs, *scene.environment_file);
+    require_no_output(*scene.environment_file);
   }
   return scene;
 }
@@ -181,13 +182,12 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "foveola " + build_info().version + " (computing with " +
                                         build_info().instruction_set + ")");
   app.require_subcommand(1);
-  std::vector<OutputPath> outputs;
-  app.parse_complete_callback([&] { outputs = outputs_apart_from_inputs(app); });
-  const SceneFinder find_scene = [&](const std::string& name) {
-    return apart_from(outputs, scenes::find_scene(name));
+  app.parse_complete_callback([&] { keep_outputs_apart(app); });
+  const SceneFinder find_scene = [](const std::string& name) {
+    return apart_from_outputs(scenes::find_scene(name));
   };
-  const SceneFinderBeside find_scene_beside = [&](const std::string& name, const fs::path& folder) {
-    return apart_from(outputs, scenes::find_scene_beside(name, folder));
+  const SceneFinderBeside find_scene_beside = [](const std::string& name, const fs::path& folder) {
+    return apart_from_outputs(scenes::find_scene_beside(name, folder));
   };
   add_demo(app, signals.token());
   add_renderer_commands(app, find_scene, signals.token());

@@ -16,6 +16,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/file_access.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/base/programs.h"
 
 namespace fs = std::filesystem;
@@ -63,8 +64,9 @@ Error cannot_be_read(const fs::path& path) {
   return {path.string(), "cannot be read", "check its permissions"};
 }
 
-/// Throws Error if there is no file, or only a folder.
+/// Throws Error if there is no file, or only a folder, and OutputIsInput.
 std::ifstream open_to_read(const fs::path& path) {
+  require_no_output(path);
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
   if (failure == std::errc::permission_denied) {

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/output_guard.h"
 
 namespace fs = std::filesystem;
 
@@ -55,6 +59,12 @@ bool may_be_input(const std::string& value) {
                                     : fs::path(value).has_extension();
 }
 
+/// What a command line has the command write, as "--output" and a path.
+struct OutputPath {
+  std::string option;
+  fs::path path;
+};
+
 void collect(CLI::App& app, std::vector<OutputPath>& outputs, std::vector<fs::path>& inputs) {
   for (CLI::Option* option : app.get_options()) {
     for (const std::string& value : option->results()) {
@@ -70,22 +80,8 @@ void collect(CLI::App& app, std::vector<OutputPath>& outputs, std::vector<fs::pa
   }
 }
 
-}  // namespace
-
-CLI::Option* mark_output(CLI::Option* option) {
-  return option->check(CLI::Validator([](std::string&) { return std::string(); }, "", output_mark));
-}
-
-std::vector<OutputPath> outputs_apart_from_inputs(CLI::App& app) {
-  std::vector<OutputPath> outputs;
-  std::vector<fs::path> inputs;
-  collect(app, outputs, inputs);
-  for (const fs::path& input : inputs) {
-    require_no_input(outputs, input);
-  }
-  return outputs;
-}
-
+/// By whatever name it is the input, or by its own name one of the files that a study has beside
+/// it: its log, its lock, its backups.
 void require_no_input(const std::vector<OutputPath>& outputs, const fs::path& input) {
   for (const auto& [option, path] : outputs) {
     if (is_same_file(path, input)) {
@@ -96,6 +92,24 @@ void require_no_input(const std::vector<OutputPath>& outputs, const fs::path& in
       throw Error(option, fmt::format("{} belongs to {}", path.string(), input.string()),
                   "name another file");
     }
+  }
+}
+
+}  // namespace
+
+CLI::Option* mark_output(CLI::Option* option) {
+  return option->check(CLI::Validator([](std::string&) { return std::string(); }, "", output_mark));
+}
+
+void keep_outputs_apart(CLI::App& app) {
+  std::vector<OutputPath> outputs;
+  std::vector<fs::path> inputs;
+  collect(app, outputs, inputs);
+  for (const fs::path& input : inputs) {
+    require_no_input(outputs, input);
+  }
+  for (const auto& [option, path] : outputs) {
+    guard_output(option, path);
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/base/utf8.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"
@@ -54,6 +55,8 @@ Outputs outputs_of(const DescribeArguments& arguments) {
     outputs.sheet = outputs.descriptor;
     outputs.sheet.replace_filename(outputs.descriptor.stem().string() + "-objects.png");
   }
+  guard_output("--output", outputs.descriptor);
+  guard_output("--contact-sheet", outputs.sheet);
   return outputs;
 }
 

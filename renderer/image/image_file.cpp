@@ -11,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/image/image_codec.h"
 
 namespace fs = std::filesystem;
@@ -167,6 +168,7 @@ std::unique_ptr<ImageReader> open_image(const fs::path& path) {
   if (!fs::is_regular_file(path)) {
     throw Error(path.string(), fs::exists(path) ? "is no file" : "no such file", "check the path");
   }
+  require_no_output(path);
   const ImageCodec& codec = image_codec();
   std::unique_ptr<ImageReader> image;
   try {

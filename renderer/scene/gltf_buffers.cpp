@@ -10,6 +10,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/data_uri.h"
 #include "renderer/scene/gltf_fault.h"
@@ -68,6 +69,8 @@ class BufferReader {
     }
     try {
       return content_of_file(uri);
+    } catch (const OutputIsInput&) {
+      throw;
     } catch (const std::runtime_error& error) {
       throw GltfFault(place, error.what());
     }

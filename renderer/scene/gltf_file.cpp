@@ -14,6 +14,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/data_uri.h"
 #include "renderer/scene/gltf_buffers.h"
@@ -60,10 +61,14 @@ std::vector<Bytes> take_embedded_images(Json& document, const std::filesystem::p
       image["uri"] = content_is_here;
       continue;
     }
+    std::optional<std::filesystem::path> file;
     try {
-      confined_file_if_there(folder, uri);
+      file = confined_file_if_there(folder, uri);
     } catch (const std::runtime_error& refusal) {
       throw GltfFault(place, refusal.what());
+    }
+    if (file) {
+      require_no_output(*file);  // a texture that could not be read would only be warned of
     }
   }
   return images;

@@ -13,6 +13,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/image_channels.h"
 #include "renderer/scene/image_decoder.h"
@@ -37,6 +38,8 @@ ImageSize size_if_readable(const fs::path& file) {
   try {
     return with_image(file,
                       [](auto bytes) { return size_of_image(bytes, ImageFormats::any_texture); });
+  } catch (const OutputIsInput&) {
+    throw;
   } catch (const Error&) {
     return {};
   }
