@@ -64,7 +64,8 @@ Error cannot_be_read(const fs::path& path) {
   return {path.string(), "cannot be read", "check its permissions"};
 }
 
-/// Throws Error if there is no file, or only a folder, and OutputIsInput.
+/// Throws Error unless there is a regular file, and OutputIsInput: a pipe may never have a writer, a
+/// device no end.
 std::ifstream open_to_read(const fs::path& path) {
   require_no_output(path);
   std::error_code failure;
@@ -78,6 +79,9 @@ std::ifstream open_to_read(const fs::path& path) {
   }
   if (fs::is_directory(status)) {
     throw Error(path.string(), "is a folder, not a file", "name a file in it");
+  }
+  if (!fs::is_regular_file(status)) {
+    throw Error(path.string(), "is not a regular file", "copy its content into one");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -137,7 +141,7 @@ void read_file(const fs::path& path, std::string& content) {
   std::error_code has_no_size;
   const std::uintmax_t stated = fs::file_size(path, has_no_size);
   std::size_t size = 0;
-  // All at once; then what there is beyond the size, as of a pipe or of a file that grows.
+  // All at once; then what there is beyond the size, as of a file that grows.
   for (std::size_t wanted = has_no_size ? portion : stated + 1; file; wanted = portion) {
     content.resize(size + wanted);
     file.read(content.data() + size, static_cast<std::streamsize>(wanted));

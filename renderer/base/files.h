@@ -24,7 +24,7 @@ std::filesystem::path cache_folder();
 std::filesystem::path data_folder();
 
 /// The whole content of a regular file. Throws Error, naming the path, if it is missing, a folder,
-/// unreadable or out of reach.
+/// a pipe or a device, unreadable or out of reach.
 std::string read_file(const std::filesystem::path& path);
 
 /// The same, in place of what `content` held, whose memory is used again.

@@ -17,17 +17,6 @@
 namespace foveola {
 namespace {
 
-void require_regular_file(const std::filesystem::path& path) {
-  std::error_code failure;
-  const auto status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status)) {
-    throw Error(path.string(), "no such file", "check the path");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw Error(path.string(), "is not a file", "name an equirect image");
-  }
-}
-
 /// The first three channels, or the first alone as a grey.
 Environment decode(std::span<const unsigned char> encoded) {
   const std::unique_ptr<ImageReader> image = open_image(encoded, ImageFormats::environment);
@@ -105,7 +94,6 @@ void repair(Environment& environment, const std::string& file, Warnings& warning
 }  // namespace
 
 Environment load_environment(const std::filesystem::path& path, Warnings& warnings) {
-  require_regular_file(path);
   const std::string bytes = read_file(path);
   try {
     Environment environment =

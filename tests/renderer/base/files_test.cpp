@@ -66,6 +66,16 @@ TEST_F(Files, MissingFilesAndFoldersAreNamed) {
   EXPECT_THAT([&] { write_file(folder_, ""); }, ThrowsMessage<Error>(HasSubstr("is a folder")));
 }
 
+TEST_F(Files, PipesAndDevicesAreNotWaitedFor) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  for (const fs::path& path : {folder_ / "pipe", fs::path("/dev/zero")}) {
+    const auto message =
+        ThrowsMessage<Error>(path.string() + ": is not a regular file; copy its content into one");
+    EXPECT_THAT([&] { read_file(path); }, message);
+    EXPECT_THAT([&] { read_file(path, 1000, "name another"); }, message);
+  }
+}
+
 TEST_F(Files, WhatIsOutOfReachIsNotMissing) {
   fs::create_directory(folder_ / "locked");
   write_file(folder_ / "locked" / "x", "");
