@@ -312,7 +312,9 @@ TEST_F(AnalysableStudy, AForgottenParticipantIsInNoFileOfTheNextAnalysis) {
   const std::vector<std::string> analyse = {"analyze", study, "--bids", "-o", path_of("out")};
   ASSERT_EQ(run_foveola(analyse).exit_code, 0);
   EXPECT_THAT(files_of_p001(), testing::Contains(HasSubstr("recording-eye1_physio.tsv.gz")));
-  ASSERT_EQ(run({"study", "forget", study, "P001", "--yes"}).exit_code, 0);
+  const ProgramResult forgotten = run({"study", "forget", study, "P001", "--yes"});
+  EXPECT_EQ(forgotten.exit_code, 1) << "the analysis still holds the participant";
+  EXPECT_THAT(forgotten.output, HasSubstr("recording-eye1_physio.tsv.gz: is named after P001\n"));
   ASSERT_EQ(run_foveola(analyse).exit_code, 0);
   EXPECT_THAT(files_of_p001(), IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(path_of("out/bids/participants.tsv")));
