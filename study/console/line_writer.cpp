@@ -37,11 +37,16 @@ void LineWriter::run() {
 
   constexpr std::chrono::milliseconds moment(50);
   using SteadyTime = std::chrono::steady_clock::time_point;
-  SteadyTime last_taken = std::chrono::steady_clock::now();
+  SteadyTime last_taken;
+  bool has_seen_closing = false;
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return is_closing_ || !text_.empty(); });
     const SteadyTime now = std::chrono::steady_clock::now();
+    // Whatever waits then has not been offered to the reader yet.
+    if (is_closing_ && !std::exchange(has_seen_closing, true)) {
+      last_taken = now;
+    }
     if (text_.empty() || (is_closing_ && now - last_taken > patience)) {
       return;
     }
@@ -54,7 +59,7 @@ void LineWriter::run() {
       text_.clear();
       written_ = 0;
     }
-    if (taken > 0 || !is_closing_) {
+    if (taken > 0) {
       last_taken = std::chrono::steady_clock::now();
     }
   }

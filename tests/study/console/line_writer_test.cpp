@@ -1,6 +1,7 @@
 #include "study/console/line_writer.h"
 
 #include <array>
+#include <chrono>
 #include <string>
 #include <thread>
 #include <utility>
@@ -61,6 +62,16 @@ TEST_F(LineWriterTest, WritesAllToASlowReaderBeforeItsEnd) {
   }
   reader.join();
   EXPECT_EQ(taken, much.size() + 1);
+}
+
+TEST_F(LineWriterTest, WritesWhatComesRightBeforeItsEnd) {
+  {
+    LineWriter writer(output());
+    std::this_thread::sleep_for(LineWriter::patience + std::chrono::milliseconds(200));
+    writer.write("last");
+  }
+  ASSERT_EQ(::write(output(), "!", 1), 1);
+  EXPECT_EQ(read(100), "last\n!");
 }
 
 TEST_F(LineWriterTest, WaitsForNobodyWhoTakesNothing) {
