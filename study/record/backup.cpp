@@ -33,7 +33,8 @@ fs::path backup_folder(const fs::path& study) { return study.string() + ".backup
 std::vector<fs::path> backups_of(const fs::path& study) {
   std::vector<fs::path> backups;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(backup_folder(study), ignored)) {
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(backup_folder(study), ignored)) {
     const fs::path& file = entry.path();
     if (entry.is_regular_file() && file.extension() == ".sqlite" &&
         !file.filename().string().starts_with('.')) {

@@ -32,7 +32,9 @@ bool is_sound(const fs::path& backup) {
 
 fs::path newest_sound_backup(const fs::path& study) {
   std::vector<fs::path> backups = backups_of(study);
-  std::ranges::sort(backups, std::greater());  // they are named by their dates
+  // They are named by their dates.
+  std::ranges::sort(backups, std::greater(),
+                    [](const fs::path& backup) { return backup.filename(); });
   const auto found = std::ranges::find_if(backups, is_sound);
   if (found == backups.end()) {
     throw Error(study.string(),
