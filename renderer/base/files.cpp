@@ -64,8 +64,8 @@ Error cannot_be_read(const fs::path& path) {
   return {path.string(), "cannot be read", "check its permissions"};
 }
 
-/// Throws Error unless there is a regular file, and OutputIsInput: a pipe may never have a writer, a
-/// device no end.
+/// Throws Error unless there is a regular file, and OutputIsInput: a pipe may never have a writer,
+/// a device no end.
 std::ifstream open_to_read(const fs::path& path) {
   require_no_output(path);
   std::error_code failure;
