@@ -135,12 +135,14 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
   for (Table& table : all) {
     table = stamped(std::move(table), tables.set);
   }
-  all.push_back({"gaze_by_trial", "analysed test trial, its last timing", gaze.columns(), {}});
-  all.push_back({"answers_long", "answer of a questionnaire", answers.columns(), {}});
-  all.push_back({"trials_long", "trial of a session, its last timing", trials.columns(), {}});
-  all.push_back(
-      {"trials_timed_again", "timing of a trial that does not count", trials.columns(), {}});
-  all.push_back({"participants_wide", "analysed participant", participants.columns(), {}});
+  using enum CsvTexts;
+  const auto add = [&](const char* id, const char* rows_are, const std::vector<Column>& columns,
+                       CsvTexts texts) { all.push_back({id, rows_are, columns, {}, texts}); };
+  add("gaze_by_trial", "analysed test trial, its last timing", gaze.columns(), as_typed);
+  add("answers_long", "answer of a questionnaire", answers.columns(), guarded);
+  add("trials_long", "trial of a session, its last timing", trials.columns(), as_typed);
+  add("trials_timed_again", "timing of a trial that does not count", trials.columns(), as_typed);
+  add("participants_wide", "analysed participant", participants.columns(), as_typed);
   return all;
 }
 
@@ -231,9 +233,10 @@ void write_data(const study::StudyRecords& records, const TrialColumns& trials,
                 const fs::path& folder, AnalysisOutput& output) {
   const PsychDs shared = psych_ds(output.tables, trials, participants);
   write_output(folder, shared.description.name, shared.description.content, output);
-  const auto open = [&](const std::string& name, const std::vector<Column>& columns) {
+  const auto open = [&](const std::string& name, const std::vector<Column>& columns,
+                        CsvTexts texts = CsvTexts::as_typed) {
     output.files.push_back(folder / name);
-    return RowFile(folder / name, columns);
+    return RowFile(folder / name, columns, texts);
   };
   RowFile all = open("trials_long.csv", trials.columns());
   RowFile again = open("trials_timed_again.csv", trials.columns());
@@ -256,7 +259,7 @@ void write_data(const study::StudyRecords& records, const TrialColumns& trials,
     wide.add(row);
     shared_wide.add(row);
   }
-  RowFile answered = open("answers_long.csv", answers.columns());
+  RowFile answered = open("answers_long.csv", answers.columns(), CsvTexts::guarded);
   for (std::size_t i = 0; i < records.answers.size(); ++i) {
     answered.add(answers.row(i));
   }

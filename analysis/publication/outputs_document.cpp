@@ -14,6 +14,13 @@ study's marks, ratings and questions. Foveola's own copy of it is of a made-up s
 Every CSV file follows RFC 4180 (CRLF line ends, quotes where needed) with a heading; a column's name
 ends in its unit. A value that does not exist is an empty field (CSV), `null` (JSON), `n/a` (BIDS).
 Truth values are `TRUE` and `FALSE` in CSV, as R and pandas read them, and `true` and `false` elsewhere.
+Files for people are guarded, so that no spreadsheet takes a text that somebody typed for a formula: a
+text has an apostrophe before it if it begins with `=`, `+`, `-` or `@`, in full width too, with a tab,
+a line break or an apostrophe. Take the first apostrophe of such a text away to have what was typed.
+Files for programs have texts as typed: `trials_long.csv`, `trials_timed_again.csv`,
+`participants_wide.csv`, `gaze_by_trial.csv`, `models_plan.csv`, `psych-ds/` and `bids/`; open them in a
+spreadsheet with all columns imported as text. `codebook.csv` says of each file whether it is guarded;
+numbers are the same in all.
 `participant_kind` says who took part: `human`, `pilot` or `simulated`. Numbers are written so that
 they read back as the same double. Intervals are of 95 % unless another is named.
 The report's definitions say how each number is computed. A study's file is verified before it is read,

@@ -8,15 +8,15 @@
 
 namespace foveola::analysis {
 
-RowFile::RowFile(std::filesystem::path path, const std::vector<Column>& columns)
-    : path_(std::move(path)), text_(csv_heading(columns)) {
+RowFile::RowFile(std::filesystem::path path, const std::vector<Column>& columns, CsvTexts texts)
+    : path_(std::move(path)), texts_(texts), text_(csv_heading(columns)) {
   std::filesystem::create_directories(path_.parent_path());
   stream_.open(path_, std::ios::binary);
 }
 
 void RowFile::add(const Row& row) {
   constexpr std::size_t most_bytes = 1 << 20;
-  text_ += csv_row(row);
+  text_ += csv_row(row, texts_);
   if (text_.size() > most_bytes) {
     flush();
   }

@@ -14,7 +14,8 @@ namespace foveola::analysis {
 class RowFile {
  public:
   /// Makes the file's folder if need be.
-  RowFile(std::filesystem::path path, const std::vector<Column>& columns);
+  RowFile(std::filesystem::path path, const std::vector<Column>& columns,
+          CsvTexts texts = CsvTexts::as_typed);
 
   void add(const Row& row);
   /// Throws Error if not everything could be written.
@@ -24,6 +25,7 @@ class RowFile {
   void flush();
 
   std::filesystem::path path_;
+  CsvTexts texts_;
   std::string text_;
   std::ofstream stream_;
 };

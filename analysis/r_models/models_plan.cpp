@@ -22,7 +22,9 @@ Table models_plan(const Dataset& set, const std::vector<ComparedPair>& pairs,
        [&](const ComparedPair& pair) { return field(set.methods[pair.reference]); }},
       {{"scenes", text, "", "Whether scenes are random or fixed, by the protocol"},
        [&](const ComparedPair& /*pair*/) { return field(name_of(scenes)); }}};
-  return tabulate("models_plan", "comparison that models.R fits", columns, pairs);
+  Table plan = tabulate("models_plan", "comparison that models.R fits", columns, pairs);
+  plan.texts = CsvTexts::as_typed;
+  return plan;
 }
 
 }  // namespace foveola::analysis

@@ -29,11 +29,18 @@ struct Column {
 using Field = std::variant<std::monostate, std::string, std::int64_t, double, bool>;
 using Row = std::vector<Field>;
 
+/// How a CSV file has texts. Numbers and truth values are the same in both.
+enum class CsvTexts {
+  guarded,  ///< for people, whose spreadsheet takes no text for a formula: see guarded()
+  as_typed  ///< for programs
+};
+
 struct Table {
   std::string id;        ///< The name of its file, without extension.
   std::string rows_are;  ///< What there is a row for, as "mark, scene and method".
   std::vector<Column> columns;
   std::vector<Row> rows;
+  CsvTexts texts = CsvTexts::guarded;
 };
 
 /// A column together with its value in the row of an item.

@@ -1,6 +1,8 @@
 #include "analysis/tables/table_formats.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,8 +25,11 @@ constexpr TruthWords in_tsv{"true", "false"};
 /// A text that says which alternative a field holds, for std::visit.
 struct TextOf {
   TruthWords truth_words;
+  CsvTexts texts = CsvTexts::as_typed;
   std::string operator()(std::monostate /*missing*/) const { return ""; }
-  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(const std::string& text) const {
+    return texts == CsvTexts::guarded ? guarded(text) : text;
+  }
   std::string operator()(std::int64_t whole) const { return std::to_string(whole); }
   std::string operator()(double number) const { return csv_number(number); }
   std::string operator()(bool truth) const { return truth ? truth_words.yes : truth_words.no; }
@@ -38,11 +43,11 @@ struct JsonOf {
   }
 };
 
-CsvRow texts_of(const Row& row, TruthWords truth_words) {
+CsvRow texts_of(const Row& row, const TextOf& text_of_field) {
   CsvRow texts;
   texts.reserve(row.size());
   for (const Field& field : row) {
-    texts.push_back(std::visit(TextOf{truth_words}, field));
+    texts.push_back(std::visit(text_of_field, field));
   }
   return texts;
 }
@@ -74,19 +79,31 @@ std::string csv_heading(const std::vector<Column>& columns) {
   return format_csv({names_of(columns)});
 }
 
-std::string csv_row(const Row& row) { return format_csv({texts_of(row, in_csv)}); }
+std::string guarded(const std::string& text) {
+  // As keyboards have them, and in the full width of East Asian ones.
+  constexpr std::array<std::string_view, 12> beginnings{
+      "'", "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+  const bool is_risky =
+      std::any_of(beginnings.begin(), beginnings.end(),
+                  [&](std::string_view beginning) { return text.starts_with(beginning); });
+  return is_risky ? "'" + text : text;
+}
+
+std::string csv_row(const Row& row, CsvTexts texts) {
+  return format_csv({texts_of(row, {in_csv, texts})});
+}
 
 std::string csv_of(const Table& table) {
   std::string text = csv_heading(table.columns);
   for (const Row& row : table.rows) {
-    text += csv_row(row);
+    text += csv_row(row, table.texts);
   }
   return text;
 }
 
 std::string tsv_heading(const std::vector<Column>& columns) { return tsv_line(names_of(columns)); }
 
-std::string tsv_row(const Row& row) { return tsv_line(texts_of(row, in_tsv)); }
+std::string tsv_row(const Row& row) { return tsv_line(texts_of(row, {in_tsv})); }
 
 nlohmann::ordered_json json_of(const Table& table) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -107,12 +124,15 @@ Table codebook_of(const std::vector<Table>& tables) {
                   {"variable", ColumnType::text, "", "Name of the column"},
                   {"type", ColumnType::text, "", "string, integer, number or boolean"},
                   {"unit", ColumnType::text, "", "Unit of the values, if they have one"},
-                  {"description", ColumnType::text, "", "What the values are"}},
+                  {"description", ColumnType::text, "", "What the values are"},
+                  {"guarded", ColumnType::truth, "",
+                   "Whether texts in the file have an apostrophe before what a spreadsheet takes "
+                   "for the beginning of a formula, and before an apostrophe"}},
                  {}};
   for (const Table& table : tables) {
     for (const Column& column : table.columns) {
       codebook.rows.push_back({table.id, column.name, std::string(name_of(column.type)),
-                               column.unit, column.description});
+                               column.unit, column.description, table.texts == CsvTexts::guarded});
     }
   }
   return codebook;

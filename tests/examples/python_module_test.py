@@ -137,6 +137,8 @@ class Studies(unittest.TestCase):
                 self.assertEqual(len(data), len(rows) - 1)
                 for number, row in enumerate(rows[1:]):
                     for name, text in zip(rows[0], row):
+                        if file == "answers_long" and text.startswith("'"):
+                            text = text[1:]  # guarded, as the codebook says
                         self.assert_same(data[name].iloc[number], text, f"{name}, row {number}")
 
     def assert_same(self, value, text, where):

@@ -1,5 +1,7 @@
 // Every timing of a study's file comes out, those that were made again among them.
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -88,6 +90,47 @@ TEST_F(RecordedTimings, OfWithdrawnSessionsComeOutOnlyIfAskedForAndChangeNoResul
     if (file.string().find("psych-ds") != std::string::npos) {
       EXPECT_THAT(read_file(file), Not(HasSubstr("P02"))) << file;
     }
+  }
+}
+
+/// A formula as the reason of an exclusion and as a comment: as the codebook says, files for people
+/// have it guarded, and those that programs read as it was typed.
+TEST_F(RecordedTimings, FormulasAreGuardedWhereTheCodebookSaysSo) {
+  {
+    study::StudyStore store(path_, study::thorough_protocol());
+    study::run_thorough_session(store, "P01", study::Excluded{.reason = "=1+1"});
+    study::run_thorough_session(
+        store, "P02",
+        study::QuestionnaireAnswered{.questionnaire = "debrief",
+                                     .answers = {{.question = "sickness", .value = 2.0},
+                                                 {.question = "comments", .value = "=2+2"}}});
+  }
+  const AnalysisOutput output = analyze_study(path_, folder_ / "out", {.bids = true});
+  std::map<std::string, bool> is_guarded;
+  for (const CsvRow& row : rows_in("codebook.csv")) {
+    is_guarded[row.at(0)] = row.at(5) == "TRUE";
+  }
+  std::map<std::string, int> formulas;
+  for (const std::filesystem::path& file : output.files) {
+    if (file.extension() != ".csv") {
+      continue;
+    }
+    const bool is_psych_ds = file.string().find("psych-ds") != std::string::npos;
+    const std::string name = file.stem().string();
+    for (const CsvRow& row : parse_csv(read_file(file), name)) {
+      for (const std::string& cell : row) {
+        const bool is_formula = cell == "=1+1" || cell == "=2+2";
+        const bool is_guarded_formula = cell == "'=1+1" || cell == "'=2+2";
+        formulas[name] += is_formula || is_guarded_formula ? 1 : 0;
+        EXPECT_FALSE(is_guarded_formula && (is_psych_ds || !is_guarded.at(name))) << file;
+        EXPECT_FALSE(is_formula && !is_psych_ds && (name == "codebook" || is_guarded.at(name)))
+            << file;
+      }
+    }
+  }
+  for (const char* name : {"answers_long", "exclusions", "trials_long", "trials_timed_again",
+                           "study-small_type-trials_data"}) {
+    EXPECT_GT(formulas[name], 0) << name;
   }
 }
 

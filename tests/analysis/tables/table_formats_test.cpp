@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,14 +83,40 @@ TEST(TableFormats, HeadingsAndRowsAloneAreThoseOfTheWhole) {
   EXPECT_EQ(csv, csv_of(table));
 }
 
+// What begins a formula is OWASP's list (https://owasp.org/www-community/attacks/CSV_Injection).
+TEST(TableFormats, ForPeopleNoTextIsAFormulaAndNumbersAreWhatTheyAre) {
+  Table table{"typed", "text", {{"typed", text, "", ""}, {"value", number, "", ""}}, {}};
+  const std::vector<std::pair<std::string, std::string>> typed = {
+      {"=1+1", "'=1+1"}, {"+49 30", "'+49 30"},
+      {"-5", "'-5"},     {"@SUM(A1)", "'@SUM(A1)"},
+      {"\t=1", "'\t=1"}, {"\r=1", "'\r=1"},
+      {"\n=1", "'\n=1"}, {"＝1", "'＝1"},
+      {"＋1", "'＋1"},   {"－1", "'－1"},
+      {"＠1", "'＠1"},   {"'tis", "''tis"},
+      {"'=1", "''=1"},   {"", ""},
+      {"a=1", "a=1"},    {"−1", "−1"}};
+  for (const auto& [was, is] : typed) {
+    table.rows.push_back({was, -5.5});
+  }
+  const std::vector<CsvRow> for_people = parse_csv(csv_of(table), "typed");
+  table.texts = CsvTexts::as_typed;
+  const std::vector<CsvRow> for_programs = parse_csv(csv_of(table), "typed");
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    EXPECT_THAT(for_people.at(i + 1), ElementsAre(typed[i].second, "-5.5"));
+    EXPECT_THAT(for_programs.at(i + 1), ElementsAre(typed[i].first, "-5.5"));
+  }
+}
+
 TEST(TableFormats, TheCodebookHasARowForEachColumn) {
-  const Table codebook = codebook_of({every_kind(), every_kind()});
+  Table second = every_kind();
+  second.texts = CsvTexts::as_typed;
+  const Table codebook = codebook_of({every_kind(), second});
   ASSERT_EQ(codebook.rows.size(), 8U);
   const std::vector<CsvRow> rows = parse_csv(csv_of(codebook), "codebook");
-  EXPECT_THAT(rows[0], ElementsAre("file", "variable", "type", "unit", "description"));
-  EXPECT_THAT(rows[2], ElementsAre("kinds", "count", "integer", "", "A whole number"));
-  EXPECT_THAT(rows[3], ElementsAre("kinds", "mean_s", "number", "s", "A number"));
-  EXPECT_THAT(rows[4], ElementsAre("kinds", "is_true", "boolean", "", "Whether it is so"));
+  EXPECT_THAT(rows[0], ElementsAre("file", "variable", "type", "unit", "description", "guarded"));
+  EXPECT_THAT(rows[2], ElementsAre("kinds", "count", "integer", "", "A whole number", "TRUE"));
+  EXPECT_THAT(rows[3], ElementsAre("kinds", "mean_s", "number", "s", "A number", "TRUE"));
+  EXPECT_THAT(rows[8], ElementsAre("kinds", "is_true", "boolean", "", "Whether it is so", "FALSE"));
 }
 
 TEST(TableFormats, MarkdownListsTheColumnsOfEachFile) {
