@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/confined_path.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/similar_word.h"
@@ -245,6 +247,17 @@ auto read_profile(std::string_view folder, const std::string& name_or_path, cons
   return profile;
 }
 
+/// The recording that a profile, which may be anybody's, names.
+fs::path recording_beside(const fs::path& profile, const fs::path& recording) {
+  try {
+    return confined_path(fs::absolute(profile).parent_path(), recording);
+  } catch (const std::runtime_error& reason) {
+    throw Error(profile.string(),
+                fmt::format("its recording '{}' is {}", recording.string(), reason.what()),
+                "put a copy into the folder of the profile");
+  }
+}
+
 /// Reads a profile that was kept with `from`.
 template <typename From>
 auto profile_in(const std::string& toml, const std::string& where, const From& from,
@@ -277,7 +290,7 @@ DisplayProfile read_display_profile(const std::string& name_or_path) {
 TrackerProfile read_tracker_profile(const std::string& name_or_path) {
   TrackerProfile tracker = read_profile(trackers, name_or_path, tracker_from);
   if (tracker.source == TrackerSource::recorded) {
-    tracker.recording = profile_file(trackers, name_or_path).parent_path() / tracker.recording;
+    tracker.recording = recording_beside(profile_file(trackers, name_or_path), tracker.recording);
   }
   return tracker;
 }

@@ -99,6 +99,8 @@ bool is_profile_path(const std::string& name_or_path);
 Nanoseconds shortest_delay(const TrackerProfile& profile);
 
 DisplayProfile read_display_profile(const std::string& name_or_path);
+
+/// A recording must lie in the profile's folder: see confined_path().
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
 
 /// Profiles from texts that were kept, without a name; `where` names them in messages.

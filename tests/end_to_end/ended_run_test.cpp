@@ -102,6 +102,7 @@ TEST_F(StudyRun, TakesNobodysEyeForAPersons) {
   participant_.write_protocol(one_trial_keys, short_look);
   const std::string simulated =
       participant_.folder().write("nobody.toml", tracker_profile("simulated", 120));
+  participant_.folder().write("gaze.csv", "time_ns,x,y,z,valid\n0,0,0,-1,1\n");
   const std::string recorded = participant_.folder().write(
       "former.toml", tracker_profile("recorded", 120) + "recording = \"gaze.csv\"\n");
   expect_one_line(participant_.run_besides("P2", {"--tracker", simulated}), 1,

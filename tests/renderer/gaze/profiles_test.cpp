@@ -1,10 +1,13 @@
 #include "renderer/gaze/profiles.h"
 
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "renderer/base/error.h"
 #include "renderer/gaze/latency.h"
@@ -17,6 +20,7 @@ using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 TEST(DisplayProfile, ThePublishedHeadset) {
   const DisplayProfile fove = read_display_profile("fove0");
@@ -197,19 +201,42 @@ TEST(Profiles, AreReadFromAPath) {
   EXPECT_EQ(other.transfer.provenance, Provenance::measured);
 }
 
-TEST(Profiles, ARecordingIsFoundFromTheProfilesFolder) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("mine.toml", R"(title = "A replay"
-source = "recorded"
-recording = "recordings/gaze.csv"
+std::string replay_of(const std::string& recording) {
+  return "title = \"A replay\"\nsource = \"recorded\"\nrecording = \"" + recording + R"("
 rate_hz = 120
 exposure = { duration_ms = 8, provenance = "assumed" }
 transfer = { duration_ms = 2, provenance = "assumed" }
 processing = { duration_ms = 4, provenance = "assumed" }
-)");
+)";
+}
+
+TEST(Profiles, ARecordingIsFoundFromTheProfilesFolder) {
+  const TemporaryFolder folder;
+  const auto recording = folder.write("recordings/gaze.csv", "");
+  const auto file = folder.write("mine.toml", replay_of("recordings/gaze.csv"));
   const TrackerProfile profile = read_tracker_profile(file.string());
   EXPECT_EQ(profile.source, TrackerSource::recorded);
-  EXPECT_EQ(profile.recording, folder / "recordings/gaze.csv");
+  EXPECT_EQ(profile.recording, std::filesystem::canonical(recording));
+}
+
+TEST(Profiles, ARecordingStaysInTheProfilesFolder) {
+  const TemporaryFolder folder;
+  folder.write("secret.csv", "");
+  std::filesystem::create_directories(folder / "home");
+  std::filesystem::create_symlink("../secret.csv", folder / "home/link.csv");
+  ASSERT_EQ(::mkfifo((folder / "home/pipe.csv").c_str(), 0600), 0);
+  const std::pair<const char*, const char*> refused[] = {
+      {"/dev/zero", "is an absolute path"},
+      {"../secret.csv", "is a path that leads out of the folder"},
+      {"link.csv", "is a symbolic link that leads out of the folder"},
+      {"pipe.csv", "is not a regular file"},
+      {"absent.csv", "is a file that does not exist"}};
+  for (const auto& [recording, what] : refused) {
+    const std::string file = folder.write("home/mine.toml", replay_of(recording)).string();
+    EXPECT_THAT([&] { read_tracker_profile(file); },
+                ThrowsMessage<Error>(file + ": its recording '" + recording + "' " + what +
+                                     "; put a copy into the folder of the profile"));
+  }
 }
 
 struct Fault {
