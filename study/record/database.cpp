@@ -190,6 +190,17 @@ void with_clear_errors(const fs::path& path, const std::function<void()>& work) 
   }
 }
 
+void with_named_target(const fs::path& target, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const SQLite::Exception& fault) {
+    if (fault.getErrorCode() == SQLITE_FULL) {
+      throw error_of(target, fault);
+    }
+    throw;
+  }
+}
+
 void require_study(const fs::path& path) {
   require_regular_file(path);
   SQLite::Database database = open_as_it_is(path);
@@ -252,17 +263,12 @@ void copy_checked(SQLite::Database& database, const fs::path& path) {
 
 void copy_into(const TemporaryDatabase& temporary, SQLite::Database& database,
                const fs::path& path) {
-  try {
+  with_named_target(path, [&] {
     SQLite::Database copy(temporary.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Backup(copy, database).executeStep();
     // So that reading it makes no files beside it.
     copy.execAndGet("PRAGMA journal_mode = DELETE");
-  } catch (const SQLite::Exception& fault) {
-    if (fault.getErrorCode() == SQLITE_CORRUPT) {
-      throw;  // the other's
-    }
-    throw error_of(path, fault);
-  }
+  });
   SQLite::Database copy = open_immutable(temporary.path());
   require_intact(copy, path);
 }

@@ -25,6 +25,10 @@ void keep_no_memory_counts();
 /// Runs `work` and turns what SQLite throws into Error about the file at `path`.
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 
+/// Runs `work`, which reads one file and writes another that is to lie at `target`. Turns what
+/// SQLite throws of a full disk into Error about the target; all else it throws passes.
+void with_named_target(const std::filesystem::path& target, const std::function<void()>& work);
+
 /// Reads of the file at `path` only what kind of file it is. Throws Error or what SQLite throws if
 /// it is missing, no study, of another schema, or if it has a second name (hard link).
 void require_study(const std::filesystem::path& path);
@@ -58,7 +62,7 @@ SQLite::Database open_study_to_write(const std::filesystem::path& path);
 void fold_in_log(const std::filesystem::path& path);
 
 /// Copies `database` to `path` in one step and checks the copy; a file that is there is replaced.
-/// Throws Error or what SQLite throws.
+/// Throws Error, about `path` if its disk is full, or what SQLite throws.
 void copy_checked(SQLite::Database& database, const std::filesystem::path& path);
 
 /// Copies `database` into a new file that has not its final path yet, and checks the copy. Throws

@@ -91,19 +91,21 @@ struct SourceSession {
 /// does not matter which file they came from.
 class Merging {
  public:
-  Merging(SQLite::Database& target, const std::vector<fs::path>& sources)
-      : target_(target), sources_(sources) {}
+  /// path: where the target is to lie.
+  Merging(SQLite::Database& target, const fs::path& path, const std::vector<fs::path>& sources)
+      : target_(target), path_(path), sources_(sources) {}
 
   Merge run() {
     std::vector<SourceSession> sessions;
     for (std::size_t source = 0; source < sources_.size(); ++source) {
-      with_clear_errors(sources_[source], [&] { look_at(source, sessions); });
+      with_clear_errors(sources_[source],
+                        [&] { with_named_target(path_, [&] { look_at(source, sessions); }); });
     }
     std::ranges::stable_sort(sessions, {}, [](const SourceSession& session) {
       return std::tie(session.started_utc, session.design_row);
     });
     for (const SourceSession& session : sessions) {
-      with_clear_errors(path_of(session), [&] { add(session); });
+      with_clear_errors(path_of(session), [&] { with_named_target(path_, [&] { add(session); }); });
     }
     return result_;
   }
@@ -272,6 +274,7 @@ class Merging {
   };
 
   SQLite::Database& target_;
+  const fs::path& path_;
   const std::vector<fs::path>& sources_;
   int schema_ = study_schema_version;
   std::set<std::string> forgotten_;  ///< SHA-256 of the sessions' UUIDs
@@ -281,11 +284,13 @@ class Merging {
   Merge result_;
 };
 
-Merge merge_into(const std::vector<fs::path>& sources, const fs::path& path) {
-  SQLite::Database target(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+/// temporary: the file that is to become `path`.
+Merge merge_into(const std::vector<fs::path>& sources, const fs::path& temporary,
+                 const fs::path& path) {
+  SQLite::Database target(temporary, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   target.exec("PRAGMA foreign_keys = ON");
   SQLite::Transaction transaction(target);
-  const Merge merge = Merging(target, sources).run();
+  const Merge merge = Merging(target, path, sources).run();
   transaction.commit();
   return merge;
 }
@@ -300,7 +305,7 @@ Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target
   Merge merge;
   with_clear_errors(target, [&] {
     const TemporaryDatabase temporary(target);
-    merge = merge_into(sources, temporary.path());
+    merge = merge_into(sources, temporary.path(), target);
     if (!temporary.take_free_name()) {
       require_new(target);
     }

@@ -64,6 +64,38 @@ TEST(Robustness, AFullDiskIsNamedAndLosesNothing) {
   EXPECT_THAT(verify_study(path).faults, IsEmpty());
 }
 
+/// Of two megabytes.
+void write_large_study(const fs::path& path, const std::string& participant) {
+  StudyStore store(path, small_protocol());
+  PlayedSession session(store, facts_of(participant), small_plan());
+  session.begin();
+  for (int i = 0; i < 2; ++i) {
+    store.record(session.id(), EventEntry{.time = ms(100),
+                                          .event = NoteWritten{.text = std::string(1 << 20, 'n')},
+                                          .before = session.state(),
+                                          .after = session.state()});
+  }
+}
+
+TEST(Robustness, AFullDiskIsThatOfTheFileThatIsWritten) {
+  const TemporaryFolder folder;
+  const TemporaryFolder small;
+  const SmallDisk disk(small.path());
+  if (!disk.is_mounted()) {
+    GTEST_SKIP() << "only root may mount a small disk";
+  }
+  write_large_study(folder / "a.sqlite", "P01");
+  write_large_study(folder / "b.sqlite", "P02");
+  const fs::path merged = small / "all.sqlite";
+  EXPECT_THAT(refusal([&] { merge_studies({folder / "a.sqlite", folder / "b.sqlite"}, merged); }),
+              StartsWith(merged.string() + ": the disk is full"));
+  const fs::path backups = folder / "a.sqlite.backups";
+  fs::create_directory_symlink(small.path(), backups);
+  EXPECT_THAT(refusal([&] { back_up_study(folder / "a.sqlite"); }),
+              testing::MatchesRegex(backups.string() + "/20[^/]*Z.sqlite: the disk is full.*"));
+  EXPECT_THAT(small.entries(), IsEmpty());
+}
+
 TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
