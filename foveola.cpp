@@ -26,7 +26,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/output_guard.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
+#include "renderer/base/utf8.h"
 #include "renderer/cluster/cluster_command.h"
 #include "renderer/command_line/commands.h"
 #include "renderer/command_line/output_options.h"
@@ -120,7 +122,7 @@ void run_demo(const fs::path& parent, int participants, const std::stop_token& s
   require_writable(parent / "foveola-demo");
   const fs::path folder = new_folder(parent, "foveola-demo");
   const fs::path database = folder / "study.sqlite";
-  fmt::print("Simulating a small study on built-in scenes with {} participants.\n", participants);
+  print_text("Simulating a small study on built-in scenes with {} participants.\n", participants);
   const study::SimulateReport simulated =
       study::simulate_study({.protocol = resource_folder() / "protocols" / "demo.toml",
                              .database = database,
@@ -129,11 +131,11 @@ void run_demo(const fs::path& parent, int participants, const std::stop_token& s
                              .threads = 0},
                             scenes::find_scene_beside, stop);
   if (stop.stop_requested()) {
-    fmt::print("Stopped. The sessions recorded so far are in {}\n", database.string());
+    print_text("Stopped. The sessions recorded so far are in {}\n", database.string());
     return;
   }
   const analysis::AnalysisOutput analysed = analysis::analyze_study(database, folder / "analysis");
-  fmt::print(
+  print_text(
       "{}\n{} trials, simulated in {}, took the participants {} of virtual time.\n"
       "Database  {}\nReport    {}\n",
       analysed.summary, simulated.trials, human_duration(simulated.wall_s),
@@ -165,15 +167,15 @@ SceneSource apart_from_outputs(SceneSource scene) {
   return scene;
 }
 
-/// Says nothing where nobody can hear it any more, as behind a closed terminal.
+constexpr int user_error = 1;
+constexpr int usage_error = 2;
+
 int complain(const std::string& message, int exit_code) {
-  std::fputs(fmt::format("foveola: error: {}\n", message).c_str(), stderr);
+  print_text(stderr, "foveola: error: {}\n", printable(message));
   return exit_code;
 }
 
 int run(int argc, char** argv) {
-  constexpr int user_error = 1;
-  constexpr int usage_error = 2;
   // A file that may not grow is then an error like that of a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   const SignalStop signals;
@@ -227,20 +229,32 @@ int run(int argc, char** argv) {
     const bool stopped = signals.token().stop_requested();
     return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);
   } catch (const fs::filesystem_error& error) {
-    return complain(error.path1().string() + ": " + error.code().message(), user_error);
+    const std::string to = error.path2().empty() ? "" : " -> " + error.path2().string();
+    return complain(error.path1().string() + to + ": " + error.code().message(), user_error);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory; try a smaller image or scene", user_error);
   } catch (const std::system_error& error) {
-    // Nobody reads what is printed any more: the terminal was closed.
-    const bool stopped = signals.token().stop_requested();
-    return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);
+    return complain(error.what(), user_error);
   } catch (const std::exception& error) {
     return complain(std::string("this is a fault in Foveola: ") + error.what(), user_error);
   }
   return signals.token().stop_requested() ? SignalStop::interrupted_exit_code : EXIT_SUCCESS;
 }
 
+/// The exit code of a command that ended with `exit_code`, once all that it printed is written.
+int finish(int exit_code) {
+  try {
+    finish_printing();
+  } catch (const Error& error) {
+    return exit_code == EXIT_SUCCESS ? complain(error.what(), user_error) : exit_code;
+  }
+  return exit_code;
+}
+
 }  // namespace
 }  // namespace foveola
 
-int main(int argc, char** argv) { return foveola::run(argc, argv); }
+int main(int argc, char** argv) {
+  foveola::hold_closed_streams();
+  return foveola::finish(foveola::run(argc, argv));
+}

@@ -19,6 +19,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/similar_word.h"
 #include "renderer/base/utf8.h"
@@ -33,7 +34,7 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-void warn(const std::string& text) { fmt::print(stderr, "foveola: warning: {}\n", text); }
+void warn(const std::string& text) { print_text(stderr, "foveola: warning: {}\n", text); }
 
 /// Where a scene stands: whether it can be used, and from which file.
 struct State {
@@ -92,7 +93,7 @@ void list_as_json(const std::vector<ListedScene>& scenes) {
   for (const ListedScene& scene : scenes) {
     list.push_back(json_of(scene));
   }
-  fmt::print("{}\n", list.dump(2));
+  print_text("{}\n", list.dump(2));
 }
 
 /// Where a missing file comes from.
@@ -129,9 +130,9 @@ std::string terms_of(const Descriptor& descriptor) {
 
 void list_as_text(const std::vector<ListedScene>& scenes) {
   for (const auto& [descriptor, state] : scenes) {
-    fmt::print("{:<14} {:<13} {}{}\n", descriptor.name, state.word,
+    print_text("{:<14} {:<13} {}{}\n", descriptor.name, state.word,
                printable(descriptor.source.title), terms_of(descriptor));
-    fmt::print("{:<28} {}\n", "", place_of(descriptor, state));
+    print_text("{:<28} {}\n", "", place_of(descriptor, state));
   }
 }
 
@@ -209,7 +210,7 @@ void make_scene(const std::string& name, const MakeArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t triangles = write_builtin(name, file, arguments.seed);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  fmt::print("{}  {} triangles  {:.2f} s  sha256 {}\n", file.string(), triangles, elapsed.count(),
+  print_text("{}  {} triangles  {:.2f} s  sha256 {}\n", file.string(), triangles, elapsed.count(),
              sha256_of_file(file));
 }
 
@@ -262,7 +263,7 @@ Descriptor real_scene(const std::string& name) {
 
 /// At once, also into a pipe: what follows may take long.
 void print_terms(const Descriptor& descriptor) {
-  fmt::print("{}, by {}\nLicence: {}\nFrom: {}\n", descriptor.source.title, descriptor.author,
+  print_text("{}, by {}\nLicence: {}\nFrom: {}\n", descriptor.source.title, descriptor.author,
              descriptor.licence, descriptor.origin);
   std::fflush(stdout);
 }
@@ -310,7 +311,7 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
   command->callback([arguments, stop] {
     const Descriptor descriptor = real_scene(arguments->name);
     print_terms(descriptor);
-    fmt::print("{}\n", fetch(descriptor, *arguments, stop).string());
+    print_text("{}\n", fetch(descriptor, *arguments, stop).string());
   });
 }
 

@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/programs.h"
 #include "scenes/generators_digest.h"
 
@@ -115,11 +116,11 @@ ProgramEnd end_of_build(const fs::path& build_folder) {
 }
 
 void build_program(const fs::path& build_folder) {
-  fmt::print(stderr, "foveola: building the generators of the built-in scenes, once\n");
+  print_text(stderr, "foveola: building the generators of the built-in scenes, once\n");
   const BuildLock lock(build_folder);
   const ProgramEnd end = end_of_build(build_folder);
   if (end.status != 0) {
-    fmt::print(stderr, "{}{}", last_lines(end.output), last_lines(end.errors));
+    print_text(stderr, "{}{}", last_lines(end.output), last_lines(end.errors));
     throw Error(build_folder.string(),
                 fmt::format("building {} ended with {}", program_name, failure_named(end.status)),
                 WIFSIGNALED(end.status) ? "try again" : "see above; mend it and try again");

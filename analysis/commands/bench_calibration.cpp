@@ -19,6 +19,7 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/protocol/protocol.h"
@@ -197,23 +198,23 @@ void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_sc
                  {"baseline_trials_out_of_time", tried.baseline_trials_out_of_time},
                  {"samples_per_second", json_of(fitted)},
                  {"cells", json_of(cells)}});
-    fmt::print("{}\n", json.dump(2));
+    print_text("{}\n", json.dump(2));
     return;
   }
-  fmt::print(
+  print_text(
       "{} predicted participants. The machine with which OD takes as long as published, in the "
       "geometric mean of Table 2's cells; in brackets, 95 % over scenes:\n",
       arguments.participants);
   for (const NamedSpeed& named : fitted) {
-    fmt::print("  {}", text_of(named));
+    print_text("  {}", text_of(named));
   }
-  fmt::print("OD, which was fitted, with {:.0f} samples a second:\n{}", speed, text_of(cells));
+  print_text("OD, which was fitted, with {:.0f} samples a second:\n{}", speed, text_of(cells));
   if (tried.baseline_trials_out_of_time > 0) {
-    fmt::print(
+    print_text(
         "In {} trials with OD a mark was not made in time; these times are not in the means.\n",
         tried.baseline_trials_out_of_time);
   }
-  fmt::print("The same study beside the published one; of VP and FV nothing was fitted:\n{}",
+  print_text("The same study beside the published one; of VP and FV nothing was fitted:\n{}",
              report);
 }
 

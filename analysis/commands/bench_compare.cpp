@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/bench_ratios.h"
+#include "renderer/base/print.h"
 
 namespace foveola::analysis {
 namespace {
@@ -91,7 +92,7 @@ void print_json(const BenchComparison& comparison) {
       {"in_one_run_only", comparison.unmatched},
       {"files_only_before", comparison.only_before},
       {"files_only_after", comparison.only_after}};
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 std::string ratio_text(const BenchRatio& row, const std::optional<Interval>& interval) {
@@ -111,9 +112,9 @@ void print_rows(const std::vector<BenchRatio>& rows, BenchMove move) {
   }
   for (const BenchRatio& row : rows) {
     if (row.kind == BenchFigureKind::exact) {
-      fmt::print("  {:<{}}  {}, now {}\n", row.figure, width, row.before, row.after);
+      print_text("  {:<{}}  {}, now {}\n", row.figure, width, row.before, row.after);
     } else {
-      fmt::print("  {:<{}}  {:.5g}, now {:.5g}: {}\n", row.figure, width, row.before, row.after,
+      print_text("  {:<{}}  {:.5g}, now {:.5g}: {}\n", row.figure, width, row.before, row.after,
                  ratio_text(row, move == BenchMove::together ? row.together : row.interval));
     }
   }
@@ -144,10 +145,10 @@ void print_moves(const BenchComparison& comparison) {
   for (const BenchMove move :
        {BenchMove::together, BenchMove::exactly, BenchMove::alone, BenchMove::without_interval}) {
     const std::vector<BenchRatio> rows = comparison.moved(move);
-    fmt::print("{}\n", moved_heading(move, comparison, rows.size()));
+    print_text("{}\n", moved_heading(move, comparison, rows.size()));
     print_rows(rows, move);
   }
-  fmt::print("Stayed: {} of {} figures\n", comparison.moved(BenchMove::none).size(),
+  print_text("Stayed: {} of {} figures\n", comparison.moved(BenchMove::none).size(),
              comparison.ratios.size());
 }
 
@@ -156,28 +157,28 @@ void print_table(const BenchComparison& comparison) {
   for (const BenchRatio& row : comparison.ratios) {
     width = std::max(width, row.figure.size());
   }
-  fmt::print("\n{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "before", "after",
+  print_text("\n{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "before", "after",
              "after / before");
   for (const BenchRatio& row : comparison.ratios) {
-    fmt::print("{:<{}}  {:>12.5g}  {:>12.5g}  {}\n", row.figure, width, row.before, row.after,
+    print_text("{:<{}}  {:>12.5g}  {:>12.5g}  {}\n", row.figure, width, row.before, row.after,
                ratio_text(row, row.interval));
   }
 }
 
 void print_differences(const BenchComparison& comparison) {
   for (const BenchDifference& difference : comparison.differing) {
-    fmt::print(
+    print_text(
         "Differs: {}{}\n", difference.text,
         difference.files.empty() ? "" : fmt::format(" ({})", fmt::join(difference.files, ", ")));
   }
   for (const std::string& name : comparison.only_before) {
-    fmt::print("Only before: {}\n", name);
+    print_text("Only before: {}\n", name);
   }
   for (const std::string& name : comparison.only_after) {
-    fmt::print("Only after: {}\n", name);
+    print_text("Only after: {}\n", name);
   }
   if (const std::size_t count = comparison.unmatched.size(); count > 0) {
-    fmt::print("{} figure{} in one run only; --json names {}\n", count, count == 1 ? "" : "s",
+    print_text("{} figure{} in one run only; --json names {}\n", count, count == 1 ? "" : "s",
                count == 1 ? "it" : "them");
   }
 }

@@ -17,6 +17,7 @@
 #include "analysis/publication/output_folder.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/former_option.h"
@@ -124,9 +125,9 @@ void run_whole(const ConvergenceArguments& arguments, const SceneFinder& find_sc
   const std::string json = convergence_json(bench_facts(), run.plan, results.measurements, tables);
   write_results(arguments.output, results, tables, json);
   if (arguments.json) {
-    fmt::print("{}", json);
+    print_text("{}", json);
   } else {
-    fmt::print("{}Tables, figures and crops: {}\n", convergence_summary(tables),
+    print_text("{}Tables, figures and crops: {}\n", convergence_summary(tables),
                arguments.output.string());
   }
 }
@@ -148,9 +149,9 @@ void run_references(const ConvergenceArguments& arguments, const Shard& shard,
   const std::string folder = (cache_folder() / "references").string();
   if (arguments.json) {
     const nlohmann::json json = {{"cache", folder}, {"halves", halves}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_text("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    fmt::print(
+    print_text(
         "{}: has {}\n", folder,
         halves == 1 ? "1 half of a reference" : fmt::format("{} halves of references", halves));
   }
@@ -268,9 +269,9 @@ void merge_convergence(const std::vector<BenchPart>& parts, const fs::path& fold
                 {.measurements = std::move(merged.measurements), .crops = {}, .exposure_stops = {}},
                 tables, text);
   if (json) {
-    fmt::print("{}", text);
+    print_text("{}", text);
   } else {
-    fmt::print("{}Tables and figures, without crops, of {} parts: {}\n",
+    print_text("{}Tables and figures, without crops, of {} parts: {}\n",
                convergence_summary(tables), parts.size(), folder.string());
   }
 }

@@ -20,6 +20,7 @@
 #include "analysis/monte_carlo/fitted_studies.h"
 #include "analysis/monte_carlo/model_coverage.h"
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 
 namespace foveola::analysis {
@@ -99,7 +100,7 @@ void report(const ModelBench& bench, const CellCounts& counts_of, bool json) {
     width = std::max(width, cell.name.size());
   }
   if (!json) {
-    fmt::print(
+    print_text(
         "Studies with models by R, {} of twelve cells; in brackets, 95 % intervals of the "
         "shares.\n",
         cells.size());
@@ -123,7 +124,7 @@ void report(const ModelBench& bench, const CellCounts& counts_of, bool json) {
 
 void print_time_needed(const ModelBench& bench, const Shard& shard) {
   const double seconds = expected_seconds(cells_of(bench.only), bench.settings, fit_studies);
-  fmt::print(stderr, "This takes about {}.\n",
+  print_text(stderr, "This takes about {}.\n",
              human_duration(seconds / static_cast<double>(shard.count)));
 }
 

@@ -4,12 +4,13 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "analysis/commands/analysis_json.h"
 #include "analysis/commands/power_command.h"
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
+#include "renderer/base/utf8.h"
 
 namespace foveola::analysis {
 namespace {
@@ -46,14 +47,14 @@ void run_analyze(const AnalyzeArguments& arguments, const std::stop_token& stop)
   const AnalysisOutput output =
       analyze_study(arguments.database, arguments.folder, arguments.options);
   if (arguments.json) {
-    fmt::print("{}\n", analysis_json(output));
+    print_text("{}\n", analysis_json(output));
     return;
   }
-  fmt::print("{}\n", output.summary);
+  print_text("{}\n", output.summary);
   for (const std::string& warning : output.warnings) {
-    fmt::print("Note: {}\n", warning);
+    print_text("Note: {}\n", printable(warning));
   }
-  fmt::print("Report: {}\n", output.report.string());
+  print_text("Report: {}\n", output.report.string());
 }
 
 }  // namespace

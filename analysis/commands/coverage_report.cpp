@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 
 namespace foveola::analysis {
@@ -17,13 +18,13 @@ void print_figure(const CoverageFigure& figure, std::size_t width) {
           : "reported only";
   const std::string mean =
       figure.mean_ratio ? fmt::format("; mean {:.1f} %", 100.0 * *figure.mean_ratio) : "";
-  fmt::print("{:<{}}  {:<27} {:6.2f} % [{:.2f}, {:.2f}] of {}; {}{}\n", figure.name, width,
+  print_text("{:<{}}  {:<27} {:6.2f} % [{:.2f}, {:.2f}] of {}; {}{}\n", figure.name, width,
              figure.claim, figure.percent, figure.interval.low, figure.interval.high,
              figure.studies, required, mean);
 }
 
 void print_table(const CoverageSettings& settings, const std::vector<CoverageFigure>& figures) {
-  fmt::print(
+  print_text(
       "Studies of {} simulated participants whose times are drawn from a model; in brackets, "
       "95 % intervals of the shares\n",
       settings.participants);
@@ -55,7 +56,7 @@ void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageF
   json.update(about);
   json["participant_kind"] = "simulated";
   json["figures"] = std::move(rows);
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 void require_all(const std::vector<CoverageFigure>& figures) {

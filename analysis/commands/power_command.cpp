@@ -15,6 +15,7 @@
 #include "analysis/r_models/fit_models.h"
 #include "renderer/base/error.h"
 #include "renderer/base/parallel.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "study/record/study_records.h"
 
@@ -49,7 +50,7 @@ void plan_one_comparison(const PowerArguments& arguments) {
   settings.spread = arguments.spread.value_or(settings.spread);
   settings.studies = arguments.studies.value_or(settings.studies);
   const PowerPlan plan = plan_power(settings);
-  fmt::print("{}", arguments.json ? power_json(settings, plan) + "\n" : power_text(settings, plan));
+  print_text("{}", arguments.json ? power_json(settings, plan) + "\n" : power_text(settings, plan));
 }
 
 std::optional<study::StudyRecords> pilot_of(const PowerArguments& arguments) {
@@ -112,7 +113,7 @@ double expected_seconds(const StudyPowerReport& report, std::size_t participants
 std::vector<StudyPower> fit_by_r(const PowerArguments& arguments, const StudyPowerReport& report,
                                  PowerSimulation simulation, const std::stop_token& stop) {
   const std::size_t participants = participants_for_r(arguments, report);
-  fmt::print(stderr, "R fits the models of {} studies of {} participants: about {}\n",
+  print_text(stderr, "R fits the models of {} studies of {} participants: about {}\n",
              report.studies, participants, human_duration(expected_seconds(report, participants)));
   simulation.fit_models = fit_studies;
   const auto power = simulate_study_power(report.expected, participants, simulation, stop);
@@ -136,19 +137,19 @@ std::vector<StudyPower> simulate(const PowerArguments& arguments, const StudyPow
        .planned = planned ? std::optional<std::size_t>(*planned) : std::nullopt,
        .most = arguments.most_participants},
       simulation,
-      [](std::size_t participants) { fmt::print(stderr, "{} participants\n", participants); },
+      [](std::size_t participants) { print_text(stderr, "{} participants\n", participants); },
       stop);
 }
 
 void plan_study(const PowerArguments& arguments, const std::stop_token& stop) {
   StudyPowerReport report = report_of(arguments);
   if (!arguments.json) {
-    fmt::print("{}", expectations_text(report));
+    print_text("{}", expectations_text(report));
     std::fflush(stdout);
   }
   report.curve = simulate(arguments, report, stop);
   if (!report.curve.empty()) {
-    fmt::print("{}", arguments.json ? study_power_json(report) + "\n" : study_power_text(report));
+    print_text("{}", arguments.json ? study_power_json(report) + "\n" : study_power_text(report));
   }
 }
 

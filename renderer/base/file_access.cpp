@@ -5,10 +5,11 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
+
+#include "renderer/base/print.h"
 
 namespace fs = std::filesystem;
 
@@ -24,7 +25,7 @@ bool is_shared_by_a_group(const fs::path& folder) {
 }
 
 void warn(const fs::path& path, const char* what) {
-  fmt::print(stderr, "foveola: warning: {}: its {} could not be kept ({})\n", path.string(), what,
+  print_text(stderr, "foveola: warning: {}: its {} could not be kept ({})\n", path.string(), what,
              std::generic_category().message(errno));
 }
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "renderer/base/print.h"
+
 namespace foveola {
 
 Progress::Progress(std::string label)
@@ -38,7 +40,9 @@ void Progress::update(double fraction_done, const std::string& detail) {
           : "";
   const std::string line =
       fmt::format("{}  {:3.0f} %  {}  {}", label_, 100.0 * fraction_done, left, detail);
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "\n");
+  std::fputs(terminal_ ? "\r" : "", stderr);
+  print_escaped(stderr, line);
+  std::fputs(terminal_ ? "\033[K" : "\n", stderr);
   std::fflush(stderr);
 }
 

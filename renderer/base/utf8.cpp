@@ -1,12 +1,58 @@
 #include "renderer/base/utf8.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <fmt/format.h>
 
 namespace foveola {
 namespace {
 
 /// Whether a byte goes on with the character that the bytes before it began.
 bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+struct Character {
+  char32_t code = 0;
+  std::size_t bytes = 0;
+};
+
+/// A byte that is no UTF-8 stands for itself, as in Latin-1. Overlong forms count as what a lenient
+/// terminal makes of them.
+Character first_character(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  const std::size_t bytes = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+  char32_t code = bytes == 1 ? lead : lead & 0x7FU >> bytes;
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if (i >= text.size() || !goes_on(text[i])) {
+      return {.code = lead, .bytes = 1};
+    }
+    code = code << 6 | (static_cast<unsigned char>(text[i]) & 0x3FU);
+  }
+  return {.code = code, .bytes = bytes};
+}
+
+struct CharacterRange {
+  char32_t first;
+  char32_t last;
+};
+
+/// What a terminal obeys in place of showing it (Unicode 15, categories Cc, Cf, Zl and Zp).
+constexpr std::array obeyed{
+    CharacterRange{0x0000, 0x001F},  // C0
+    CharacterRange{0x007F, 0x009F},  // DEL and C1
+    CharacterRange{0x061C, 0x061C},  // the Arabic letter mark
+    CharacterRange{0x200B, 0x200F},  // without width; marks of direction
+    CharacterRange{0x2028, 0x202E},  // separators of lines; embeddings and overrides of direction
+    CharacterRange{0x2060, 0x206F},  // joiners; isolates of direction
+    CharacterRange{0xFEFF, 0xFEFF},  // the byte order mark
+};
+
+bool is_obeyed(char32_t code) {
+  return std::any_of(obeyed.begin(), obeyed.end(), [code](const CharacterRange& range) {
+    return code >= range.first && code <= range.last;
+  });
+}
 
 char as_byte(char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); }
 
@@ -52,14 +98,29 @@ std::size_t count_characters(std::string_view text) {
 std::string printable(std::string_view text) {
   std::string result;
   result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const unsigned char next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
-    const bool begins_upper_control = byte == 0xC2 && next >= 0x80 && next < 0xA0;
-    const bool is_control = byte < 0x20 || byte == 0x7F || begins_upper_control;
-    const bool is_space = byte == '\n' || byte == '\r' || byte == '\t';
-    result += is_space ? ' ' : is_control ? '?' : text[i];
-    i += begins_upper_control ? 1 : 0;
+  for (Character next; !text.empty(); text.remove_prefix(next.bytes)) {
+    next = first_character(text);
+    const bool is_space = next.code == '\n' || next.code == '\r' || next.code == '\t';
+    if (is_space || is_obeyed(next.code)) {
+      result += is_space ? ' ' : '?';
+    } else {
+      result += text.substr(0, next.bytes);
+    }
+  }
+  return result;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (Character next; !text.empty(); text.remove_prefix(next.bytes)) {
+    next = first_character(text);
+    const bool is_layout = next.code == '\n' || next.code == '\t';
+    if (is_obeyed(next.code) && !is_layout) {
+      result += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(next.code));
+    } else {
+      result += text.substr(0, next.bytes);
+    }
   }
   return result;
 }

@@ -18,9 +18,14 @@ void erase_last_character(std::string& text);
 std::size_t count_characters(std::string_view text);
 
 /// The text as part of a line of output, for what a file says or is called: line breaks and tabs
-/// become spaces, and other control characters (U+0000 to U+001F, U+007F to U+009F), which a
-/// terminal would obey, question marks.
+/// become spaces, and other characters that a terminal would obey question marks. These are control
+/// characters (U+0000 to U+001F, U+007F to U+009F), those that turn the direction of writing, and
+/// those without width.
 std::string printable(std::string_view text);
+
+/// The text with each such character, but for line feeds and tabs, as \uXXXX: JSON stays the same
+/// JSON.
+std::string escaped(std::string_view text);
 
 /// The bytes of the first `characters` of a text, or of all of it if it has fewer.
 std::size_t bytes_of_first(std::string_view text, std::size_t characters);

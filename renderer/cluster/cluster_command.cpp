@@ -9,10 +9,10 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/shard.h"
 #include "renderer/cluster/cluster_plan.h"
 #include "renderer/cluster/job_status.h"
@@ -47,11 +47,11 @@ void run_submit(const ClusterArguments& arguments, const std::stop_token& stop) 
                                 .partition = arguments.partition,
                                 .at_once = arguments.at_once};
   if (arguments.dry_run) {
-    fmt::print("{}", dry_run(plan, settings));
+    print_text("{}", dry_run(plan, settings));
   } else if (arguments.local) {
     run_plan_here(plan, settings, stop);
   } else {
-    fmt::print("{}", submit(plan, settings));
+    print_text("{}", submit(plan, settings));
   }
 }
 
@@ -88,11 +88,11 @@ void print(const std::vector<JobStatus>& of_jobs, bool as_json) {
     if (as_json) {
       list.push_back(json_of(status));
     } else {
-      fmt::print("{}", in_words(status));
+      print_text("{}", in_words(status));
     }
   }
   if (as_json) {
-    fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_text("{}\n", list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   }
 }
 

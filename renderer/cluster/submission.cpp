@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/base/programs.h"
 #include "renderer/base/progress.h"
 #include "renderer/cluster/job_scripts.h"
@@ -142,14 +143,14 @@ bool run_job_here(const ClusterJob& job, const JobFolder& folder, std::int64_t a
     const std::vector<ScriptEnd> failed = run_stage_here(job, folder, stage, parts, at_once, stop);
     for (const ScriptEnd& end : failed) {
       const fs::path log = folder.log(stage, end.number);
-      fmt::print(stderr, "foveola: {}: {} {} failed ({}): {}; see {}\n", job.name, name_of(stage),
+      print_text(stderr, "foveola: {}: {} {} failed ({}): {}; see {}\n", job.name, name_of(stage),
                  end.number, failure_named(end.status), last_line(log), log.string());
     }
     if (!failed.empty() || stop.stop_requested()) {
       return false;
     }
   }
-  fmt::print("{}: {}\n", job.name, folder.output().string());
+  print_text("{}: {}\n", job.name, folder.output().string());
   return true;
 }
 
@@ -202,7 +203,7 @@ void run_plan_here(const ClusterPlan& plan, const SubmitSettings& settings,
     }
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped. The same command goes on.\n");
+    print_text("Stopped. The same command goes on.\n");
   } else if (!failed.empty()) {
     throw Error(plan.file.string(), "not done: " + failed,
                 "mend it, and give the same command, which runs what is not done");

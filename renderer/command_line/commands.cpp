@@ -4,9 +4,9 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
+#include "renderer/base/print.h"
 #include "renderer/command_line/completion.h"
 
 namespace foveola {
@@ -16,7 +16,7 @@ void add_manual(CLI::App& app, const ManualText& text) {
   CLI::App* command = app.add_subcommand("manual", "Print the manual page, for man");
   command->footer("Example: foveola manual > foveola.1 && man -l foveola.1");
   command->callback(
-      [&app, text] { fmt::print("{}", manual_page(describe(app), build_info().version, text)); });
+      [&app, text] { print_text("{}", manual_page(describe(app), build_info().version, text)); });
 }
 
 /// shell: one of those that the command line accepts.
@@ -37,7 +37,7 @@ void add_completion(CLI::App& app) {
   command->footer(
       "Examples: source <(foveola completion bash)\n"
       "          foveola completion fish > ~/.config/fish/completions/foveola.fish");
-  command->callback([&app, shell] { fmt::print("{}", completion_for(*shell, describe(app))); });
+  command->callback([&app, shell] { print_text("{}", completion_for(*shell, describe(app))); });
 }
 
 }  // namespace

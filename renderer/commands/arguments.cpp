@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/view/view_sampler.h"
 
@@ -149,7 +150,7 @@ void require_method(const std::string& method) {
 
 void print_method_notes(const std::string& method) {
   for (const std::string& note : method_notes(method)) {
-    fmt::print(stderr, "foveola: note: {}\n", printable(note));
+    print_text(stderr, "foveola: note: {}\n", printable(note));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/print.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/view/equirect.h"
 
@@ -90,8 +91,8 @@ void print_density(const std::string& method, bool as_json) {
   sampler->aim({.viewport = Viewport({}, FieldOfView{}), .gaze = gaze});
   nlohmann::json list = nlohmann::json::array();
   if (!as_json) {
-    fmt::print("{}: {} samples on a film of {}x{}\n", method, samples_in_all, width, height);
-    fmt::print("{:>16} {:>12} {:>16} {:>16} {:>8}\n", "degrees from", "samples", "a square degree",
+    print_text("{}: {} samples on a film of {}x{}\n", method, samples_in_all, width, height);
+    print_text("{:>16} {:>12} {:>16} {:>16} {:>8}\n", "degrees from", "samples", "a square degree",
                "stated", "ratio");
   }
   double begin_deg = 0.0;
@@ -105,14 +106,14 @@ void print_density(const std::string& method, bool as_json) {
                       {"samples_per_square_degree", counted},
                       {"stated_per_square_degree", stated}});
     } else {
-      fmt::print("{:>7.2f}..{:<7.2f} {:>12.0f} {:>16.2f} {:>16.2f} {:>8}\n", begin_deg,
+      print_text("{:>7.2f}..{:<7.2f} {:>12.0f} {:>16.2f} {:>16.2f} {:>8}\n", begin_deg,
                  ring.end_deg, ring.counted, counted, stated,
                  stated > 0.0 ? fmt::format("{:.4f}", counted / stated) : "");
     }
     begin_deg = ring.end_deg;
   }
   if (as_json) {
-    fmt::print("{}\n", nlohmann::json{{"method", method}, {"rings", list}}.dump(2));
+    print_text("{}\n", nlohmann::json{{"method", method}, {"rings", list}}.dump(2));
   }
 }
 

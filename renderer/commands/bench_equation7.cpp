@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/view/equation7_errors.h"
 
@@ -82,7 +83,7 @@ std::vector<Figure> figures() {
 void print_table() {
   const auto print_row = [](std::string_view what, std::string_view figure,
                             std::string_view published) {
-    fmt::print("{:<57} {:<38} {}\n", what, figure, published.empty() ? "-" : published);
+    print_text("{:<57} {:<38} {}\n", what, figure, published.empty() ? "-" : published);
   };
   print_row("what", "the program's figure", "the paper's");
   for (const Figure& figure : figures()) {
@@ -91,7 +92,7 @@ void print_table() {
                           figure.where.empty() ? "" : " ", figure.where),
               figure.published);
   }
-  fmt::print(
+  print_text(
       "The paper (section 3) does not say of what its two errors are: each reading of them stands "
       "beside its claim.\n");
 }
@@ -107,7 +108,7 @@ void print_json() {
   }
   nlohmann::ordered_json json = bench_facts();
   json["figures"] = std::move(list);
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 }  // namespace

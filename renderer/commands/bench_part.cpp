@@ -10,6 +10,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 
 namespace foveola {
 namespace {
@@ -207,9 +208,9 @@ std::optional<Shard> shard_of(const BenchPartArguments& arguments) {
 void print_written(const std::filesystem::path& path, const BenchPart& part, bool as_json) {
   if (as_json) {
     const nlohmann::json json = {{"output", path.string()}, {"shard", text_of(part.shard)}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_text("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    fmt::print("{}: part {} of bench {}\n", path.string(), text_of(part.shard), part.command);
+    print_text("{}: part {} of bench {}\n", path.string(), text_of(part.shard), part.command);
   }
 }
 

@@ -8,10 +8,10 @@
 #include <thread>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
@@ -127,9 +127,9 @@ void run_bench(const PreviewArguments& arguments, const SceneFinder& find_scene,
     return;
   }
   if (arguments.json) {
-    fmt::print("{}\n", json_of(run, arguments).dump(2));
+    print_text("{}\n", json_of(run, arguments).dump(2));
   } else {
-    fmt::print("{}", preview_text(run));
+    print_text("{}", preview_text(run));
   }
 }
 

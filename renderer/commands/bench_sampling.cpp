@@ -15,6 +15,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/bench_density.h"
 #include "renderer/commands/bench_facts.h"
@@ -152,7 +153,7 @@ void run(const std::vector<std::string>& methods, bool as_json) {
   }
   if (!as_json) {
     for (const Measured& figure : measured) {
-      fmt::print("{:<40} {:8.2f} {}\n", figure.name, figure.median.value, figure.unit);
+      print_text("{:<40} {:8.2f} {}\n", figure.name, figure.median.value, figure.unit);
     }
     return;
   }
@@ -164,7 +165,7 @@ void run(const std::vector<std::string>& methods, bool as_json) {
   }
   nlohmann::ordered_json json = bench_facts();
   json["figures"] = std::move(list);
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 }  // namespace

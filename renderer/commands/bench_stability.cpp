@@ -15,6 +15,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/stability/finite_radiance.h"
@@ -98,7 +99,7 @@ void print_json(const std::vector<StabilityFigure>& figures, nlohmann::json abou
   }
   about.update(nlohmann::json(bench_facts()));
   about["figures"] = std::move(list);
-  fmt::print("{}\n", about.dump(2));
+  print_text("{}\n", about.dump(2));
 }
 
 void print_table(const std::vector<StabilityFigure>& figures, double duration_s) {
@@ -106,15 +107,15 @@ void print_table(const std::vector<StabilityFigure>& figures, double duration_s)
   for (const StabilityFigure& figure : figures) {
     width = std::max(width, figure.name.size());
   }
-  fmt::print("{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "at most", "measured", "verdict");
+  print_text("{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "at most", "measured", "verdict");
   for (const StabilityFigure& figure : figures) {
-    fmt::print("{:<{}}  {:>12.4g}  {:>12.4g}  {}  {}\n", figure.name, width, figure.bound,
+    print_text("{:<{}}  {:>12.4g}  {:>12.4g}  {}  {}\n", figure.name, width, figure.bound,
                figure.measured, figure.passes() ? "pass" : "FAIL", figure.unit);
     if (!figure.passes()) {
-      fmt::print("    {}\n", figure.details);
+      print_text("    {}\n", figure.details);
     }
   }
-  fmt::print("{} figures in {}\n", figures.size(), human_duration(duration_s));
+  print_text("{} figures in {}\n", figures.size(), human_duration(duration_s));
 }
 
 void require_all(const std::vector<StabilityFigure>& figures) {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/print.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
@@ -271,7 +271,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
                {"paths", settings.budget.samples},
                {"repetitions", arguments.repetitions},
                {"runs", std::move(list)}});
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 RenderSettings settings_from(const TracingArguments& arguments) {
@@ -306,7 +306,7 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
     print_json(runs, arguments, settings);
     return;
   }
-  fmt::print("{}\n", build_info().ray_tracer);
+  print_text("{}\n", build_info().ray_tracer);
   print_table(runs, settings.budget.samples);
 }
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/print.h"
 #include "renderer/commands/merge_images.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/image/image_file.h"
@@ -36,9 +36,9 @@ void run_compare(const CompareArguments& arguments) {
                                  {"mean_reference", metrics.mean_reference},
                                  {"pixels", metrics.pixels},
                                  {"non_finite", metrics.non_finite}};
-    fmt::print("{}\n", json.dump(2));
+    print_text("{}\n", json.dump(2));
   } else {
-    fmt::print(
+    print_text(
         "RMSE {:.6g}, relative MSE {:.6g} (epsilon {}), mean {:.6g} against {:.6g}, "
         "{} pixels, {} non-finite\n",
         metrics.rmse, metrics.relative_mse, relative_mse_epsilon, metrics.mean_image,

@@ -1,13 +1,14 @@
 #include "renderer/commands/former_option.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+
+#include "renderer/base/print.h"
 
 namespace foveola {
 
 void accept_former_name(CLI::App& command, CLI::Option& option, const std::string& former) {
   const auto take = [&option, former](const CLI::results_t& values) {
-    fmt::print(stderr, "foveola: note: {} is now called {}\n", former, option.get_name());
+    print_text(stderr, "foveola: note: {} is now called {}\n", former, option.get_name());
     option.clear();
     for (const std::string& value : values) {
       option.add_result(value);
@@ -28,7 +29,7 @@ void accept_former_values(CLI::Option& option,
     if (found == new_names.end()) {
       return value;
     }
-    fmt::print(stderr, "foveola: note: {} {} is now called {}\n", option.get_name(), value,
+    print_text(stderr, "foveola: note: {} {} is now called {}\n", option.get_name(), value,
                found->second);
     return found->second;
   });

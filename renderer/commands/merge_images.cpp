@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/film_parts.h"
 #include "renderer/image/image_file.h"
 
@@ -35,10 +36,10 @@ void run_merge(const MergeArguments& arguments) {
         {"output", arguments.output},       {"parts", merge.parts},
         {"width", merge.image.color.width}, {"height", merge.image.color.height},
         {"samples", merge.samples},         {"non_finite", merge.non_finite}};
-    fmt::print("{}\n", json.dump(2));
+    print_text("{}\n", json.dump(2));
     return;
   }
-  fmt::print("{}: {}x{}, {} samples of {} parts\n", arguments.output, merge.image.color.width,
+  print_text("{}: {}x{}, {} samples of {} parts\n", arguments.output, merge.image.color.width,
              merge.image.color.height, merge.samples, merge.parts);
 }
 

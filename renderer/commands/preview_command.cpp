@@ -7,13 +7,13 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/freed_memory.h"
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/live_preview_json.h"
 #include "renderer/commands/live_window.h"
@@ -44,7 +44,7 @@ WindowEyeTracker open_gaze_source(const PreviewRequest& request, LiveDisplay& di
 }
 
 /// Prints on standard error: standard output holds the report alone, for JSON's readers.
-void print_notice(const std::string& line) { fmt::print(stderr, "{}\n", line); }
+void print_notice(const std::string& line) { print_text(stderr, "{}\n", line); }
 
 /// What the window shows of the scene at first is a picture of its size.
 PictureChoices window_picture(const PreviewRequest& request, const IVec2& framebuffer) {
@@ -190,21 +190,21 @@ PreviewRun run_of(const LivePreviewReport& report, const TrackerProfile& tracker
           .threads = report.threads};
 }
 
-void print_text(const LivePreviewReport& report, const PreviewRun& run) {
-  fmt::print(
+void print_words(const LivePreviewReport& report, const PreviewRun& run) {
+  print_text(
       "{}\nFirst picture {:.2f} s after the scene was loaded; refreshes at {:.2f} Hz, {}\n{}",
       report.graphics, seconds_to_first_picture(report), report.refresh_rate_hz,
       report.is_refresh_measured ? "measured" : "as the system or the display's profile says",
       preview_text(run));
   for (const GazeCheck& check : report.gaze_checks) {
-    fmt::print("Check of the tracker: {}\n", gaze_quality_line(check.quality));
+    print_text("Check of the tracker: {}\n", gaze_quality_line(check.quality));
     if (check.correction) {
-      fmt::print("  corrected since then: {}\n", gaze_correction_line(*check.correction));
+      print_text("  corrected since then: {}\n", gaze_correction_line(*check.correction));
     }
   }
-  fmt::print("The last view: {}\n", report.last_view);
+  print_text("The last view: {}\n", report.last_view);
   for (const std::string& monitor : report.lost_monitors) {
-    fmt::print("The monitor {} was lost\n", monitor);
+    print_text("The monitor {} was lost\n", monitor);
   }
 }
 
@@ -231,7 +231,7 @@ void print_json(const LivePreviewReport& report, const PreviewRun& run,
                {"headset_changes", headset_changes(report)},
                {"gaze_checks", gaze_checks(report)}};
   json.update(preview_json(run));
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scene,
@@ -262,7 +262,7 @@ void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scen
   }
   if (report.frame_count > 0) {
     const PreviewRun run = run_of(report, request.tracker, display);
-    arguments.json ? print_json(report, run, arguments) : print_text(report, run);
+    arguments.json ? print_json(report, run, arguments) : print_words(report, run);
   }
 }
 

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/film_parts.h"
 #include "renderer/commands/picture_faults.h"
 #include "renderer/commands/render_arguments.h"
@@ -26,7 +26,7 @@ void run_replay(const RenderArguments& arguments, const RenderSettings& settings
   const ReplayedPath path =
       replay(lit_scene(arguments.scene, arguments.look, find_scene), settings, address, stop);
   if (arguments.json) {
-    fmt::print("{}\n", json_path(path).dump(2));
+    print_text("{}\n", json_path(path).dump(2));
   } else {
     print_path(path);
   }
@@ -133,7 +133,7 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   }
   const RenderNames names{.scene = arguments.scene, .output = arguments.output};
   if (arguments.json) {
-    fmt::print("{}\n", json_report(report, settings, names).dump(2));
+    print_text("{}\n", json_report(report, settings, names).dump(2));
   } else {
     print_report(report, settings, names);
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/warnings.h"
 
 namespace foveola {
@@ -119,12 +120,12 @@ void print_report(const RenderReport& report, const RenderSettings& settings,
                   const RenderNames& names) {
   print_warnings(report.warnings);
   if (report.exposure.is_automatic) {
-    fmt::print(stderr, "foveola: note: {}\n", exposure_note(report.exposure));
+    print_text(stderr, "foveola: note: {}\n", exposure_note(report.exposure));
   }
   if (!report.non_finite.empty()) {
     const DroppedSample& first = report.non_finite.front();
     const auto width = static_cast<unsigned>(report.size.x);
-    fmt::print(
+    print_text(
         stderr,
         "foveola: warning: {} samples were not finite and were dropped; --seed {} {}--replay "
         "{},{},{} traces the first of them again, --json lists more\n",
@@ -132,14 +133,14 @@ void print_report(const RenderReport& report, const RenderSettings& settings,
         first.pixel % width, first.pixel / width, first.sample_number);
   }
   if (const std::optional<double> most = parts_worth_it(report, settings)) {
-    fmt::print(
+    print_text(
         stderr,
         "foveola: note: every part draws all directions, which took {:.2g} s of {:.2g} s "
         "here: above about {:.0f} parts that takes longer than tracing; --split seeds has no "
         "such limit\n",
         report.draw_seconds, report.draw_seconds + report.trace_seconds, *most);
   }
-  fmt::print(
+  print_text(
       "{}: {} of {}x{}, {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}, {:.3g} "
       "samples per pixel\n",
       names.output, settings.picture ? "picture" : "360-degree image", report.size.x, report.size.y,
@@ -175,17 +176,17 @@ nlohmann::json json_path(const ReplayedPath& path) {
 void print_path(const ReplayedPath& path) {
   for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
     const PathVertex& vertex = path.record.vertices[i];
-    fmt::print("{:2}  along {}: ", vertex.number, text_of(vertex.direction));
+    print_text("{:2}  along {}: ", vertex.number, text_of(vertex.direction));
     if (vertex.object) {
-      fmt::print("'{}' after {:.6g} m at {}, normal {}", path.object_names[i], vertex.distance_m,
+      print_text("'{}' after {:.6g} m at {}, normal {}", path.object_names[i], vertex.distance_m,
                  text_of(vertex.position), text_of(vertex.normal));
     } else {
-      fmt::print("out of the scene");
+      print_text("out of the scene");
     }
-    fmt::print("\n    throughput {}, radiance {}, pdf {:.6g}\n", text_of(vertex.throughput),
+    print_text("\n    throughput {}, radiance {}, pdf {:.6g}\n", text_of(vertex.throughput),
                text_of(vertex.radiance), vertex.pdf);
   }
-  fmt::print("radiance {}\n", text_of(path.record.radiance));
+  print_text("radiance {}\n", text_of(path.record.radiance));
 }
 
 ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,

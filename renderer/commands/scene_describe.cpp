@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/output_guard.h"
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"
@@ -88,18 +89,18 @@ std::string remark_on(const ProposedObject& proposed) {
 }
 
 void print_result(const Outputs& outputs, const std::vector<ProposedObject>& objects) {
-  fmt::print("{}: {} {} to choose from\n", outputs.descriptor.string(), objects.size(),
+  print_text("{}: {} {} to choose from\n", outputs.descriptor.string(), objects.size(),
              objects.size() == 1 ? "object" : "objects");
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    fmt::print("{:>3}  {}: radius {:.1f} degrees, {}\n", i + 1, printable(objects[i].object.name),
+    print_text("{:>3}  {}: radius {:.1f} degrees, {}\n", i + 1, printable(objects[i].object.name),
                objects[i].object.radius_deg, remark_on(objects[i]));
   }
   if (objects.empty()) {
-    fmt::print(
+    print_text(
         "Nothing by itself is of the size and in sight that an object needs; 'foveola scene "
         "pick' says where things are, for [[object]] entries of your own.\n");
   } else {
-    fmt::print("{}: a picture of each\n", outputs.sheet.string());
+    print_text("{}: a picture of each\n", outputs.sheet.string());
   }
 }
 
@@ -140,7 +141,7 @@ void print_what_belongs_beside(const fs::path& descriptor, const SceneSource& so
   for (const fs::path& file : files) {
     std::error_code ignored;
     if (!fs::equivalent(folder_of(file), folder_of(descriptor), ignored)) {
-      fmt::print(stderr, "foveola: note: {} belongs into the folder of {}\n", file.string(),
+      print_text(stderr, "foveola: note: {} belongs into the folder of {}\n", file.string(),
                  descriptor.string());
     }
   }

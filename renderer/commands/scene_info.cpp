@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/look_options.h"
@@ -44,18 +45,18 @@ LoadedFacts load_facts(const SceneSource& source) {
   const Nanoseconds start = clock.now();
   const Scene scene = load_scene(source);
   const double load_s = seconds(clock.now() - start);
-  const Bounds bounds = scene.bounds();
+  const SceneFacts facts = facts_of(scene);
   return {.source = source,
           .sha256 = scene.sha256,
           .warnings = scene.warnings,
           .load_s = load_s,
           .tracing_bytes = RayScene(scene, Workers()).memory_bytes(),
-          .facts = facts_of(scene),
+          .facts = facts,
           .lights = scene.lights,
           .cameras = scene.cameras,
           .origin = scene.origin,
-          .lower = DVec3(bounds.lower) + scene.origin,
-          .upper = DVec3(bounds.upper) + scene.origin};
+          .lower = DVec3(facts.bounds.lower) + scene.origin,
+          .upper = DVec3(facts.bounds.upper) + scene.origin};
 }
 
 nlohmann::json json_of(const DVec3& v) { return {v.x, v.y, v.z}; }
@@ -133,7 +134,7 @@ void print_cameras(const LoadedFacts& loaded) {
     const CameraView& view = loaded.cameras[i];
     const DVec3 place = DVec3(view.position) + loaded.origin;
     const FieldOfView fov = picture_of(view, {}).field_of_view;
-    fmt::print(
+    print_text(
         "camera     '{}' at {:.6g},{:.6g},{:.6g} towards {:g},{:g}, {:.4g} x {:.4g} degrees\n",
         names[i], place.x, place.y, place.z, shown_deg(view.heading.azimuth_rad),
         shown_deg(view.heading.elevation_rad), fov.horizontal_deg, fov.vertical_deg);
@@ -168,7 +169,7 @@ void print_json(const LoadedFacts& loaded) {
                                        {"absent_features", facts.absent_features},
                                        {"warnings", loaded.warnings}};
   constexpr int indentation = 2;
-  fmt::print("{}\n", json.dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
+  print_text("{}\n", json.dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 double mib(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
@@ -177,7 +178,7 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
   const auto bytes = static_cast<double>(facts.geometry_bytes + tracing_bytes);
   const double bytes_a_triangle =
       facts.stored_triangles == 0 ? 0.0 : bytes / static_cast<double>(facts.stored_triangles);
-  fmt::print(
+  print_text(
       "memory     geometry {:.1f} MiB and Embree's hierarchy {:.1f} MiB ({:.0f} bytes a triangle), "
       "textures {:.1f} MiB\n",
       mib(facts.geometry_bytes), mib(tracing_bytes), bytes_a_triangle,
@@ -187,32 +188,32 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
 /// A line, unless there is nothing to say.
 void print_list(const char* label, const std::vector<std::string>& items) {
   if (!items.empty()) {
-    fmt::print("{}{}\n", label, fmt::join(items, ", "));
+    print_text("{}{}\n", label, fmt::join(items, ", "));
   }
 }
 
-void print_text(const LoadedFacts& loaded) {
+void print_words(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
-  fmt::print("{}\n", printable(loaded.source.title));
-  fmt::print("file       {}\nsha256     {}\n", printable(loaded.source.file.string()),
+  print_text("{}\n", printable(loaded.source.title));
+  print_text("file       {}\nsha256     {}\n", printable(loaded.source.file.string()),
              loaded.sha256);
-  fmt::print("loaded in  {}\n", human_duration(loaded.load_s));
-  fmt::print("triangles  {} ({} in memory) in {} objects, {} of them instances\n", facts.triangles,
+  print_text("loaded in  {}\n", human_duration(loaded.load_s));
+  print_text("triangles  {} ({} in memory) in {} objects, {} of them instances\n", facts.triangles,
              facts.stored_triangles, facts.objects, facts.instances);
-  fmt::print("materials  {}, textures {}\n", facts.materials, facts.textures);
-  fmt::print("light      {} emissive triangles, {} lights without geometry{}\n",
+  print_text("materials  {}, textures {}\n", facts.materials, facts.textures);
+  print_text("light      {} emissive triangles, {} lights without geometry{}\n",
              facts.emissive_triangles, facts.lights, text_kinds(loaded.lights));
   print_cameras(loaded);
-  fmt::print("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", loaded.lower.x,
+  print_text("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", loaded.lower.x,
              loaded.lower.y, loaded.lower.z, loaded.upper.x, loaded.upper.y, loaded.upper.z);
   if (loaded.source.metres_per_unit != 1.0) {
-    fmt::print("scale      the file's unit is {:g} m\n", loaded.source.metres_per_unit);
+    print_text("scale      the file's unit is {:g} m\n", loaded.source.metres_per_unit);
   }
   print_memory(facts, loaded.tracing_bytes);
   print_list("has        ", facts.features);
   print_list("has no     ", facts.absent_features);
   for (const std::string& warning : loaded.warnings) {
-    fmt::print("warning    {}\n", printable(warning));
+    print_text("warning    {}\n", printable(warning));
   }
 }
 
@@ -230,7 +231,7 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
   command->footer("Example: foveola scene info arcade");
   command->callback([name, look, as_json, find_scene] {
     const LoadedFacts loaded = load_facts(lit_scene(*name, *look, find_scene));
-    *as_json ? print_json(loaded) : print_text(loaded);
+    *as_json ? print_json(loaded) : print_words(loaded);
   });
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/look_options.h"
@@ -63,13 +63,13 @@ void print(const std::optional<Answer>& answer, bool as_json) {
               {"position", {answer->position.x, answer->position.y, answer->position.z}},
               {"distance_m", answer->distance_m}};
     }
-    fmt::print("{}\n", json.dump(2));
+    print_text("{}\n", json.dump(2));
   } else if (answer) {
-    fmt::print("'{}' of '{}' at ({:.6g}, {:.6g}, {:.6g}), {:.6g} m away\n",
+    print_text("'{}' of '{}' at ({:.6g}, {:.6g}, {:.6g}), {:.6g} m away\n",
                printable(answer->object), printable(answer->material), answer->position.x,
                answer->position.y, answer->position.z, answer->distance_m);
   } else {
-    fmt::print("nothing\n");
+    print_text("nothing\n");
   }
 }
 

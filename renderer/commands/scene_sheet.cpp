@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/warnings.h"
@@ -101,7 +101,7 @@ std::vector<SheetRow> render_rows(const std::vector<SceneSource>& sources,
                                   const RenderSettings& settings, const std::stop_token& stop) {
   std::vector<SheetRow> rows;
   for (const SceneSource& source : sources) {
-    fmt::print("scene {} of {}: {}, all around and one view\n", rows.size() + 1, sources.size(),
+    print_text("scene {} of {}: {}, all around and one view\n", rows.size() + 1, sources.size(),
                source.title);
     std::fflush(stdout);
     SheetRow row = render_row(source, settings, stop);
@@ -138,7 +138,7 @@ void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
     throw Error(arguments.output, "is not written: no scene was finished", "let it run longer");
   }
   write_image(arguments.output, contact_sheet(rows), 0.0, tone_curve(arguments.look));
-  fmt::print("{}: {} of {} scenes\n", arguments.output, rows.size(), sources.size());
+  print_text("{}: {} of {} scenes\n", arguments.output, rows.size(), sources.size());
 }
 
 }  // namespace

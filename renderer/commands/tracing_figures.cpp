@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/print.h"
+
 namespace foveola {
 
 nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t paths) {
@@ -56,17 +58,17 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
   constexpr double per_mega = 1e-6;
   for (const TracingFigures& figures : runs) {
     const double time_s = figures.seconds.value;
-    fmt::print(
+    print_text(
         "{} thread{}: {:.0f} paths a second, {:.2f}{} times Embree alone, {:.2f} times as fast "
         "as the first\n",
         figures.threads, figures.threads == 1 ? "" : "s", static_cast<double>(paths) / time_s,
         figures.ratio_to_embree.value, interval_text(figures.ratio_to_embree),
         runs.front().seconds.value / time_s);
-    fmt::print("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
+    print_text("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
                1e9 * figures.sampling_seconds.value / static_cast<double>(paths),
                100.0 * figures.sampling_share.value);
     if (figures.general) {
-      fmt::print(
+      print_text(
           "  the general path takes {:.2f}{} times as long; {:.2f} % of its picture's pixels "
           "differ "
           "by more than a thousandth, its mean by {:+.4f} %\n",
@@ -76,7 +78,7 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
       if (rays > 0.0) {
-        fmt::print(
+        print_text(
             "  {:<8} {:6.2f} rays a path, {:6.2f} M rays a second; Embree alone {:6.2f} by {}\n",
             ray_kinds[i].name, rays / static_cast<double>(paths), per_mega * rays / time_s,
             per_mega * rays / figures.embree[i].seconds, figures.embree[i].entry_point);

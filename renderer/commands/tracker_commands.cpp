@@ -15,6 +15,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/print.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/hid_device.h"
 #include "renderer/gaze/inter_sample_intervals.h"
@@ -54,20 +55,20 @@ void print_list_json(const std::vector<HidDeviceInfo>& devices) {
   }
   const Json json = {{"attached", attached}, {"profiles", known}};
   // Devices may say what is no UTF-8.
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  print_text("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 void print_list(const std::vector<HidDeviceInfo>& devices) {
   if (devices.empty()) {
-    fmt::print("No HID eye tracker is attached.\n");
+    print_text("No HID eye tracker is attached.\n");
   }
   for (const HidDeviceInfo& device : devices) {
-    fmt::print("{}  {:04x}:{:04x}  {} {} {}\n", device.path, device.vendor_id, device.product_id,
+    print_text("{}  {:04x}:{:04x}  {} {} {}\n", device.path, device.vendor_id, device.product_id,
                device.manufacturer, device.product, device.serial_number);
   }
-  fmt::print("Profiles, for tracker watch:\n");
+  print_text("Profiles, for tracker watch:\n");
   for (const TrackerProfile& profile : profiles()) {
-    fmt::print("  {:<12} {:<10} {:>4.0f} Hz  {}\n", profile.name, name_of(profile.source),
+    print_text("  {:<12} {:<10} {:>4.0f} Hz  {}\n", profile.name, name_of(profile.source),
                profile.rate_hz, profile.title);
   }
 }
@@ -108,11 +109,16 @@ class LiveLine {
  public:
   ~LiveLine() {
     if (is_terminal_) {
-      fmt::print("\n");
+      print_text("\n");
     }
   }
   void show(const std::string& text) const {
-    is_terminal_ ? fmt::print("\r{:<100}", text) : fmt::print("{}\n", text);
+    if (is_terminal_) {
+      std::fputs("\r", stdout);
+      print_text("{:<100}", text);
+    } else {
+      print_text("{}\n", text);
+    }
     std::fflush(stdout);
   }
 
@@ -168,7 +174,7 @@ void watch(const WatchArguments& arguments, const std::stop_token& stop) {
     std::this_thread::sleep_for(poll_interval);
   }
   if (arguments.json) {
-    fmt::print("{}\n", json_of(intervals, arguments.tracker, tracker->status())
+    print_text("{}\n", json_of(intervals, arguments.tracker, tracker->status())
                            .dump(2, ' ', false, Json::error_handler_t::replace));
   }
 }

@@ -1,7 +1,6 @@
 #include "renderer/commands/warnings.h"
 
-#include <fmt/format.h>
-
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 
 namespace foveola {
@@ -12,7 +11,7 @@ std::string warning_line(const std::string& warning) {
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    fmt::print(stderr, "{}\n", warning_line(warning));
+    print_text(stderr, "{}\n", warning_line(warning));
   }
 }
 

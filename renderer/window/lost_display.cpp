@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 
 namespace foveola {
 
@@ -27,7 +28,7 @@ struct LostDisplay::Ending {
     constexpr int user_error = 1;
     auto& ending = *static_cast<Ending*>(data);
     if (!ending.was_said.test_and_set()) {
-      fmt::print(stderr, "{}", ending.line);
+      print_text(stderr, "{}", ending.line);
     }
     ::_exit(user_error);
   }

@@ -8,6 +8,7 @@
 
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/protocol/protocol.h"
@@ -92,12 +93,12 @@ void run_bench(const BenchArguments& arguments, const SceneFinderBeside& find_sc
                    {"rendered_sessions_wall_seconds", measured_once(rendered.sessions_wall_s)},
                    {"predicted_sessions_wall_seconds", measured_once(predicted.sessions_wall_s)},
                    {"agreement", json_of(agreements)}});
-    fmt::print("{}\n", report.dump(2));
+    print_text("{}\n", report.dump(2));
   } else {
-    fmt::print("{}", text_of(agreements));
+    print_text("{}", text_of(agreements));
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped. The same command goes on.\n");
+    print_text("Stopped. The same command goes on.\n");
   }
 }
 

@@ -13,6 +13,7 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/participant/population_file.h"
@@ -117,7 +118,7 @@ std::vector<Outcome> simulate_all(const SensitivityArguments& arguments,
         write_file(file, toml_with_number(people, number.name, value));
         read_people(file.string());
       } catch (const Error& out_of_range) {
-        fmt::print(stderr, "foveola: warning: left out: {}\n", out_of_range.what());
+        print_text(stderr, "foveola: warning: left out: {}\n", out_of_range.what());
         continue;
       }
       outcomes.push_back({.number = number.name,
@@ -189,15 +190,15 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinderBeside& f
                    {"seed", arguments.seed},
                    {"participants", arguments.participants},
                    {"outcomes", json_of(outcomes)}});
-    fmt::print("{}\n", report.dump(2));
+    print_text("{}\n", report.dump(2));
   } else {
-    fmt::print(
+    print_text(
         "Simulated participants. Geometric means; the baseline's in seconds, others in per "
         "cent of it.\n{}",
         text_of(outcomes));
   }
   if (stop.stop_requested()) {
-    fmt::print(stderr, "Stopped. The same command goes on.\n");
+    print_text(stderr, "Stopped. The same command goes on.\n");
   }
 }
 

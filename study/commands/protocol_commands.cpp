@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/print.h"
+#include "renderer/base/utf8.h"
 #include "study/commands/command_line.h"
 #include "study/design/participant_code.h"
 #include "study/design/plan.h"
@@ -55,10 +57,10 @@ std::string balance_heading(const Protocol& protocol, int participants) {
 }
 
 void print_check(const Protocol& protocol, const std::vector<SceneSource>& scenes) {
-  fmt::print("{}\n{}", protocol_table(protocol, scenes), duration_table(session_parts(protocol)));
+  print_text("{}\n{}", protocol_table(protocol, scenes), duration_table(session_parts(protocol)));
   if (const int participants = expected_participants(protocol); participants > 0) {
     const Balance balance = balance_of(protocol, plans_of(protocol, participants, 0));
-    fmt::print("\n{}\n{}", balance_heading(protocol, participants),
+    print_text("\n{}\n{}", balance_heading(protocol, participants),
                balance_table(protocol, balance));
   }
 }
@@ -79,10 +81,10 @@ void run_check(const ProtocolArguments& arguments, const SceneFinderBeside& find
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
   print_notes(protocol);
   for (const std::string& caution : cautions(protocol, scenes)) {
-    fmt::print(stderr, "foveola: warning: {}\n", caution);
+    print_text(stderr, "foveola: warning: {}\n", printable(caution));
   }
   if (arguments.json) {
-    fmt::print("{}\n", json_check(protocol).dump(2));
+    print_text("{}\n", json_check(protocol).dump(2));
   } else {
     print_check(protocol, scenes);
   }
@@ -101,9 +103,9 @@ void run_plan(const ProtocolArguments& arguments) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   const std::vector<Plan> plans = plans_of(protocol, arguments.participants, arguments.seed);
   if (arguments.json) {
-    fmt::print("{}\n", json_plans(protocol, plans).dump(2));
+    print_text("{}\n", json_plans(protocol, plans).dump(2));
   } else {
-    fmt::print("{}\n{}", plan_table(plans), balance_table(protocol, balance_of(protocol, plans)));
+    print_text("{}\n{}", plan_table(plans), balance_table(protocol, balance_of(protocol, plans)));
   }
 }
 
@@ -141,7 +143,7 @@ void add_keys(CLI::App& study) {
       "keys > PROTOCOL.md");
   add_json(command, *json);
   command->callback([json] {
-    fmt::print("{}", *json ? protocol_reference_json().dump(2) + "\n" : protocol_reference());
+    print_text("{}", *json ? protocol_reference_json().dump(2) + "\n" : protocol_reference());
   });
 }
 

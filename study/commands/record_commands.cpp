@@ -10,6 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
@@ -124,9 +125,9 @@ void run_status(const RecordArguments& arguments) {
   if (arguments.json) {
     nlohmann::json json = json_status(records, status);
     json["head"] = json_head(head);
-    fmt::print("{}\n", json.dump(2));
+    print_text("{}\n", json.dump(2));
   } else {
-    fmt::print("{}{}", status_table(records, status), head_text(head));
+    print_text("{}{}", status_table(records, status), head_text(head));
   }
 }
 
@@ -153,9 +154,9 @@ void run_verify(const RecordArguments& arguments) {
     add_head_comparison(arguments, found);
   }
   if (arguments.json) {
-    fmt::print("{}\n", verification_json(found).dump(2));
+    print_text("{}\n", verification_json(found).dump(2));
   } else {
-    fmt::print("{}", verification_table(found));
+    print_text("{}", verification_table(found));
   }
   if (!found.faults.empty()) {
     throw Error(arguments.database, "is not what was written: see the faults above", damage_remedy);
@@ -164,40 +165,40 @@ void run_verify(const RecordArguments& arguments) {
 
 void run_backup(const RecordArguments& arguments) {
   if (arguments.folder.empty()) {
-    fmt::print("{}\n", back_up_study(arguments.database).string());
+    print_text("{}\n", back_up_study(arguments.database).string());
     return;
   }
   require_backup_target(arguments.folder, arguments.database);
-  fmt::print("{}\n", back_up_study_to(arguments.folder, arguments.database).string());
+  print_text("{}\n", back_up_study_to(arguments.folder, arguments.database).string());
 }
 
 void run_restore(const RecordArguments& arguments) {
   const Restored restored = restore_study(
       arguments.database,
       arguments.copy.empty() ? std::nullopt : std::optional<fs::path>(arguments.copy));
-  fmt::print("{}: restored from {}\n", arguments.database, restored.copy.string());
+  print_text("{}: restored from {}\n", arguments.database, restored.copy.string());
   for (const fs::path& file : restored.moved_aside) {
-    fmt::print("{}: what was there before\n", file.string());
+    print_text("{}: what was there before\n", file.string());
   }
   if (!restored.missing && !restored.moved_aside.empty()) {
-    fmt::print("What the copy lacks is not known: what was there before cannot be read.\n");
+    print_text("What the copy lacks is not known: what was there before cannot be read.\n");
   }
   for (const MissingEvents& session : restored.missing.value_or(std::vector<MissingEvents>{})) {
-    fmt::print("missing in the copy: {} of {} events of {}\n", session.missing, session.events,
+    print_text("missing in the copy: {} of {} events of {}\n", session.missing, session.events,
                session.participant);
   }
   if (restored.missing && restored.missing->empty()) {
-    fmt::print("The copy has all events that were there before.\n");
+    print_text("The copy has all events that were there before.\n");
   }
 }
 
 void run_merge(const RecordArguments& arguments) {
   const Merge merge =
       merge_studies({arguments.sources.begin(), arguments.sources.end()}, arguments.output);
-  fmt::print("{}: {} sessions, {} of them in several files\n", arguments.output,
+  print_text("{}: {} sessions, {} of them in several files\n", arguments.output,
              merge.sessions_added, merge.sessions_known);
   if (merge.sessions_forgotten > 0) {
-    fmt::print(
+    print_text(
         "{} sessions are left out: their participants were forgotten in another of the files\n",
         merge.sessions_forgotten);
   }
@@ -212,13 +213,13 @@ void run_forget(const RecordArguments& arguments) {
                      "add it if this is meant");
   }
   const Forgotten forgotten = forget_participant(arguments.database, arguments.participant);
-  fmt::print("{}: participant {} is gone, from {} files\n", arguments.database,
+  print_text("{}: participant {} is gone, from {} files\n", arguments.database,
              arguments.participant, forgotten.files);
-  fmt::print(
+  print_text(
       "The disk may hold what was deleted until something else is written there, and so may its "
       "snapshots and other backups of this computer.\n");
   for (const RemainingCopy& copy : forgotten.remaining) {
-    fmt::print("{}: {}\n", copy.file.string(), copy.what);
+    print_text("{}: {}\n", copy.file.string(), copy.what);
   }
   if (!forgotten.remaining.empty()) {
     throw Error(arguments.database,
@@ -232,7 +233,7 @@ void run_gaze(const RecordArguments& arguments) {
   const std::vector<GazeSample> samples = replayable(read_gaze(
       arguments.database, arguments.participant, static_cast<std::size_t>(arguments.trial)));
   write_gaze_file(arguments.output, samples);
-  fmt::print("{}: {} samples\n", arguments.output, samples.size());
+  print_text("{}: {} samples\n", arguments.output, samples.size());
 }
 
 }  // namespace
@@ -317,7 +318,7 @@ void add_summary(CLI::App& study) {
   command->add_option("--participant", arguments->participant, "The participant's code")
       ->required();
   command->callback([arguments] {
-    fmt::print("{}", session_summary(arguments->database, arguments->participant));
+    print_text("{}", session_summary(arguments->database, arguments->participant));
   });
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "study/commands/command_line.h"
 #include "study/replay/replay.h"
 
@@ -76,16 +77,16 @@ void print_json(const ReplayReport& report) {
   if (!report.difference.empty()) {
     json["difference"] = report.difference;
   }
-  fmt::print("{}\n", json.dump(2));
+  print_text("{}\n", json.dump(2));
 }
 
 void print_lines(const ReplayReport& report) {
   const bool is_approximate = !report.approximate.empty();
   if (is_approximate) {
-    fmt::print("Approximate: {}.\n", report.approximate);
+    print_text("Approximate: {}.\n", report.approximate);
   }
   for (const ReplayedAttempt& attempt : report.attempts) {
-    fmt::print("{}", line_of(attempt, is_approximate));
+    print_text("{}", line_of(attempt, is_approximate));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/gaze_filter_option.h"
@@ -111,18 +112,18 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
   }
   const RunReport report = run_person(settings, find_scene, stop);
   if (arguments.json) {
-    fmt::print("{}\n", json_line("end", {{"participant", arguments.participant},
+    print_text("{}\n", json_line("end", {{"participant", arguments.participant},
                                          {"phase", name_of(report.phase)},
                                          {"backup", report.backup.string()},
                                          {"copy", report.copy.string()}}));
     return;
   }
-  fmt::print("{}", session_summary(arguments.database, arguments.participant));
-  fmt::print("{}: {} {}; backup {}{}\n", arguments.database, arguments.participant,
+  print_text("{}", session_summary(arguments.database, arguments.participant));
+  print_text("{}: {} {}; backup {}{}\n", arguments.database, arguments.participant,
              name_of(report.phase), report.backup.string(),
              report.copy.empty() ? "" : fmt::format("; copy {}", report.copy.string()));
   if (report.phase == Phase::interrupted) {
-    fmt::print("To go on, give the same command with --resume.\n");
+    print_text("To go on, give the same command with --resume.\n");
   }
 }
 

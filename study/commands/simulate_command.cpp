@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/former_option.h"
@@ -125,9 +126,9 @@ void run_prepare(const SimulateArguments& arguments, const SceneFinderBeside& fi
   require_only_preparing(arguments);
   const PrepareReport report = prepare_study(settings_of(arguments), find_scene, stop);
   if (arguments.json) {
-    fmt::print("{}\n", json_report(arguments, report).dump(2));
+    print_text("{}\n", json_report(arguments, report).dump(2));
   } else {
-    fmt::print("{}", text_of(arguments, report));
+    print_text("{}", text_of(arguments, report));
   }
 }
 
@@ -148,27 +149,27 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& f
   const std::string about_report =
       is_reported ? reporter.write(arguments.database, arguments.report) : "";
   if (arguments.json) {
-    fmt::print("{}\n", json_report(arguments, report).dump(2));
+    print_text("{}\n", json_report(arguments, report).dump(2));
     return;
   }
-  fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of {} time)\n",
+  print_text("{}: {} of {} simulated sessions completed, {} trials in {} ({} of {} time)\n",
              arguments.database, report.sessions_completed, settings.participants_in_file(),
              report.trials, human_duration(report.wall_s), human_duration(report.simulated_s),
              arguments.real_time ? "real" : "virtual");
   if (report.sessions_before > 0) {
-    fmt::print("{} sessions were over before\n", report.sessions_before);
+    print_text("{} sessions were over before\n", report.sessions_before);
   }
   if (report.sessions_refused > 0) {
-    fmt::print("{} refused, since the tracker did not see the gaze well enough for the protocol\n",
+    print_text("{} refused, since the tracker did not see the gaze well enough for the protocol\n",
                report.sessions_refused);
   }
   if (report.sessions_withdrawn > 0) {
-    fmt::print("{} participants withdrew\n", report.sessions_withdrawn);
+    print_text("{} participants withdrew\n", report.sessions_withdrawn);
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped. The same command with --resume goes on.\n");
+    print_text("Stopped. The same command with --resume goes on.\n");
   }
-  fmt::print("{}", about_report);
+  print_text("{}", about_report);
 }
 
 }  // namespace

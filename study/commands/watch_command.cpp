@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "study/commands/command_line.h"
 #include "study/console/console_words.h"
@@ -59,9 +60,9 @@ class Watch {
           }
         });
     if (count > told_ && !arguments_.json) {
-      say(fmt::format("           now {}; then {}",
-                      words_for(state, session.procedure, session.plan),
-                      words_for_next(state, session.procedure, session.plan)));
+      say(printable(fmt::format("           now {}; then {}",
+                                words_for(state, session.procedure, session.plan),
+                                words_for_next(state, session.procedure, session.plan))));
     }
     told_ = count;
     return !state.is_over();
@@ -83,7 +84,7 @@ class Watch {
   }
 
   static void say(const std::string& line) {
-    fmt::print("{}\n", printable(line));
+    print_text("{}\n", line);
     std::fflush(stdout);
   }
 

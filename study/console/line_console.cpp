@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/utf8.h"
+
 namespace foveola::study {
 
 void LineConsole::tell(const ToldEvent& event) { writer_.write(line_of(event)); }
@@ -15,7 +17,7 @@ void LineConsole::show(const SessionStatus& status) {
 }
 
 std::string line_of(const ToldEvent& event) {
-  return fmt::format("{:9.3f} s  {}", seconds(event.time), event.words);
+  return fmt::format("{:9.3f} s  {}", seconds(event.time), printable(event.words));
 }
 
 void JsonConsole::say(const std::string& text) {

@@ -23,7 +23,7 @@ void LineWriter::write(const std::string& text) {
   std::istringstream lines(text);
   const std::scoped_lock lock(mutex_);
   for (std::string line; std::getline(lines, line);) {
-    text_ += printable(line) + "\n";
+    text_ += escaped(line) + "\n";
   }
   changed_.notify_one();
 }

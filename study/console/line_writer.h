@@ -24,7 +24,7 @@ class LineWriter {
   LineWriter(const LineWriter&) = delete;
   LineWriter& operator=(const LineWriter&) = delete;
 
-  /// Does not wait. Each line of `text` is made printable() and ended.
+  /// Does not wait. Each line of `text` is escaped() and ended.
   void write(const std::string& text);
 
  private:

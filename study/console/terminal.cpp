@@ -15,6 +15,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "renderer/base/utf8.h"
 #include "study/console/taken_output.h"
 
 #define NCURSES_NOMACROS
@@ -272,7 +273,7 @@ void Terminal::paint(const std::vector<ScreenLine>& lines) {
     if (lines[row].look == LineLook::title) {
       text.resize(std::max(text.size(), size_.columns), ' ');
     }
-    ::waddnwstr(stdscr, wide(text).c_str(), -1);
+    ::waddnwstr(stdscr, wide(printable(text)).c_str(), -1);
   }
   ::wrefresh(stdscr);
   collect_painted();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/window/screen_fonts.h"
 
@@ -105,7 +106,7 @@ std::string warning_of(const MissingLetters& missing) {
 
 void warn_of_missing_letters(const Protocol& protocol) {
   for (const MissingLetters& missing : missing_letters(protocol)) {
-    fmt::print(stderr, "foveola: warning: {}\n",
+    print_text(stderr, "foveola: warning: {}\n",
                printable(protocol.path.string() + ": " + warning_of(missing)));
   }
 }

@@ -346,7 +346,7 @@ fs::path copy_if_asked(const StudyStore& store, const RunSettings& settings) {
     store.back_up(copy);
     return copy;
   } catch (const std::exception& fault) {
-    fmt::print(stderr, "foveola: warning: {}\n",
+    print_text(stderr, "foveola: warning: {}\n",
                printable(fmt::format("{}: got no copy of {} ({}); make one with foveola study "
                                      "backup --to once that is mended",
                                      settings.backup_folder->string(), settings.database.string(),

@@ -2,15 +2,14 @@
 
 #include <cstdio>
 
-#include <fmt/format.h>
-
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 
 namespace foveola::study {
 
 void print_notes(const Protocol& protocol) {
   for (const std::string& note : protocol.notes) {
-    fmt::print(stderr, "foveola: note: {}\n", printable(note));
+    print_text(stderr, "foveola: note: {}\n", printable(note));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/cache.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "study/record/shown_scene.h"
 
@@ -100,7 +101,7 @@ std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
 void print_scene_warnings(const SceneStages& stages) {
   for (const auto& [name, stage] : stages) {
     for (const std::string& warning : stage->scene().warnings) {
-      fmt::print(stderr, "foveola: warning: {}\n", printable(fmt::format("{}: {}", name, warning)));
+      print_text(stderr, "foveola: warning: {}\n", printable(fmt::format("{}: {}", name, warning)));
     }
   }
 }

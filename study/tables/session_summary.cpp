@@ -170,13 +170,15 @@ std::string session_summary(const std::filesystem::path& path, const std::string
   const std::string kind =
       session.known.kind == SessionKind::human ? "" : name_of(session.known.kind);
   const Nanoseconds lasted = session.events.empty() ? Nanoseconds(0) : session.events.back().time;
-  return fmt::format("Session of {}{}: {}, {:.1f} min, begun {}\nProgram: {}\n\n{}\n{}{}{}{}",
-                     participant, kind.empty() ? "" : fmt::format(" ({})", kind),
-                     name_of(session.known.phase), seconds(lasted) / 60.0,
-                     session.events.empty() ? "never" : session.events.front().utc,
-                     programs_in_words(session.programs), trials_of(records, quality, participant),
-                     frames_of(quality, participant), validations_of(quality, participant),
-                     reactions_of(quality, participant), notes_of(session.events));
+  const std::string heading = fmt::format(
+      "Session of {}{}: {}, {:.1f} min, begun {}", participant,
+      kind.empty() ? "" : fmt::format(" ({})", kind), name_of(session.known.phase),
+      seconds(lasted) / 60.0, session.events.empty() ? "never" : session.events.front().utc);
+  return fmt::format("{}\nProgram: {}\n\n{}\n{}{}{}{}", printable(heading),
+                     printable(programs_in_words(session.programs)),
+                     trials_of(records, quality, participant), frames_of(quality, participant),
+                     validations_of(quality, participant), reactions_of(quality, participant),
+                     notes_of(session.events));
 }
 
 }  // namespace foveola::study

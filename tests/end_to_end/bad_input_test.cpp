@@ -1,9 +1,15 @@
 // What users get wrong: one clear line, the right exit code, nothing half-written.
 #include <functional>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include "renderer/base/files.h"
 #include "renderer/glb/glb_document.h"
@@ -189,16 +195,60 @@ TEST_F(BadInput, FilesThatNestOrListWithoutEndAreRefused) {
   EXPECT_THAT(folder_.entries(), ElementsAre("asks.toml", "deep.toml", "long.toml", "room.gltf"));
 }
 
+TEST_F(BadInput, PipesDevicesAndFoldersEndACommandAtOnce) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", folder_ / "pipe.glb");
+  fs::create_symlink("pipe", folder_ / "pipe.toml");
+  const auto path = [&](const std::string& name) { return (folder_ / name).string(); };
+  const std::string folder = folder_.path().string();
+  const std::string new_file = path("new");
+  using Command = std::vector<std::string>;
+  for (const auto& [name, what] : {std::pair(path("pipe"), "is not a regular file"),
+                                   {path("pipe.toml"), "is not a regular"},
+                                   {"/dev/zero", "is not a regular file"},
+                                   {folder, "is a folder, not a file"}}) {
+    for (const Command& command : std::initializer_list<Command>{
+             {"study", "check", name},
+             {"study", "plan", name, "--participants", "1"},
+             {"study", "simulate", name, "--participants", "1", "--db", new_file},
+             {"study", "simulate", "demo", "--participants", "1", "--db", new_file, "--people",
+              name},
+             {"tracker", "watch", name},
+             {"tracker", "watch", "simulated", "--display", name}}) {
+      expect_one_line(run_foveola(command), 1, name + ": " + what);
+    }
+    for (const Command& command : std::initializer_list<Command>{
+             {"study", "status", name},
+             {"study", "verify", name},
+             {"study", "simulate", "demo", "--participants", "1", "--db", name},
+             {"analyze", name, "-o", new_file}}) {
+      expect_one_line(run_foveola(command), 1, name + ": is no file");
+    }
+  }
+  for (const char* const name : {"pipe", "pipe.glb"}) {
+    expect_one_line(run_foveola({"scene", "info", path(name)}), 1, "is not a regular file");
+    expect_one_line(run_foveola({"render", path("room.gltf"), "-o", path("x.exr"), "--environment",
+                                 path(name)}),
+                    1, "is not a regular file");
+    expect_one_line(run_foveola({"compare", path(name), path(name)}), 1, "is no file");
+  }
+  EXPECT_THAT(folder_.entries(), ElementsAre("pipe", "pipe.glb", "pipe.toml", "room.gltf"));
+}
+
 TEST_F(BadInput, NamesInAProtocolDoNotControlTheTerminal) {
   const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
-  write_file(folder_ / "p.toml",
-             replaced(protocol, "\"A small ", "\"\\u001b]0;mine\\u0007\\u009b31mA small "));
-  const ProgramResult checked = run_foveola({"study", "check", (folder_ / "p.toml").string()});
+  const std::string file = (folder_ / "p.toml").string();
+  const std::string title = "\"\\u001b]0;mine\\u0007\\u009b31m\\u202e\\u200b\\uFEFFA small ";
+  write_file(file, replaced(protocol, "\"A small ", title));
+  const ProgramResult checked = run_foveola({"study", "check", file});
   EXPECT_EQ(checked.exit_code, 0) << checked.errors;
-  EXPECT_THAT(checked.output, HasSubstr("?]0;mine??31mA small "));
-  write_file(folder_ / "p.toml", replaced(protocol, "\"arcade\"", "\"\\u001b[2Jarcade\""));
-  expect_one_line(run_foveola({"study", "check", (folder_ / "p.toml").string()}), 1,
-                  ": ?[2Jarcade: no such scene");
+  EXPECT_THAT(checked.output, HasSubstr("?]0;mine??31m???A small "));
+  const ProgramResult in_json = run_foveola({"study", "check", file, "--json"});
+  EXPECT_THAT(in_json.output, HasSubstr("\\u001b]0;mine\\u0007\\u009b31m\\u202e\\u200b\\ufeffA"));
+  EXPECT_THAT(nlohmann::json::parse(in_json.output).at("title").get<std::string>(),
+              testing::StartsWith("\x1b]0;mine\x07\u009b31m\u202e\u200b\uFEFFA small "));
+  write_file(file, replaced(protocol, "\"arcade\"", "\"\\u001b[2J\\u2066arcade\""));
+  expect_one_line(run_foveola({"study", "check", file}), 1, ": ?[2J?arcade: no such scene");
 }
 
 TEST_F(BadInput, WhatAProtocolHardlyMeansIsWarnedOf) {

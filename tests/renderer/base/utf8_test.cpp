@@ -1,5 +1,7 @@
 #include "renderer/base/utf8.h"
 
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 namespace foveola {
@@ -44,6 +46,29 @@ TEST(Utf8Test, ControlCharactersAreNotPrintable) {
   EXPECT_EQ(printable(std::string_view("a\x1b[2J\0b\n\tc\x7f", 11)), "a?[2J?b  c?");
   EXPECT_EQ(printable("\u0080a\u009B31mb\u009F"), "?a?31mb?");
   EXPECT_EQ(printable("\xC2"), "\xC2");
+  EXPECT_EQ(printable("a\x9B"
+                      "1m\xC0\x9B"),
+            "a?1m?")
+      << "C1 as a byte, ESC in overlong form";
+}
+
+// The bidirectional controls of Unicode's annex 9, section 2, its other marks of direction, and the
+// characters of category Cf without width in U+200B to U+2064 and U+FEFF.
+TEST(Utf8Test, CharactersThatTurnTheTextOrCannotBeSeenAreNotPrintable) {
+  for (const char32_t hidden :
+       {0x061C, 0x200B, 0x200C, 0x200D, 0x200E, 0x200F, 0x2028, 0x2029, 0x202A, 0x202B,
+        0x202C, 0x202D, 0x202E, 0x2060, 0x2064, 0x2066, 0x2067, 0x2068, 0x2069, 0xFEFF}) {
+    EXPECT_EQ(printable(text_of({U'a', hidden, U'b'})), "a?b") << std::hex << std::uint32_t{hidden};
+  }
+  for (const char32_t seen : {0x00A0, 0x061B, 0x061D, 0x200A, 0x2010, 0x2027, 0x202F, 0x205F,
+                              0x2070, 0xFEFE, 0xFF00, 0x1F600}) {
+    EXPECT_EQ(printable(text_of({seen})), text_of({seen})) << std::hex << std::uint32_t{seen};
+  }
+}
+
+TEST(Utf8Test, EscapesStandAsInJson) {
+  EXPECT_EQ(escaped("a\x1b[2J\r\x7f\u009b\u202eb\tc\nd \u00e4 \u53f0"),
+            "a\\u001b[2J\\u000d\\u007f\\u009b\\u202eb\tc\nd \u00e4 \u53f0");
 }
 
 TEST(Utf8Test, CountsTheBytesOfTheFirstCharacters) {

@@ -39,14 +39,14 @@ class LineWriterTest : public ::testing::Test {
 
 const std::string much(1 << 20, 'x');  // more than a pipe holds
 
-TEST_F(LineWriterTest, WritesLinesInOrderAndPrintable) {
+TEST_F(LineWriterTest, WritesLinesInOrderAndEscaped) {
   {
     LineWriter writer(output());
     writer.write("first\nsec\x1bond");
     writer.write("");
-    writer.write("third");
+    writer.write("{\"third\": \"\u202e\"}");
   }
-  EXPECT_EQ(read(100), "first\nsec?ond\nthird\n");
+  EXPECT_EQ(read(100), "first\nsec\\u001bond\n{\"third\": \"\\u202e\"}\n");
 }
 
 TEST_F(LineWriterTest, WritesAllToASlowReaderBeforeItsEnd) {

@@ -1,0 +1,48 @@
+#include "renderer/base/print.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/utf8.h"
+
+namespace foveola {
+namespace {
+
+/// To be called with the errno of what was just written.
+void require_printed() {
+  if (std::ferror(stdout) != 0) {
+    throw Error("standard output", "cannot be written: " + std::generic_category().message(errno),
+                "make room there, or print to another place");
+  }
+}
+
+}  // namespace
+
+void print_escaped(std::FILE* stream, std::string_view text) {
+  const std::string harmless = escaped(text);
+  std::fwrite(harmless.data(), 1, harmless.size(), stream);
+  if (stream == stdout) {
+    require_printed();
+  }
+}
+
+void finish_printing() {
+  std::fflush(stdout);
+  require_printed();
+}
+
+void hold_closed_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (::fcntl(stream, F_GETFD) == -1) {
+      // It becomes the lowest free number. What a closed stream cannot do fails here, too.
+      ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+}
+
+}  // namespace foveola

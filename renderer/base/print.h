@@ -1,0 +1,36 @@
+// Prints to standard output and standard error: all text of the program crosses this border.
+#pragma once
+
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace foveola {
+
+/// Writes `text`, escaped(), to stdout or stderr. Throws Error if standard output does not take it;
+/// what standard error does not take is lost.
+void print_escaped(std::FILE* stream, std::string_view text);
+
+/// print_escaped of the values, formatted.
+template <typename... Values>
+void print_text(std::FILE* stream, fmt::format_string<Values...> format, Values&&... values) {
+  print_escaped(stream, fmt::format(format, std::forward<Values>(values)...));
+}
+
+/// The same to standard output.
+template <typename... Values>
+void print_text(fmt::format_string<Values...> format, Values&&... values) {
+  print_text(stdout, format, std::forward<Values>(values)...);
+}
+
+/// Throws Error if anything that was printed on standard output could not be written.
+void finish_printing();
+
+/// Keeps the numbers of standard streams that are closed: otherwise the next file that is opened
+/// would get one, and what is printed would be written into it. To be called before files are
+/// opened.
+void hold_closed_streams();
+
+}  // namespace foveola
