@@ -76,13 +76,13 @@ std::vector<int> root_nodes(const tinygltf::Model& model, const std::vector<int>
   std::vector<bool> listed(parents.size(), false);
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const auto root = static_cast<std::size_t>(roots[i]);
-    const std::string place = fmt::format("scenes[{}].nodes[{}]", scene, i);
+    const auto place = [&] { return fmt::format("scenes[{}].nodes[{}]", scene, i); };
     if (parents[root] != no_parent) {
-      throw GltfFault(
-          place, fmt::format("node {} is not a root: its parent is node {}", root, parents[root]));
+      throw GltfFault(place(), fmt::format("node {} is not a root: its parent is node {}", root,
+                                           parents[root]));
     }
     if (listed[root]) {
-      throw GltfFault(place, fmt::format("node {} is listed twice", root));
+      throw GltfFault(place(), fmt::format("node {} is listed twice", root));
     }
     listed[root] = true;
   }
@@ -93,19 +93,21 @@ DVec3 vector_or(const std::vector<double>& numbers, const DVec3& absent) {
   return numbers.empty() ? absent : glm::make_vec3(numbers.data());
 }
 
-DMat4 rotation_of(const tinygltf::Node& node, const std::string& place) {
+std::string place_of(int node) { return fmt::format("nodes[{}]", node); }
+
+DMat4 rotation_of(const tinygltf::Node& node, int index) {
   if (node.rotation.empty()) {
     return DMat4(1.0);
   }
   const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
   const double length = glm::length(rotation);
   if (!(length > 0.0) || !std::isfinite(length)) {
-    throw GltfFault(place + ".rotation", "is not a rotation");
+    throw GltfFault(place_of(index) + ".rotation", "is not a rotation");
   }
   return glm::mat4_cast(rotation / length);
 }
 
-DMat4 parent_from_local(const tinygltf::Node& node, const std::string& place) {
+DMat4 parent_from_local(const tinygltf::Node& node, int index) {
   if (!node.matrix.empty()) {
     DMat4 matrix = glm::make_mat4(node.matrix.data());
     for (int column = 0; column < 4; ++column) {
@@ -114,15 +116,15 @@ DMat4 parent_from_local(const tinygltf::Node& node, const std::string& place) {
     return matrix;
   }
   const DMat4 translation = glm::translate(DMat4(1.0), vector_or(node.translation, DVec3(0.0)));
-  const DMat4 rotation = rotation_of(node, place);
+  const DMat4 rotation = rotation_of(node, index);
   return glm::scale(translation * rotation, vector_or(node.scale, DVec3(1.0)));
 }
 
-void require_finite(const DMat4& matrix, const std::string& place) {
+void require_finite(const DMat4& matrix, int node) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
       if (!std::isfinite(matrix[column][row])) {
-        throw GltfFault(place, "its transform is not finite");
+        throw GltfFault(place_of(node), "its transform is not finite");
       }
     }
   }
@@ -183,13 +185,12 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
     pending.pop_back();
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
     const int parent = parents[static_cast<std::size_t>(index)];
-    const std::string place = fmt::format("nodes[{}]", index);
     DMat4& transform = world_from_local[static_cast<std::size_t>(index)];
-    transform = parent_from_local(node, place);
+    transform = parent_from_local(node, index);
     if (parent != no_parent) {
       transform = world_from_local[static_cast<std::size_t>(parent)] * transform;
     }
-    require_finite(transform, place);
+    require_finite(transform, index);
     const Placement placement{.node = index, .world_from_local = transform};
     if (node.mesh >= 0) {
       Placement& place_of_mesh =
@@ -197,7 +198,7 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
       if (is_skinned(model, node)) {  // by its joints, which stand in the world
         place_of_mesh.world_from_local = DMat4(1.0);
       } else if (node.skin >= 0) {
-        warnings.add("a skin is ignored: its mesh has no joints or no weights", place);
+        warnings.add("a skin is ignored: its mesh has no joints or no weights", place_of(index));
       }
     }
     if (node.camera >= 0) {
@@ -220,7 +221,7 @@ std::vector<CameraView> read_cameras(const tinygltf::Model& model,
   for (const PlacedItem& item : cameras) {
     const tinygltf::Camera& camera = model.cameras[item.index];
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
-    const std::string place = fmt::format("nodes[{}]", item.placement.node);
+    const std::string place = place_of(item.placement.node);
     if (camera.type != "perspective") {
       warnings.add("orthographic cameras are ignored", place);
       continue;

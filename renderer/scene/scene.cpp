@@ -1,8 +1,69 @@
 #include "renderer/scene/scene.h"
 
+#include <algorithm>
 #include <limits>
 
+#include <glm/vector_relational.hpp>
+
 namespace foveola {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr Bounds nowhere{.lower = Vec3(infinity), .upper = Vec3(-infinity)};
+
+void include(Bounds& bounds, const Vec3& point) {
+  bounds.lower = glm::min(bounds.lower, point);
+  bounds.upper = glm::max(bounds.upper, point);
+}
+
+bool holds(const Bounds& outer, const Bounds& inner) {
+  return glm::all(glm::greaterThanEqual(inner.lower, outer.lower)) &&
+         glm::all(glm::lessThanEqual(inner.upper, outer.upper));
+}
+
+/// The box of a mesh's vertices where the instance stands; it holds them all. Rounding keeps the
+/// order of numbers, so that no vertex comes to lie beyond the corners.
+Bounds box_of(const Instance& instance, const Bounds& mesh) {
+  Bounds box = nowhere;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec4 place((corner & 1U) != 0 ? mesh.lower.x : mesh.upper.x,
+                     (corner & 2U) != 0 ? mesh.lower.y : mesh.upper.y,
+                     (corner & 4U) != 0 ? mesh.lower.z : mesh.upper.z, 1.0F);
+    include(box, Vec3(instance.world_from_local * place));
+  }
+  return box;
+}
+
+/// Of instances without vertices: nowhere.
+std::vector<Bounds> boxes_of_instances(const Scene& scene) {
+  std::vector<Bounds> prototypes(scene.prototypes.size(), nowhere);
+  for (std::size_t i = 0; i < prototypes.size(); ++i) {
+    for (const Vec3& position : scene.prototypes[i].positions) {
+      include(prototypes[i], position);
+    }
+  }
+  std::vector<Bounds> boxes;
+  boxes.reserve(scene.instances.size());
+  for (const Instance& instance : scene.instances) {
+    const bool is_empty = scene.prototypes[instance.prototype].positions.empty();
+    boxes.push_back(is_empty ? nowhere : box_of(instance, prototypes[instance.prototype]));
+  }
+  return boxes;
+}
+
+/// The numbers of the boxes that reach farthest to either side along each axis.
+std::vector<std::size_t> farthest(const std::vector<Bounds>& boxes) {
+  std::vector<std::size_t> numbers;
+  for (int axis = 0; axis < 3 && !boxes.empty(); ++axis) {
+    const auto by_lower = [axis](const Bounds& box) { return box.lower[axis]; };
+    const auto by_upper = [axis](const Bounds& box) { return box.upper[axis]; };
+    numbers.push_back(std::ranges::min_element(boxes, {}, by_lower) - boxes.begin());
+    numbers.push_back(std::ranges::max_element(boxes, {}, by_upper) - boxes.begin());
+  }
+  return numbers;
+}
+
+}  // namespace
 
 const Mesh& Scene::mesh_of(std::uint32_t object) const {
   const Instance* instance = instance_of(object);
@@ -32,27 +93,34 @@ std::size_t Scene::triangle_count() const {
 }
 
 Bounds Scene::bounds_of(std::uint32_t object) const {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  Bounds bounds{.lower = Vec3(infinity), .upper = Vec3(-infinity)};
+  Bounds bounds = nowhere;
   for (const Vec3& position : mesh_of(object).positions) {
-    const Vec3 placed = in_world(object, position);
-    bounds.lower = glm::min(bounds.lower, placed);
-    bounds.upper = glm::max(bounds.upper, placed);
+    include(bounds, in_world(object, position));
   }
   return bounds;
 }
 
 Bounds Scene::bounds() const {
-  if (object_count() == 0) {
-    return {};
+  Bounds all = nowhere;
+  const auto add = [&](std::size_t object) {
+    const Bounds more = bounds_of(static_cast<std::uint32_t>(object));
+    all.lower = glm::min(all.lower, more.lower);
+    all.upper = glm::max(all.upper, more.upper);
+  };
+  for (std::size_t object = 0; object < meshes.size(); ++object) {
+    add(object);
   }
-  Bounds bounds = bounds_of(0);
-  for (std::uint32_t object = 1; object < object_count(); ++object) {
-    const Bounds more = bounds_of(object);
-    bounds.lower = glm::min(bounds.lower, more.lower);
-    bounds.upper = glm::max(bounds.upper, more.upper);
+  const std::vector<Bounds> boxes = boxes_of_instances(*this);
+  // Instances that reach farthest come first. Then few others may have a vertex beyond them.
+  for (const std::size_t instance : farthest(boxes)) {
+    add(meshes.size() + instance);
   }
-  return bounds.lower.x <= bounds.upper.x ? bounds : Bounds{};
+  for (std::size_t instance = 0; instance < boxes.size(); ++instance) {
+    if (!holds(all, boxes[instance])) {
+      add(meshes.size() + instance);
+    }
+  }
+  return all.lower.x <= all.upper.x ? all : Bounds{};
 }
 
 }  // namespace foveola
