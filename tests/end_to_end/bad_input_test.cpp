@@ -217,13 +217,14 @@ TEST_F(BadInput, PipesDevicesAndFoldersEndACommandAtOnce) {
              {"tracker", "watch", "simulated", "--display", name}}) {
       expect_one_line(run_foveola(command), 1, name + ": " + what);
     }
-    for (const Command& command : std::initializer_list<Command>{
-             {"study", "status", name},
-             {"study", "verify", name},
-             {"study", "simulate", "demo", "--participants", "1", "--db", name},
-             {"analyze", name, "-o", new_file}}) {
+    for (const Command& command :
+         std::initializer_list<Command>{{"study", "status", name},
+                                        {"study", "verify", name},
+                                        {"analyze", name, "-o", new_file}}) {
       expect_one_line(run_foveola(command), 1, name + ": is no file");
     }
+    expect_one_line(run_foveola({"study", "simulate", "demo", "--participants", "1", "--db", name}),
+                    1, name == folder ? "is a folder, not a file" : "is no file");
   }
   for (const char* const name : {"pipe", "pipe.glb"}) {
     expect_one_line(run_foveola({"scene", "info", path(name)}), 1, "is not a regular file");
