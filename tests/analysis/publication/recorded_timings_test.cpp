@@ -93,14 +93,14 @@ TEST_F(RecordedTimings, OfWithdrawnSessionsComeOutOnlyIfAskedForAndChangeNoResul
   }
 }
 
-/// A formula as the reason of an exclusion and as a comment: as the codebook says, files for people
-/// have it guarded, and those that programs read as it was typed.
+/// A formula as a participant's code and as a comment: as the codebook says, files for people have
+/// it guarded, and those that programs read as it was typed.
 TEST_F(RecordedTimings, FormulasAreGuardedWhereTheCodebookSaysSo) {
   {
     study::StudyStore store(path_, study::thorough_protocol());
-    study::run_thorough_session(store, "P01", study::Excluded{.reason = "=1+1"});
+    study::run_thorough_session(store, "P01");
     study::run_thorough_session(
-        store, "P02",
+        store, "=1+1",
         study::QuestionnaireAnswered{.questionnaire = "debrief",
                                      .answers = {{.question = "sickness", .value = 2.0},
                                                  {.question = "comments", .value = "=2+2"}}});
@@ -128,7 +128,7 @@ TEST_F(RecordedTimings, FormulasAreGuardedWhereTheCodebookSaysSo) {
       }
     }
   }
-  for (const char* name : {"answers_long", "exclusions", "trials_long", "trials_timed_again",
+  for (const char* name : {"answers_long", "catch_trials", "trials_long", "participants_wide",
                            "study-small_type-trials_data"}) {
     EXPECT_GT(formulas[name], 0) << name;
   }
