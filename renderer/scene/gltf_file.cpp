@@ -23,6 +23,7 @@
 #include "renderer/scene/gltf_draco.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_meshopt.h"
+#include "renderer/scene/gltf_node_list.h"
 #include "renderer/scene/sanitised.h"
 
 namespace foveola {
@@ -150,7 +151,19 @@ bool keep_encoded_image(tinygltf::Image* image, const int /*index*/, std::string
   return true;
 }
 
-std::shared_ptr<tinygltf::Model> model_of(const Json& document, Contents contents) {
+/// Takes the nodes out of the document.
+std::vector<tinygltf::Node> take_nodes(Json& document) {
+  const auto nodes = document.find("nodes");
+  if (nodes == document.end()) {
+    return {};
+  }
+  std::vector<tinygltf::Node> list = node_list_of(*nodes);
+  document.erase(nodes);
+  return list;
+}
+
+std::shared_ptr<tinygltf::Model> model_of(Json document, Contents contents) {
+  std::vector<tinygltf::Node> nodes = take_nodes(document);
   tinygltf::TinyGLTF loader;
   confine(loader, contents);
   loader.SetImageLoader(keep_encoded_image, nullptr);
@@ -162,6 +175,7 @@ std::shared_ptr<tinygltf::Model> model_of(const Json& document, Contents content
                                   static_cast<unsigned>(text.size()), "")) {
     throw GltfFault("", sanitised(error));
   }
+  model->nodes = std::move(nodes);
   return model;
 }
 
@@ -184,7 +198,7 @@ GltfFile read_gltf_file(const std::filesystem::path& path, std::string& content)
   decompress_meshopt(document, buffers.contents);
   decompress_draco(document, buffers.contents);
   Contents contents = hand_over(document, std::move(buffers.contents), std::move(images));
-  return {.model = model_of(document, std::move(contents)),
+  return {.model = model_of(std::move(document), std::move(contents)),
           .folder = folder,
           .sha256 = sha256(std::string_view(content)),
           .buffer_hashes = std::move(buffers.hashes)};

@@ -12,7 +12,7 @@ std::size_t bytes_of(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
 
-std::size_t bytes_of(const Mesh& mesh) {
+std::size_t bytes_of_arrays(const Mesh& mesh) {
   std::size_t bytes = bytes_of(mesh.positions) + bytes_of(mesh.normals) + bytes_of(mesh.tangents) +
                       bytes_of(mesh.colors) + bytes_of(mesh.triangles);
   for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
@@ -78,7 +78,7 @@ class FactFinder {
     for (const std::vector<Mesh>* meshes : {&scene_.meshes, &scene_.prototypes}) {
       for (const Mesh& mesh : *meshes) {
         facts_.stored_triangles += mesh.triangles.size();
-        facts_.geometry_bytes += bytes_of(mesh);
+        facts_.geometry_bytes += bytes_of_arrays(mesh);
       }
     }
     std::set<const Texels*> counted;
