@@ -1,11 +1,7 @@
 // Other programs at a study's file, and other code of this one, while a session writes it.
-#include <fstream>
-#include <regex>
-
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,27 +13,12 @@
 #include "study/record/same_scenes.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
+#include "tests/file_locks.h"
 
 namespace foveola::study {
 namespace {
 
-/// Whether this process holds a POSIX lock on the file, by which SQLite elsewhere sees that it is
-/// in use.
-bool is_locked_by_us(const fs::path& path) {
-  struct stat status{};
-  if (::stat(path.c_str(), &status) != 0) {
-    return false;
-  }
-  const std::regex ours(
-      fmt::format(" POSIX .* {} [0-9a-f]+:[0-9a-f]+:{} ", ::getpid(), status.st_ino));
-  std::ifstream locks("/proc/locks");
-  for (std::string line; std::getline(locks, line);) {
-    if (std::regex_search(line, ours)) {
-      return true;
-    }
-  }
-  return false;
-}
+bool is_locked_by_us(const fs::path& path) { return test::is_locked_by(::getpid(), path); }
 
 /// A session at its first trial.
 class Neighbours : public testing::Test {
