@@ -1,6 +1,7 @@
 #include "study/record/attempt_gaze_figures.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 
 #include "renderer/gaze/gaze_filter.h"
@@ -25,6 +26,15 @@ Quat head_at(const std::vector<FrameRow>& frames, Nanoseconds time) {
   return head_of(later == frames.begin() ? frames.front() : *std::prev(later));
 }
 
+/// The sum, or the time that is nearest to it: those of a file may be any.
+Nanoseconds sum_of(Nanoseconds a, Nanoseconds b) {
+  std::int64_t sum = 0;
+  if (__builtin_add_overflow(a.count(), b.count(), &sum)) {
+    return a < Nanoseconds(0) ? Nanoseconds::min() : Nanoseconds::max();
+  }
+  return Nanoseconds(sum);
+}
+
 GazeTimes gaze_times(const WatchedAttempt& attempt, Nanoseconds end) {
   Nanoseconds all{0};
   Nanoseconds without_gaze{0};
@@ -34,11 +44,12 @@ GazeTimes gaze_times(const WatchedAttempt& attempt, Nanoseconds end) {
   for (std::size_t i = 0; i < frames.size() && frames[i].presented < end; ++i) {
     const Nanoseconds next = i + 1 < frames.size() ? frames[i + 1].presented : end;
     const Nanoseconds shown = std::min(next, end) - frames[i].presented;
-    all += shown;
+    all = sum_of(all, shown);
     if (!has_gaze(frames[i])) {
-      without_gaze += shown;
+      without_gaze = sum_of(without_gaze, shown);
     } else if (attempt.object) {
-      (is_gaze_on(*attempt.object, frames[i].gaze) ? on_object : elsewhere) += shown;
+      Nanoseconds& part = is_gaze_on(*attempt.object, frames[i].gaze) ? on_object : elsewhere;
+      part = sum_of(part, shown);
     }
   }
   GazeTimes times{.all_s = seconds(all), .without_gaze_s = seconds(without_gaze)};

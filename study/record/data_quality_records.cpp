@@ -176,7 +176,7 @@ void read_attempts(SQLite::Database& database, DataQualityRecords& records) {
 
 std::optional<double> angle(SQLite::Statement& row, const char* column) {
   const SQLite::Column value = row.getColumn(column);
-  return value.isNull() ? std::nullopt : std::optional(value.getDouble());
+  return value.isNull() ? std::nullopt : std::optional(finite_number(value));
 }
 
 std::vector<GazeRunRow> read_gaze_runs(SQLite::Database& database) {
@@ -188,7 +188,7 @@ std::vector<GazeRunRow> read_gaze_runs(SQLite::Database& database) {
   while (rows.executeStep()) {
     runs.push_back({rows.getColumn("participant").getString(),
                     whole_number<int>(rows.getColumn("run")), angle(rows, "accuracy_deg"),
-                    angle(rows, "precision_rms_deg"), rows.getColumn("data_loss").getDouble(),
+                    angle(rows, "precision_rms_deg"), finite_number(rows.getColumn("data_loss")),
                     rows.getColumn("passed").getInt() == 1});
   }
   return runs;

@@ -14,9 +14,9 @@ Json json_of_vector(const Vector& v) {
 
 template <typename Vector>
 Vector vector_from(const Json& json) {
-  return {json.at(0).get<typename Vector::value_type>(),
-          json.at(1).get<typename Vector::value_type>(),
-          json.at(2).get<typename Vector::value_type>()};
+  using Number = typename Vector::value_type;
+  return {finite_number<Number>(json.at(0)), finite_number<Number>(json.at(1)),
+          finite_number<Number>(json.at(2))};
 }
 
 Json json_of(const GazeFigures& figures) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <random>
 #include <stdexcept>
+#include <system_error>
 #include <variant>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -49,7 +50,8 @@ TrialKind trial_kind_named(std::int64_t session, const std::string& name) {
 std::uint64_t seed_from(std::int64_t session, const std::string& digits) {
   std::uint64_t seed = 0;
   const char* end = digits.data() + digits.size();
-  if (std::from_chars(digits.data(), end, seed).ptr != end) {
+  const auto [rest, fault] = std::from_chars(digits.data(), end, seed);
+  if (rest != end || fault != std::errc()) {
     throw unknown_word(session, digits);
   }
   return seed;
@@ -137,7 +139,8 @@ class StepRow {
   std::int64_t step_;
 };
 
-AgendaStep step_from(SQLite::Statement& row, std::int64_t session) {
+/// trials: how many there are in the plan.
+AgendaStep step_from(SQLite::Statement& row, std::int64_t session, std::size_t trials) {
   const std::string kind = row.getColumn("kind").getString();
   if (kind == "consent") {
     return ConsentStep{};
@@ -146,13 +149,13 @@ AgendaStep step_from(SQLite::Statement& row, std::int64_t session) {
     return QuestionnaireStep{.questionnaire = row.getColumn("questionnaire").getString()};
   }
   if (kind == "validation") {
-    return ValidationStep{.attempts = whole_number<int>(row.getColumn("times"))};
+    return ValidationStep{.attempts = whole_number<std::uint16_t>(row.getColumn("times"))};
   }
   if (kind == "reaction") {
-    return ReactionStep{.presses = whole_number<int>(row.getColumn("times"))};
+    return ReactionStep{.presses = whole_number<std::uint16_t>(row.getColumn("times"))};
   }
   if (kind == "trial") {
-    return TrialStep{.trial = whole_number<std::size_t>(row.getColumn("trial")),
+    return TrialStep{.trial = place_in<std::size_t>(row.getColumn("trial"), trials),
                      .chooses_object = row.getColumn("chooses_object").getInt() != 0};
   }
   throw unknown_word(session, kind);
@@ -160,10 +163,11 @@ AgendaStep step_from(SQLite::Statement& row, std::int64_t session) {
 
 Agenda agenda_from_record(SQLite::Database& database, std::int64_t session) {
   Agenda agenda;
+  const std::size_t trials = plan_of(database, session).size();
   SQLite::Statement rows(database, "SELECT * FROM planned_step WHERE session = ? ORDER BY step");
   rows.bind(1, session);
   while (rows.executeStep()) {
-    agenda.push_back(step_from(rows, session));
+    agenda.push_back(step_from(rows, session, trials));
   }
   return agenda;
 }

@@ -1,8 +1,11 @@
-// Whole numbers of a study's file, which may hold any: only those that Foveola writes are taken.
+// Numbers of a study's file, which may hold any: only those that Foveola writes are taken.
 #pragma once
 
+#include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -41,7 +44,40 @@ Number whole_number(const nlohmann::ordered_json& json) {
       return static_cast<Number>(number);
     }
   }
-  throw std::invalid_argument(fmt::format("{} is not a whole number in its range", json.dump()));
+  throw std::invalid_argument(fmt::format("{} is not a whole number in its range",
+                                          json.is_number() ? json.dump() : json.type_name()));
+}
+
+/// The place of a column in a list of so many. Throws SQLite::Exception as above.
+template <std::integral Number>
+Number place_in(const SQLite::Column& column, std::size_t count) {
+  const auto place = whole_number<Number>(column);
+  if (!std::in_range<std::size_t>(place) || static_cast<std::size_t>(place) >= count) {
+    throw SQLite::Exception(
+        fmt::format("{} has the value {}, of {} that there are", column.getName(), place, count),
+        SQLITE_CORRUPT);
+  }
+  return place;
+}
+
+/// The number of a column. Throws SQLite::Exception as above for one that is not finite.
+inline double finite_number(const SQLite::Column& column) {
+  const double number = column.getDouble();
+  if (!std::isfinite(number)) {
+    throw SQLite::Exception(fmt::format("{} is not finite", column.getName()), SQLITE_CORRUPT);
+  }
+  return number;
+}
+
+/// The same of JSON. Throws std::invalid_argument for one that `Number` does not hold, and
+/// nlohmann's exceptions for what is not a number.
+template <std::floating_point Number>
+Number finite_number(const nlohmann::ordered_json& json) {
+  const auto number = json.get<double>();
+  if (!(std::abs(number) <= double{std::numeric_limits<Number>::max()})) {
+    throw std::invalid_argument(fmt::format("{} is out of range", number));
+  }
+  return static_cast<Number>(number);
 }
 
 /// Times of up to 73 years, forwards or backwards, whose sums and differences do not overflow.

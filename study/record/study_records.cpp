@@ -148,7 +148,7 @@ void read_answers(SQLite::Database& database, const SessionIndices& sessions, Wo
          .value = number.isNull()
                       ? Value{.state = Value::State::in_words,
                               .words = words.index_of(rows.getColumn(5).getString())}
-                      : Value{.state = Value::State::measured, .number = number.getDouble()}});
+                      : Value{.state = Value::State::measured, .number = finite_number(number)}});
   }
 }
 

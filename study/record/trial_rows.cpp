@@ -4,6 +4,8 @@
 #include <string>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -28,7 +30,7 @@ Positions positions_of(const std::vector<std::string>& names) {
 /// Throws Error for a name that is not among them, which the file's foreign keys exclude.
 std::uint16_t position_of(const Positions& positions, const std::string& name, const char* what) {
   const auto found = positions.find(name);
-  if (found == positions.end()) {
+  if (found == positions.end() || !std::in_range<std::uint16_t>(found->second)) {
     throw Error(fmt::format("the {} '{}' of a planned trial", what, name),
                 "is not one of the study's", damage_remedy);
   }
@@ -87,17 +89,19 @@ class TrialReader {
       if (session == sessions_.end()) {
         continue;
       }
-      const auto number = [&](int column) {
-        return whole_number<std::uint16_t>(row.getColumn(column));
+      const TrialKind kind = kind_named(row.getColumn(2).getString());
+      const auto position = [&](int column, const std::vector<std::string>& list) {
+        return kind == TrialKind::test ? place_in<std::uint16_t>(row.getColumn(column), list.size())
+                                       : std::uint16_t{0};
       };
       const TrialRow trial{.session = session->second,
                            .trial = whole_number<std::uint32_t>(row.getColumn(1)),
-                           .kind = kind_named(row.getColumn(2).getString()),
+                           .kind = kind,
                            .scene = position_of(scenes, row.getColumn(3).getString(), "scene"),
                            .method = position_of(methods, row.getColumn(4).getString(), "method"),
-                           .scene_position = number(5),
-                           .method_position = number(6),
-                           .attempt = number(7),
+                           .scene_position = position(5, records_.scenes),
+                           .method_position = position(6, records_.methods),
+                           .attempt = whole_number<std::uint16_t>(row.getColumn(7)),
                            .object = words_.index_of(row.getColumn(8).getString()),
                            .outcome = words_.index_of(row.getColumn(9).getString())};
       if (!records_.trials.empty()) {
@@ -136,7 +140,7 @@ class TrialReader {
       return {.state = Value::State::in_words, .words = words_.index_of(column.getString())};
     }
     return {.state = is_censored ? Value::State::right_censored : Value::State::measured,
-            .number = column.getDouble()};
+            .number = finite_number(column)};
   }
 
   SQLite::Database& database_;

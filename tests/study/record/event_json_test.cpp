@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "small_study.h"
+#include "study/record/session_devices.h"
 
 namespace foveola::study {
 namespace {
@@ -85,6 +86,17 @@ TEST(EventJson, RefusesWhatNoEventSays) {
   EXPECT_THROW(event_from("marked", "{}"), std::invalid_argument);
   EXPECT_THROW(event_from("marked", R"({"time_ns":"soon"})"), std::invalid_argument);
   EXPECT_THROW(event_from("marked", "{"), std::invalid_argument);
+}
+
+// As deep as a file can say: a call for each level would end the program.
+TEST(EventJson, RefusesWhatIsNestedDeeply) {
+  constexpr std::size_t levels = 1'000'000;
+  for (const std::string& nested :
+       {std::string(levels, '['), std::string(levels, '[') + '0' + std::string(levels, ']')}) {
+    EXPECT_THROW(event_from("marked", "{\"time_ns\":" + nested + "}"), std::invalid_argument);
+    EXPECT_THROW(event_from("rated", "{\"answers\":" + nested + "}"), std::invalid_argument);
+    EXPECT_EQ(field_of_view_in("{\"display\":" + nested + "}"), std::nullopt);
+  }
 }
 
 TEST(EventJson, ReplacesWhatIsNoUnicode) {

@@ -13,6 +13,7 @@
 #include "renderer/base/files.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/recorded_gaze.h"
+#include "study/record/recorded_session.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
 
@@ -127,6 +128,39 @@ TEST_F(StrangersFiles, NumbersThatFoveolaNeverWritesAreFaultsAndNoOverflow) {
       } catch (const Error&) {
       }
     }
+  }
+}
+
+// What they say would be an index, a count or a loop of another program.
+TEST_F(StrangersFiles, NumbersOutOfTheStudyAreRefusedByWhatTheyAre) {
+  const std::string whole = read_file(path_);
+  const std::function<void()> study = [&] { read_study(path_); };
+  const std::function<void()> session = [&] { read_session(path_, "P01"); };
+  struct Case {
+    const char* change;
+    std::function<void()> read;
+    const char* refusal;
+  };
+  for (const auto& [change, read, text] :
+       std::vector<Case>{{"planned_trial SET method_position = 3", study,
+                          "method_position has the value 3, of 3 that there are"},
+                         {"planned_trial SET scene_position = 2", study,
+                          "scene_position has the value 2, of 2 that there are"},
+                         {"planned_step SET trial = 6 WHERE trial = 5", session,
+                          "trial has the value 6, of 6 that there are"},
+                         {"planned_step SET times = -2147483648 WHERE kind = 'validation'", session,
+                          "times has the value -2147483648, which is out of range"},
+                         {"session SET seed = '18446744073709551616'", session,
+                          "its record says \"18446744073709551616\""},
+                         {"rating SET value = 9e999", study, "value is not finite"},
+                         {"questionnaire_answer SET number = -9e999 WHERE text IS NULL", study,
+                          "number is not finite"}}) {
+    SCOPED_TRACE(change);
+    folder_.write("study.sqlite", whole);
+    tamper(path_, std::string("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON;"
+                              " UPDATE OR IGNORE ") +
+                      change);
+    EXPECT_THAT(refusal(read), HasSubstr(text));
   }
 }
 
