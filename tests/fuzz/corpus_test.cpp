@@ -1,12 +1,10 @@
 // Loads every file of the fuzzer's seed corpus, so that what was once found stays mended.
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/files.h"
+#include "tests/fuzz/corpus_files.h"
 #include "tests/fuzz/load_input.h"
 #include "tests/temporary_folder.h"
 
@@ -14,15 +12,6 @@ namespace foveola::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> corpus() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(FUZZ_CORPUS)) {
-    files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 class Corpus : public ::testing::TestWithParam<fs::path> {};
 
@@ -36,12 +25,8 @@ TEST_P(Corpus, LoadsOrIsRefused) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllFiles, Corpus, ::testing::ValuesIn(corpus()), [](const auto& file) {
-  std::string name = file.param.filename().string();
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(AllFiles, Corpus, ::testing::ValuesIn(corpus_files(FUZZ_CORPUS)),
+                         NameOfFile());
 
 }  // namespace
 }  // namespace foveola::test

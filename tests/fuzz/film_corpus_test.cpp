@@ -1,12 +1,10 @@
 // Reads every file of the film fuzzer's seed corpus, so that what was once found stays mended.
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/files.h"
+#include "tests/fuzz/corpus_files.h"
 #include "tests/fuzz/film_input.h"
 #include "tests/temporary_folder.h"
 
@@ -14,15 +12,6 @@ namespace foveola::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> film_corpus() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(FILM_FUZZ_CORPUS)) {
-    files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 class FilmCorpus : public ::testing::TestWithParam<fs::path> {};
 
@@ -37,14 +26,8 @@ TEST_P(FilmCorpus, IsReadOrRefused) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllFiles, FilmCorpus, ::testing::ValuesIn(film_corpus()),
-                         [](const auto& file) {
-                           std::string name = file.param.filename().string();
-                           std::replace_if(
-                               name.begin(), name.end(),
-                               [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(AllFiles, FilmCorpus, ::testing::ValuesIn(corpus_files(FILM_FUZZ_CORPUS)),
+                         NameOfFile());
 
 }  // namespace
 }  // namespace foveola::test

@@ -1,28 +1,17 @@
 // Reads every file of the HID fuzzer's seed corpus, so that what was once found stays mended.
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/files.h"
+#include "tests/fuzz/corpus_files.h"
 #include "tests/fuzz/hid_input.h"
 
 namespace foveola::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> hid_corpus() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(HID_FUZZ_CORPUS)) {
-    files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 class HidCorpus : public ::testing::TestWithParam<fs::path> {};
 
@@ -38,14 +27,8 @@ TEST_P(HidCorpus, SendsSamplesOrIsRefused) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllFiles, HidCorpus, ::testing::ValuesIn(hid_corpus()),
-                         [](const auto& file) {
-                           std::string name = file.param.filename().string();
-                           std::replace_if(
-                               name.begin(), name.end(),
-                               [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(AllFiles, HidCorpus, ::testing::ValuesIn(corpus_files(HID_FUZZ_CORPUS)),
+                         NameOfFile());
 
 }  // namespace
 }  // namespace foveola::test

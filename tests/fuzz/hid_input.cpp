@@ -1,6 +1,5 @@
 #include "tests/fuzz/hid_input.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -10,32 +9,13 @@
 #include "renderer/gaze/hid_eye_reports.h"
 #include "renderer/gaze/hid_gaze_stream.h"
 #include "renderer/gaze/hid_report_descriptor.h"
+#include "tests/fuzz/input_bytes.h"
 
 namespace foveola::test {
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
-
 constexpr Nanoseconds period = std::chrono::milliseconds(8);
 constexpr double latency_s = 0.014;
-
-/// Takes up to `size` bytes off the input.
-Bytes take(Bytes& input, std::size_t size) {
-  const Bytes taken = input.first(std::min(size, input.size()));
-  input = input.subspan(taken.size());
-  return taken;
-}
-
-/// Takes `digits` bytes off the input as a number.
-std::size_t take_number(Bytes& input, std::size_t digits) {
-  std::size_t number = 0;
-  std::size_t place = 1;
-  for (const std::uint8_t byte : take(input, digits)) {
-    number += place * byte;
-    place *= 256;
-  }
-  return number;
-}
 
 void check_that(bool holds, const char* what) {
   if (!holds) {
