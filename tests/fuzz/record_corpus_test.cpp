@@ -1,4 +1,5 @@
-// Reads every file of the corpus of the events' fuzzer, so that what was once found stays mended.
+// Reads every file of the corpora of the events' and the studies' fuzzers, so that what was once
+// found stays mended.
 #include <filesystem>
 #include <string>
 
@@ -7,6 +8,8 @@
 #include "renderer/base/files.h"
 #include "tests/fuzz/corpus_files.h"
 #include "tests/fuzz/event_input.h"
+#include "tests/fuzz/study_input.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola::test {
 namespace {
@@ -30,6 +33,18 @@ TEST_P(EventCorpus, IsReadOrRefused) {
 
 INSTANTIATE_TEST_SUITE_P(AllFiles, EventCorpus,
                          ::testing::ValuesIn(corpus_files(EVENT_FUZZ_CORPUS)), NameOfFile());
+
+class StudyCorpus : public ::testing::TestWithParam<fs::path> {};
+
+TEST_P(StudyCorpus, IsReadOrRefused) {
+  const TemporaryFolder folder;
+  const std::string input = read_file(GetParam());
+  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+  expect_as_named(read_study_input(folder.path(), bytes), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFiles, StudyCorpus,
+                         ::testing::ValuesIn(corpus_files(STUDY_FUZZ_CORPUS)), NameOfFile());
 
 }  // namespace
 }  // namespace foveola::test
