@@ -91,12 +91,15 @@ FileManifest read_manifest(const fs::path& folder) {
   return manifest;
 }
 
-void write_manifest(const fs::path& folder, const FileManifest& manifest) {
+void write_manifest(const fs::path& staging, const fs::path& folder,
+                    const FileManifest& manifest) {
   std::string text;
   for (const WrittenFile& file : manifest) {
     text += fmt::format("{}{}{}\n", file.sha256, before_path, file.path.generic_string());
   }
-  write_file(folder / manifest_name, text);
+  write_file(staging / manifest_name, text);  // synced
+  fs::rename(staging / manifest_name, folder / manifest_name);
+  sync_to_disk(folder);
 }
 
 std::vector<fs::path> remove_former_files(const fs::path& folder, const FileManifest& former,

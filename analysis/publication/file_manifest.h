@@ -26,8 +26,11 @@ inline constexpr const char* manifest_name = "manifest.sha256";
 /// those of paths that lead out of the folder. Throws Error if it cannot be read.
 FileManifest read_manifest(const std::filesystem::path& folder);
 
-/// Replaces the folder's manifest durably. Throws Error if it cannot be written.
-void write_manifest(const std::filesystem::path& folder, const FileManifest& manifest);
+/// Replaces the folder's manifest durably. It is written in `staging` first, a folder of the same
+/// file system that the next analysis removes after a kill. Throws Error or filesystem_error if it
+/// cannot be written.
+void write_manifest(const std::filesystem::path& staging, const std::filesystem::path& folder,
+                    const FileManifest& manifest);
 
 /// Removes the files of `former` that `current` has not, and folders that become empty by that. A
 /// file stays if its bytes are not those that were written, or if a link leads to it. Returns the

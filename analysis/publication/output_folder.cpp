@@ -115,7 +115,7 @@ PublishedFiles StagedFolder::publish(const std::vector<fs::path>& files) {
   const FileManifest former = read_manifest(folder_);
   FileManifest all = former;
   all.insert(current.begin(), current.end());
-  write_manifest(folder_, all);
+  write_manifest(staging_, folder_, all);
   PublishedFiles published{.files = {folder_ / manifest_name}};
   for (const fs::path& file : files) {
     const fs::path target = folder_ / file.lexically_relative(staging_);
@@ -132,7 +132,7 @@ PublishedFiles StagedFolder::publish(const std::vector<fs::path>& files) {
     published.staying.push_back(folder_ / path);
   }
   sync_folders(folder_, all);
-  write_manifest(folder_, current);
+  write_manifest(staging_, folder_, current);
   return published;
 }
 
