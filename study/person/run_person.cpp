@@ -13,6 +13,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/live_display.h"
 #include "renderer/commands/live_window.h"
