@@ -201,6 +201,19 @@ TEST(PowerLoss, AFileIsSyncedBeforeItHasItsName) {
   EXPECT_TRUE(is_named);
 }
 
+// Otherwise a loss of power may take a receipt or an export that was reported as written.
+TEST(PowerLoss, AFileThatWasWrittenHasItsName) {
+  const TemporaryFolder folder;
+  DiskWatch watch(folder.path());
+  write_file(folder / "consent.txt", "yes");
+  LosingDisk disk;
+  for (const DiskCall& call : watch.calls()) {
+    disk.go_through(call);
+  }
+  std::mt19937 random;
+  EXPECT_TRUE(disk.after(Loss::everything, random).contains("consent.txt"));
+}
+
 // The disk that the tests lose is the one that the program wrote.
 TEST(PowerLoss, ADiskThatLosesNothingHoldsWhatTheProgramWrote) {
   const TemporaryFolder folder;
