@@ -91,8 +91,7 @@ FileManifest read_manifest(const fs::path& folder) {
   return manifest;
 }
 
-void write_manifest(const fs::path& staging, const fs::path& folder,
-                    const FileManifest& manifest) {
+void write_manifest(const fs::path& staging, const fs::path& folder, const FileManifest& manifest) {
   std::string text;
   for (const WrittenFile& file : manifest) {
     text += fmt::format("{}{}{}\n", file.sha256, before_path, file.path.generic_string());
