@@ -218,6 +218,10 @@ void run_forget(const RecordArguments& arguments) {
   print_text(
       "The disk may hold what was deleted until something else is written there, and so may its "
       "snapshots and other backups of this computer.\n");
+  for (const std::string& mention : forgotten.mentions) {
+    print_text("{}: {} has the code {} in what was typed; it stays, since later hashes cover it\n",
+               arguments.database, mention, arguments.participant);
+  }
   for (const RemainingCopy& copy : forgotten.remaining) {
     print_text("{}: {}\n", copy.file.string(), copy.what);
   }

@@ -175,6 +175,25 @@ void remove_leftovers(const fs::path& study, const std::vector<fs::path>& copies
   }
 }
 
+/// What people typed into the events of others.
+std::vector<std::string> mentions_in(const fs::path& path, const std::string& code) {
+  std::vector<std::string> mentions;
+  SQLite::Database study = open_as_it_is(path);
+  SQLite::Statement texts(
+      study,
+      "SELECT participant, sequence, atom FROM session JOIN event ON event.session = session.id,"
+      " json_tree(payload) WHERE json_tree.type = 'text' AND instr(atom, ?)"
+      " ORDER BY participant, sequence");
+  texts.bind(1, code);
+  while (texts.executeStep()) {
+    if (has_word(texts.getColumn("atom").getString(), code)) {
+      mentions.push_back(fmt::format("event {} of {}", texts.getColumn("sequence").getString(),
+                                     texts.getColumn("participant").getString()));
+    }
+  }
+  return mentions;
+}
+
 Forgotten forget(const fs::path& study, const std::string& code) {
   const ControllerLock lock(study);
   const std::vector<fs::path> copies = copies_of(study);
@@ -205,6 +224,7 @@ Forgotten forget(const fs::path& study, const std::string& code) {
     }
   }
   std::ranges::sort(forgotten.remaining, {}, &RemainingCopy::file);
+  forgotten.mentions = mentions_in(study, code);
   if (forgotten.files == 0 && forgotten.remaining.empty()) {
     throw Error(study.string(), fmt::format("has no participant {}", code),
                 "foveola study status says whose sessions there are");

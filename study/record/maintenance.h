@@ -54,6 +54,9 @@ Merge merge_studies(const std::vector<std::filesystem::path>& sources,
 struct Forgotten {
   std::size_t files = 0;                 ///< rebuilt: the study and its backups
   std::vector<RemainingCopy> remaining;  ///< that still hold something of the participant
+  /// The events of other sessions in whose texts people typed the participant's code. They stay,
+  /// since the hash chain covers them.
+  std::vector<std::string> mentions;
 };
 
 /// Rebuilds the study and all of its backups without one participant's session, and looks for what

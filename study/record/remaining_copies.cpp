@@ -4,7 +4,6 @@
 #include <fstream>
 #include <optional>
 #include <regex>
-#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -17,18 +16,6 @@ namespace {
 bool is_of_word(char letter) {
   return (letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z') ||
          (letter >= 'a' && letter <= 'z') || static_cast<unsigned char>(letter) >= 0x80;
-}
-
-/// Whether `word` stands in the text, and no letter or digit at either end of it.
-bool has_word(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != std::string_view::npos;
-       at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end]))) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// A short code stands in compressed bytes by chance, but not in texts.
@@ -88,6 +75,17 @@ std::optional<std::string> found_in(const fs::path& path, const std::string& cod
 }
 
 }  // namespace
+
+bool has_word(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end]))) {
+      return true;
+    }
+  }
+  return false;
+}
 
 std::vector<RemainingCopy> remaining_copies(const fs::path& study, const std::string& code,
                                             const std::set<std::string>& uuids) {

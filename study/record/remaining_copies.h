@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foveola::study {
@@ -14,6 +15,9 @@ struct RemainingCopy {
   std::filesystem::path file;
   std::string what;
 };
+
+/// Whether `word` stands in the text, and no letter or digit at either end of it.
+bool has_word(std::string_view text, std::string_view word);
 
 /// Looks through all files of the study's folder and of those in it: their names for the
 /// participant's code, their bytes for the code as a word of its own and for the sessions' UUIDs.

@@ -87,6 +87,17 @@ TEST_F(Forgetting, ListsAllThatOtherCommandsWrote) {
   EXPECT_FALSE(fs::exists(backup_folder(path_) / ".old.sqlite.1.partial"));
 }
 
+TEST_F(Forgetting, ListsWhatOthersTypedOfThePerson) {
+  {
+    StudyStore store(path_, thorough_protocol());
+    store.record(3,
+                 EventEntry{.time = ms(90'000), .event = NoteWritten{"late:\nPERSON-0123 left"}});
+    store.record(3, EventEntry{.time = ms(91'000), .event = NoteWritten{"not PERSON-01234"}});
+  }
+  EXPECT_THAT(forget_participant(path_, code).mentions,
+              ElementsAre(testing::MatchesRegex("event [0-9]+ of P03")));
+}
+
 TEST_F(Forgetting, ContinuesBehindABackupThatCannotBeRead) {
   const fs::path damaged = backups().front();
   write_file(damaged, "SQLite format 3");
