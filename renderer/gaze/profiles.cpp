@@ -262,7 +262,8 @@ fs::path recording_beside(const fs::path& profile, const fs::path& recording) {
 template <typename From>
 auto profile_in(const std::string& toml, const std::string& where, const From& from,
                 TomlKeys* keys) {
-  const toml::table content = parse_toml(where, toml, "restore it from a copy");
+  const toml::table content =
+      parse_toml(where, toml, "put a copy of the study in its place by foveola study restore");
   auto profile = from(TomlReader(where, content, "", keys));
   profile.toml = toml;
   return profile;
