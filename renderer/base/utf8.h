@@ -23,8 +23,8 @@ std::size_t count_characters(std::string_view text);
 /// those without width.
 std::string printable(std::string_view text);
 
-/// The text with each such character, but for line feeds and tabs, as \uXXXX: JSON stays the same
-/// JSON.
+/// The text with each such character, but for line feeds and tabs, as a backslash, u and four
+/// hexadecimal digits: JSON stays the same JSON.
 std::string escaped(std::string_view text);
 
 /// The bytes of the first `characters` of a text, or of all of it if it has fewer.
