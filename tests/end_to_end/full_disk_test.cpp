@@ -38,7 +38,7 @@ TEST_F(FullDisk, IsThatOfTheFileThatIsWritten) {
     std::string named;  ///< what the error begins with
   };
   for (const auto& [command, named] : std::vector<Case>{
-           {{"analyze", source("study.sqlite"), "-o", target("out")}, target(".unfinished-")},
+           {{"analyze", source("study.sqlite"), "-o", target("out")}, target("out/.unfinished-")},
            {{"render", source("room.gltf"), "-o", target("x.exr"), "--size", "64x64", "--spp", "1"},
             target("x.exr")},
            {{"render", source("room.gltf"), "-o", target("x.png"), "--size", "64x64", "--spp", "1"},
