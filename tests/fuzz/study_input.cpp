@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -22,15 +21,18 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "study/record/chunk.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
 #include "study/record/hash_chain.h"
 #include "study/record/maintenance.h"
+#include "study/record/measured.h"
 #include "study/record/prepared_statements.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/recorded_session.h"
+#include "study/record/schema.h"
 #include "study/record/study_records.h"
 #include "study/record/study_store.h"
 #include "study/record/verification_json.h"
@@ -67,15 +69,43 @@ void seal_texts(SQLite::Database& study) {
   }
 }
 
+/// The bytes of a chunk; empty if it is none any more.
+std::string inflated(const std::string& data) {
+  std::string bytes(std::size_t{1} << 16, '\0');
+  uLongf size = bytes.size();
+  const int result = ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                                  reinterpret_cast<const Bytef*>(data.data()), data.size());
+  bytes.resize(result == Z_OK ? size : 0);
+  return bytes;
+}
+
+void seal_chunks(SQLite::Database& study) {
+  for (const char* table : {"frame_chunk", "gaze_chunk"}) {
+    SQLite::Statement rows(study, fmt::format("SELECT rowid AS row, {} FROM {}",
+                                              study::columns_of_chunk(study, table), table));
+    while (rows.executeStep()) {
+      const study::StoredChunk chunk = study::stored_chunk(rows);
+      SQLite::Statement seal(study,
+                             fmt::format("UPDATE {} SET data_sha256 = ? WHERE rowid = ?", table));
+      SQLite::bind(seal, sha256(chunk.place + inflated(chunk.data)),
+                   rows.getColumn("row").getInt64());
+      seal.exec();
+    }
+  }
+}
+
 void seal_films(SQLite::Database& study) {
-  SQLite::Statement rows(study, "SELECT rowid, trial, attempt, frame, film_sha256 FROM film_hash");
+  SQLite::Statement rows(study,
+                         "SELECT film_hash.rowid, uuid, trial, attempt, frame, film_sha256"
+                         " FROM film_hash JOIN session ON session.id = session");
   while (rows.executeStep()) {
     SQLite::Statement seal(study, "UPDATE film_hash SET row_sha256 = ? WHERE rowid = ?");
     SQLite::bind(
         seal,
-        study::film_row_sha256(rows.getColumn(1).getInt64(), rows.getColumn(2).getInt(),
-                               {.frame = static_cast<std::uint64_t>(rows.getColumn(3).getInt64()),
-                                .sha256 = rows.getColumn(4).getString()}),
+        study::film_row_sha256(rows.getColumn(1).getString(), rows.getColumn(2).getInt64(),
+                               rows.getColumn(3).getInt(),
+                               {.frame = static_cast<std::uint64_t>(rows.getColumn(4).getInt64()),
+                                .sha256 = rows.getColumn(5).getString()}),
         rows.getColumn(0).getInt64());
     seal.exec();
   }
@@ -87,18 +117,19 @@ void seal_events(SQLite::Database& study) {
   while (sessions.executeStep()) {
     const std::int64_t session = sessions.getColumn(0).getInt64();
     std::string hash = study::hash_before_events(statements, session);
-    SQLite::Statement events(study,
-                             "SELECT rowid, sequence, time_ns, utc, type, payload FROM event"
-                             " WHERE session = ? ORDER BY sequence");
+    SQLite::Statement events(
+        study, "SELECT rowid AS row, * FROM event WHERE session = ? ORDER BY sequence");
     events.bind(1, session);
     while (events.executeStep()) {
-      hash = study::hash_of(hash, {.sequence = events.getColumn(1).getInt64(),
-                                   .time_ns = events.getColumn(2).getInt64(),
-                                   .utc = events.getColumn(3).getString(),
-                                   .type = events.getColumn(4).getString(),
-                                   .payload = events.getColumn(5).getString()});
-      SQLite::Statement seal(study, "UPDATE event SET hash = ? WHERE rowid = ?");
-      SQLite::bind(seal, hash, events.getColumn(0).getInt64());
+      study::LogLine line = study::log_line(events, study::study_schema_version);
+      if (!line.measured.empty()) {
+        line.measured = study::measured_in(statements, session, line.trial.value_or(0),
+                                           line.attempt.value_or(0));
+      }
+      hash = study::hash_of(hash, line, study::study_schema_version);
+      SQLite::Statement seal(
+          study, "UPDATE event SET hash = ?1, measured = nullif(?2, '') WHERE rowid = ?3");
+      SQLite::bind(seal, hash, line.measured, events.getColumn("row").getInt64());
       seal.exec();
     }
   }
@@ -107,6 +138,7 @@ void seal_events(SQLite::Database& study) {
 /// Whoever changes a file can make its hashes hold.
 void seal(SQLite::Database& study) {
   seal_texts(study);
+  seal_chunks(study);
   seal_films(study);
   seal_events(study);
 }
@@ -134,6 +166,7 @@ class SmallStudy {
                                                    {.question = "comments", .value = "none"}}});
     }
     SQLite::Database study(path, SQLite::OPEN_READWRITE);
+    study.execAndGet("PRAGMA journal_mode = DELETE");
     loosen(study);
     SQLite::Statement facts(study, "UPDATE session SET devices = ?");
     SQLite::bind(facts, devices);
@@ -207,16 +240,6 @@ std::string spliced(std::string bytes, Bytes& input) {
   return bytes.replace(place, replaced, {reinterpret_cast<const char*>(more.data()), more.size()});
 }
 
-/// The bytes of a chunk; empty if it is none any more.
-std::string inflated(const std::string& data) {
-  std::string bytes(std::size_t{1} << 16, '\0');
-  uLongf size = bytes.size();
-  const int result = ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                                  reinterpret_cast<const Bytef*>(data.data()), data.size());
-  bytes.resize(result == Z_OK ? size : 0);
-  return bytes;
-}
-
 /// A place in a study whose value is changed.
 class Cell {
  public:
@@ -280,7 +303,7 @@ class Cell {
     }
     execute(row);
   }
-  /// With a digest and a number of records that hold.
+  /// With a number of records that holds.
   void set_chunk(const std::string& bytes) const {
     const bool is_gaze = where_.table == "gaze_chunk";
     const std::int64_t each =
@@ -291,12 +314,11 @@ class Cell {
                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
     data.resize(size);
     SQLite::Statement row(
-        study_, fmt::format("UPDATE {} SET data = ?, data_sha256 = ?, {} = ? WHERE rowid = ?",
-                            where_.table, is_gaze ? "sample_count" : "frame_count"));
+        study_, fmt::format("UPDATE {} SET data = ?, {} = ? WHERE rowid = ?", where_.table,
+                            is_gaze ? "sample_count" : "frame_count"));
     row.bind(1, data.data(), static_cast<int>(data.size()));
-    row.bind(2, sha256(std::string_view(bytes)));
-    row.bind(3, std::ssize(bytes) / each);
-    row.bind(4, row_);
+    row.bind(2, std::ssize(bytes) / each);
+    row.bind(3, row_);
     execute(row);
   }
   /// What a key forbids is left out.
