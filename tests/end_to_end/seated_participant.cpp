@@ -105,8 +105,9 @@ std::function<int()> SeatedParticipant::at_terminal() const {
 }
 
 std::vector<std::string> SeatedParticipant::command() const {
-  return {"study",    "run",     "keys",   "--db", database().string(), "--participant", code_,
-          "--window", "640x480", "--seed", "7"};
+  // Other tests run beside it.
+  return {"study", "run",      "keys",    "--db",     database().string(), "--participant",
+          code_,   "--window", "640x480", "--seed=7", "--threads=1"};
 }
 
 std::string SeatedParticipant::wait_for_page() {
