@@ -99,7 +99,7 @@ bool RunningProgram::has_ended() {
 int RunningProgram::wait_for_end() {
   if (!status_) {
     int status = 0;
-    ::waitpid(process_, &status, 0);
+    wait_until("the program's end", [&] { return ::waitpid(process_, &status, WNOHANG) != 0; });
     status_ = status;
   }
   if (reader_.joinable()) {
