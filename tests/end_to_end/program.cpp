@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -56,6 +57,7 @@ void become(const std::vector<std::string>& command, const Environment& environm
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
   arguments.push_back(nullptr);
+  ::signal(SIGHUP, SIG_DFL);  // nohup, which the tests may run under, has it ignored
   ::execvp(arguments[0], arguments.data());
   ::_exit(127);
 }
