@@ -1,6 +1,8 @@
 #include "renderer/window/window.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -12,11 +14,12 @@
 namespace foveola {
 namespace {
 
-/// How often events and the gamepad are looked at, whether anything woke this thread or not. GLFW
-/// has no events of gamepads. And the thread that draws shares the connection to the X server:
-/// while it waits for an answer there it may read a key's event too, which then lies in the queue
-/// until something else comes: presses were found to be passed on up to 50 ms late.
-constexpr double look_interval_s = 1e-3;
+/// How often events and the gamepad are looked at. GLFW has no events of gamepads. And the thread
+/// that draws shares the connection to the X server: while it waits for an answer there, it may
+/// read a key's event, which then lies in the queue until something else comes (presses were found
+/// to be passed on up to 50 ms late); and while it has yet to read an answer that came, a wait for
+/// events by GLFW tries again and again, on a core that traces.
+constexpr std::chrono::milliseconds look_interval{1};
 
 std::string glfw_fault() {
   const char* description = nullptr;
@@ -181,24 +184,18 @@ IVec2 Window::framebuffer_size() const {
 }
 
 void Window::pass_on_events(const std::stop_token& stop) {
-  const std::stop_callback wake(stop, [] { glfwPostEmptyEvent(); });
   while (!finished_ && !stop.stop_requested()) {
-    glfwWaitEventsTimeout(look_interval_s);
+    std::this_thread::sleep_for(look_interval);
+    glfwPollEvents();
     poll_gamepad();
     tell_of_monitors();
     follow_toggles();
   }
 }
 
-void Window::finish() {
-  finished_ = true;
-  glfwPostEmptyEvent();
-}
+void Window::finish() { finished_ = true; }
 
-void Window::toggle_full_screen() {
-  ++toggles_;
-  glfwPostEmptyEvent();
-}
+void Window::toggle_full_screen() { ++toggles_; }
 
 void Window::make_current(int swap_interval) {
   glfwMakeContextCurrent(window_);
