@@ -1,7 +1,8 @@
 # Sourced by the scripts beside it: which test programs they build and run, and how.
 
-# The test programs of the threaded modules, for the thread sanitizer, and where their files are.
-threaded_tests=(base_test film_test gaze_test preview_test window_test headset_test record_test console_test)
+# The test programs of the threaded modules, for the thread sanitizer, beside the threads' suites of
+# record_test, and where their files are.
+threaded_tests=(base_test film_test gaze_test preview_test window_test headset_test console_test)
 threaded_files='^((tests/)?(renderer/(base|film|gaze|preview|window|headset)|study/(record|console))/|tests/(openxr/|thread_sanitizer)|CMakePresets|\.ci/)'
 
 # The test programs of modules that read files and devices or write the record, for the sanitizer of
