@@ -84,7 +84,7 @@ std::vector<ModelCell> cells_of(const std::string& only) {
                 [&](const ModelCell& cell) { return cell.name.find(only) == cell.name.npos; });
   if (cells.empty()) {
     throw UsageError("--only", fmt::format("no cell has \"{}\" in its name", only),
-                     "use Tobit, crossed or ordinal");
+                     "use Tobit, crossed, ordinal or equivalence");
   }
   return cells;
 }
@@ -101,7 +101,7 @@ void report(const ModelBench& bench, const CellCounts& counts_of, bool json) {
   }
   if (!json) {
     print_text(
-        "Studies with models by R, {} of twelve cells; in brackets, 95 % intervals of the "
+        "Studies with models by R, {} of nineteen cells; in brackets, 95 % intervals of the "
         "shares.\n",
         cells.size());
     std::fflush(stdout);
@@ -251,8 +251,8 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
       ->capture_default_str();
   CLI::Option* by_r = command->add_flag(
       "--r", arguments->by_r,
-      "Instead, how often the models that R fits are right, in twelve cells: Tobit, crossed with "
-      "gaps, ordinal; needs R, and half an hour of one core");
+      "Instead, how often the models that R fits are right, in nineteen cells: Tobit, crossed with "
+      "gaps, ordinal, equivalence; needs R, and half an hour of one core");
   command
       ->add_option("--only", arguments->only,
                    "With --r, only the cells with this in their names: Tobit")

@@ -3,29 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/dataset/participant_values.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/statistics/bootstrap.h"
-#include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/influence.h"
 #include "analysis/statistics/multiplicity.h"
+#include "analysis/statistics/order_effect.h"
+#include "analysis/statistics/ranks.h"
 #include "renderer/base/ordered_jobs.h"
 
 namespace foveola::analysis {
 namespace {
-
-/// Ranks depend on values' last bits, which are only the rounding errors of means of logarithms and
-/// of ratings, so these are rounded off.
-std::vector<double> without_rounding(std::vector<double> values) {
-  constexpr double step = 1e12;
-  for (double& value : values) {
-    value = std::round(value * step) / step;
-  }
-  return values;
-}
 
 /// 9999 for studies of the usual size; fewer where thousands of participants would take too long.
 int resamples_for(std::size_t participants) {
@@ -109,43 +102,90 @@ std::optional<PrimaryResult> primary_of(const MethodComparison& comparison,
                             : primary_of_ratings(sources, plan, has_points);
 }
 
-/// By the crossed model where that is the primary analysis, else over participants.
-std::optional<EquivalenceTest> equivalence_of(const PairedTrials& trials,
-                                              const MethodComparison& comparison, double alpha) {
-  const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
-  if (comparison.primary && comparison.primary->kind == AnalysisKind::crossed_model) {
-    const auto model = crossed_model(complete_participants(trials.differences));
-    return model ? equivalence(*model, margin, alpha) : std::nullopt;
+/// Why the primary analysis has no test of equivalence; empty if it has one.
+std::string why_no_equivalence(const MethodComparison& comparison) {
+  if (!comparison.primary) {
+    return comparison.missing;
   }
-  return equivalence(trials.participant_means(), margin, alpha);
+  if (comparison.primary->omits_censored) {
+    return "with right-censored times it needs the Tobit model: " + comparison.primary->instead;
+  }
+  return comparison.primary->kind == AnalysisKind::ordinal_model
+             ? "a margin in points is not one of the odds ratio, which the cumulative link mixed "
+               "model estimates; plan ratings = \"signed_ranks\""
+             : "";
 }
 
-std::optional<Influence> influence_of(const Dataset& set, const PairedTrials& trials,
-                                      const PrimaryResult& primary) {
+/// Of the primary analysis, or not at all. `differences`: the participants' means.
+void test_equivalence(const std::vector<double>& differences, double alpha,
+                      MethodComparison& comparison) {
+  if (!comparison.margin) {
+    return;
+  }
+  comparison.no_equivalence = why_no_equivalence(comparison);
+  if (!comparison.no_equivalence.empty()) {
+    return;
+  }
+  const PrimaryResult& primary = *comparison.primary;
+  const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
+  comparison.equivalent = primary.kind == AnalysisKind::signed_ranks
+                              ? equivalence_by_ranks(differences, margin, alpha)
+                              : equivalence(primary.estimate, primary.standard_error.value(),
+                                            primary.degrees_of_freedom.value(), margin, alpha);
+}
+
+/// The participants whom a primary analysis without R is of, and their mean differences.
+struct Analysed {
+  std::vector<std::size_t> who;
+  std::vector<double> means;
+};
+
+/// The crossed model in closed form is of those who have all scenes.
+Analysed analysed_by(AnalysisKind kind, const PairedTrials& trials) {
+  const std::vector<double> means = trials.participant_means();
+  Analysed analysed;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const auto& row = trials.differences[i];
+    if (kind != AnalysisKind::crossed_model ||
+        std::all_of(row.begin(), row.end(), [](const auto& value) { return value.has_value(); })) {
+      analysed.who.push_back(trials.who[i]);
+      analysed.means.push_back(means[i]);
+    }
+  }
+  return analysed;
+}
+
+void measure_influence(const Dataset& set, const PairedTrials& trials,
+                       MethodComparison& comparison) {
   constexpr std::size_t fewest = 3;
   constexpr std::size_t most = 2000;  // takes time that grows with their square
-  std::vector<std::size_t> who = trials.who;
-  std::optional<LeaveOneOut> range;
-  if (trials.participants() < fewest || trials.participants() > most) {
-    return std::nullopt;
+  if (!comparison.primary) {
+    comparison.no_influence = comparison.missing;
+    return;
   }
-  if (primary.kind == AnalysisKind::crossed_model) {
-    who.clear();
-    for (std::size_t i = 0; i < trials.participants(); ++i) {
-      const auto& row = trials.differences[i];
-      if (std::all_of(row.begin(), row.end(),
-                      [](const auto& value) { return value.has_value(); })) {
-        who.push_back(trials.who[i]);
-      }
-    }
-    range = leave_one_out(complete_participants(trials.differences));
-  } else {
-    range = leave_one_out(trials.participant_means());
+  const PrimaryResult& primary = *comparison.primary;
+  if (primary.is_by_r) {
+    comparison.influence = primary.influence_by_r;
+    comparison.no_influence =
+        comparison.influence
+            ? ""
+            : fmt::format("the {} was not fitted without each", name_of(primary.kind));
+    return;
   }
-  return range
-             ? std::optional(Influence{range->estimates, set.participants[who[range->without_low]],
-                                       set.participants[who[range->without_high]]})
-             : std::nullopt;
+  const Analysed analysed = analysed_by(primary.kind, trials);
+  if (analysed.who.size() < fewest || analysed.who.size() > most) {
+    comparison.no_influence = fmt::format("{} participants", analysed.who.size());
+    return;
+  }
+  // The crossed model's estimate is the mean, whatever the variances.
+  const LeaveOneOut range = leave_one_out(analysed.means, [&](std::span<const double> others) {
+                              return primary.kind == AnalysisKind::signed_ranks
+                                         ? pseudo_median(others)->value
+                                         : *mean(others);
+                            }).value();
+  comparison.influence =
+      Influence{range.estimates, set.participants[analysed.who[range.without_low]],
+                set.participants[analysed.who[range.without_high]]};
 }
 
 /// The comparison with its primary analysis, and with nothing that this does not need.
@@ -168,6 +208,7 @@ MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan
   comparison.primary =
       primary_of(comparison, trials, plan, !set.measures[pair.measure].points().empty(), models);
   comparison.missing = why_no_p(comparison);
+  test_equivalence(differences, plan.alpha, comparison);
   return comparison;
 }
 
@@ -183,12 +224,7 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
     compare_ranks(differences, comparison);
   }
   comparison.complete = complete_cases(means, pair, comparison.is_time);
-  if (comparison.margin) {
-    comparison.equivalent = equivalence_of(trials, comparison, plan.alpha);
-  }
-  if (comparison.primary) {
-    comparison.influence = influence_of(set, trials, *comparison.primary);
-  }
+  measure_influence(set, trials, comparison);
   return comparison;
 }
 
@@ -241,10 +277,12 @@ void adjust_equivalence(std::vector<MethodComparison>& planned) {
   }
 }
 
-OmnibusTest test_all(const Measure& measure, const ParticipantValues& values) {
+OmnibusTest test_all(const Dataset& set, std::size_t index, const ParticipantValues& values) {
   const RepeatedMeasures data = complete_participants(values);
+  const Measure& measure = set.measures[index];
   OmnibusTest test;
   test.measure = measure.id();
+  test.censored = set.censored(index);
   test.left_out = values.size() - data.participants;
   if (measure.kind == MeasureKind::time) {
     test.variance = repeated_measures_anova(data);
@@ -368,14 +406,15 @@ Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
     if (!of.is_numeric()) {
       continue;
     }
-    result.omnibus.push_back(test_all(of, means[measure]));
+    result.omnibus.push_back(test_all(set, measure, means[measure]));
     for (const auto& [order, name] : {std::pair(OrderOf::trials, "trial in the session"),
                                       std::pair(OrderOf::methods, "method in the scene")}) {
-      result.order.push_back({of.id(), of.kind == MeasureKind::time, name,
+      result.order.push_back({of.id(), of.kind == MeasureKind::time, name, set.censored(measure),
                               order_effect(ordered_values(set, measure, order))});
     }
   }
   result.models = std::move(models);
+  result.censored_times = censored_times_in_words(set);
   return result;
 }
 

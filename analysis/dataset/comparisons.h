@@ -27,14 +27,6 @@ struct CompleteCases {
   std::optional<TTest> points;     ///< Ratings only.
 };
 
-/// What the estimate becomes without each participant in turn: of a crossed model that of the
-/// participants who have all scenes, of any other analysis the mean over participants.
-struct Influence {
-  Interval estimates;        ///< The smallest and the largest, as in_unit() takes them.
-  std::string without_low;   ///< The code of the participant without whom it is the smallest.
-  std::string without_high;  ///< The code of the one without whom it is the largest.
-};
-
 /// One method compared with another in one measure, over all trials that have both.
 struct MethodComparison {
   std::string measure;  ///< The id of a mark or a rating.
@@ -63,16 +55,19 @@ struct MethodComparison {
   // These test log ratios of times, or differences of ratings.
   std::optional<SignedRankTest> ranks;
   std::optional<PseudoMedian> pseudo_median;
-  /// Where the plan has a margin: by the crossed model if that is primary, else over participants.
+  /// Where the plan has a margin: of the primary analysis.
   std::optional<EquivalenceTest> equivalent;
+  /// Why there is a margin and no test of equivalence; empty otherwise.
+  std::string no_equivalence;
   /// Holm's adjusted P of equivalence, over the planned comparisons that have a margin, a family of
   /// their own; exploratory ones are not adjusted.
   std::optional<double> p_equivalent_holm;
   std::optional<double> margin;  ///< a ratio above 1 for times, points for ratings
   CompleteCases complete;
-  /// Empty without a primary analysis, with fewer than three participants, or with more than 2000,
-  /// of whom none has much influence.
+  /// Of the primary estimate. Empty without one, for an ordinal model, with fewer than three
+  /// participants, or with more than 2000, of whom none has much influence.
   std::optional<Influence> influence;
+  std::string no_influence;  ///< Why there is none; empty if there is one.
 
   /// A tested value, or an interval of such, as a ratio of times or a difference of ratings.
   double in_unit(double tested) const { return is_time ? std::exp(tested) : tested; }
@@ -85,6 +80,7 @@ struct MethodComparison {
 struct OmnibusTest {
   std::string measure;
   std::size_t left_out = 0;                  ///< Participants with a missing value.
+  std::size_t censored = 0;                  ///< Right-censored times, which are left out.
   std::optional<VarianceAnalysis> variance;  ///< On log times; ratings have none.
   std::optional<FriedmanTest> ranks;
 };
@@ -93,7 +89,9 @@ struct OmnibusTest {
 struct OrderTest {
   std::string measure;
   bool is_time = true;
-  std::string of;                        ///< "trial in the session" or "method in the scene".
+  /// "trial in the session", "method in the scene", or of carry-over "fv after od".
+  std::string of;
+  std::size_t censored = 0;              ///< Right-censored times, which are left out.
   std::optional<TTest> change_per_step;  ///< Change of a time's logarithm, or of a rating.
 };
 
@@ -105,6 +103,9 @@ struct Comparisons {
   std::vector<OmnibusTest> omnibus;
   std::vector<OrderTest> order;
   FittedModels models;  ///< Those by R.
+  /// A sentence on the right-censored times, which only a Tobit model uses; empty if there are
+  /// none.
+  std::string censored_times;
 };
 
 /// A comparison to be made: the indices of its measure, method and reference.

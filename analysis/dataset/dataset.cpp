@@ -193,6 +193,16 @@ std::vector<std::size_t> Dataset::ratings() const {
   return found;
 }
 
+std::size_t Dataset::censored(std::size_t measure, std::optional<std::size_t> method) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (!method || i % methods.size() == *method) {
+      count += values[i * measures.size() + measure].state == Value::State::right_censored ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 std::optional<std::size_t> Dataset::measure_named(const std::string& id) const {
   for (std::size_t i = 0; i < measures.size(); ++i) {
     if (measures[i].id() == id) {

@@ -72,6 +72,8 @@ struct Dataset {
   /// The indices of the times, and of the ratings that are numbers.
   std::vector<std::size_t> times() const;
   std::vector<std::size_t> ratings() const;
+  /// Right-censored values of a measure, with one method or with all.
+  std::size_t censored(std::size_t measure, std::optional<std::size_t> method = {}) const;
   /// The index of the measure of this id; empty if there is none.
   std::optional<std::size_t> measure_named(const std::string& id) const;
 

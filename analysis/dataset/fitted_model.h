@@ -12,6 +12,13 @@
 
 namespace foveola::analysis {
 
+/// What an estimate becomes without each participant in turn.
+struct Influence {
+  Interval estimates;        ///< The smallest and the largest, as they are computed with.
+  std::string without_low;   ///< The code of the participant without whom it is the smallest.
+  std::string without_high;  ///< The code of the one without whom it is the largest.
+};
+
 /// One model of one measure with two methods.
 struct FittedModel {
   std::string model;  ///< "crossed", "tobit" or "ordinal".
@@ -21,10 +28,10 @@ struct FittedModel {
   EffectScale scale = EffectScale::ratio;
   /// What the data allowed to estimate, as the scale is computed with.
   struct Fit {
-    double estimate = 0.0;
-    double standard_error = 0.0;
-    double degrees_of_freedom = 0.0;
-    Interval interval;
+    double estimate = 0.0;  ///< Infinite where the methods' ratings are separated.
+    std::optional<double> standard_error;
+    std::optional<double> degrees_of_freedom;
+    std::optional<Interval> interval;
     double p = 0.0;
   };
   std::optional<Fit> fit;
@@ -36,6 +43,7 @@ struct FittedModel {
   std::optional<double> participant_sd;
   std::optional<double> scene_sd;
   std::optional<double> residual_sd;
+  std::optional<Influence> influence;
   std::string note;  ///< Why there is no fit, or a warning about it.
 };
 

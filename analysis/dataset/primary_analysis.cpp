@@ -25,8 +25,13 @@ PrimaryResult fitted(AnalysisKind kind, const FittedModel& model) {
           .scale = model.scale,
           .estimate = model.fit->estimate,
           .interval = model.fit->interval,
+          .standard_error = model.fit->standard_error,
           .degrees_of_freedom = model.fit->degrees_of_freedom,
-          .p = model.fit->p};
+          .p = model.fit->p,
+          .scenes = model.scenes,
+          .is_by_r = true,
+          .warning = model.note,
+          .influence_by_r = model.influence};
 }
 
 std::optional<PrimaryResult> over_participants(const PrimarySources& sources, EffectScale scale,
@@ -39,8 +44,10 @@ std::optional<PrimaryResult> over_participants(const PrimarySources& sources, Ef
                        .instead = instead,
                        .estimate = sources.t->mean,
                        .interval = sources.t->interval,
+                       .standard_error = sources.t->standard_error(),
                        .degrees_of_freedom = sources.t->degrees_of_freedom,
-                       .p = sources.t->p};
+                       .p = sources.t->p,
+                       .scenes = sources.pairs.scenes()};
 }
 
 /// In closed form, of the participants who have all scenes.
@@ -62,8 +69,10 @@ std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& source
                        .instead = both(instead, of_whom),
                        .estimate = model->mean,
                        .interval = model->test->interval,
+                       .standard_error = model->test->standard_error,
                        .degrees_of_freedom = model->test->degrees_of_freedom,
-                       .p = model->test->p};
+                       .p = model->test->p,
+                       .scenes = model->scenes};
 }
 
 /// Of the pairs that were measured: what the plan says.
@@ -115,11 +124,15 @@ std::optional<PrimaryResult> primary_of_times(const PrimarySources& sources,
   if (has_fit(sources.tobit)) {
     return fitted(AnalysisKind::tobit_model, *sources.tobit);
   }
-  return of_measured_pairs(
+  std::optional<PrimaryResult> stand_in = of_measured_pairs(
       sources, EffectScale::ratio, plan,
       fmt::format("{} with a right-censored time left out, which biases the ratio; {}",
                   censored == 1 ? "one pair" : fmt::format("{} pairs", censored),
                   without_model(AnalysisKind::tobit_model, sources.tobit)));
+  if (stand_in) {
+    stand_in->omits_censored = true;
+  }
+  return stand_in;
 }
 
 std::optional<PrimaryResult> primary_of_ratings(const PrimarySources& sources,
@@ -140,7 +153,8 @@ std::optional<PrimaryResult> primary_of_ratings(const PrimarySources& sources,
       .instead = wants_model ? without_model(AnalysisKind::ordinal_model, sources.ordinal) : "",
       .estimate = sources.pseudo_median->value,
       .interval = sources.pseudo_median->interval,
-      .p = sources.ranks->p};
+      .p = sources.ranks->p,
+      .scenes = sources.pairs.scenes()};
 }
 
 }  // namespace foveola::analysis

@@ -1,6 +1,7 @@
 // The one analysis that a comparison's estimate, interval and P-value are taken from.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -33,8 +34,15 @@ struct PrimaryResult {
   std::string instead;
   double estimate = 0.0;  ///< As the scale is computed with, and so is the interval.
   std::optional<Interval> interval;
+  // Where p is that of Student's t.
+  std::optional<double> standard_error;
   std::optional<double> degrees_of_freedom;
-  double p = 0.0;  ///< Two-sided.
+  double p = 0.0;          ///< Two-sided.
+  std::size_t scenes = 0;  ///< Those that it rests on.
+  bool is_by_r = false;
+  std::string warning;  ///< Of R; empty if there is none.
+  std::optional<Influence> influence_by_r;
+  bool omits_censored = false;  ///< Pairs with a right-censored time are left out: it is biased.
 };
 
 /// What a primary analysis is taken from.

@@ -84,12 +84,34 @@ std::string p_value(double p) {
   return p < smallest_printed ? "< 1e-300" : fmt::format("{:#.2g}", p);
 }
 
+std::string joined(const std::string& sentence, const std::string& more) {
+  return more.empty() ? sentence : sentence + " " + more;
+}
+
 std::string counted(std::size_t count, std::string_view singular) {
   return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
 }
 
 std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string censored_times_in_words(const Dataset& set) {
+  const std::size_t trials = set.participants.size() * set.scenes.size();
+  std::vector<std::string> counts;
+  for (const std::size_t mark : set.times()) {
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      if (const std::size_t censored = set.censored(mark, method); censored > 0) {
+        counts.push_back(fmt::format("{} of {} {} times of {}", censored, trials,
+                                     set.measures[mark].id(), method_label(set.methods[method])));
+      }
+    }
+  }
+  return counts.empty() ? ""
+                        : fmt::format(
+                              "Right-censored times are left out ({}), which favours the "
+                              "method whose time ran out.",
+                              listed(counts));
 }
 
 std::string participants_in_words(const StudyTables& tables) {

@@ -32,11 +32,18 @@ std::string with_interval(const std::optional<Estimate>& estimate, int decimals)
 /// A P-value with two significant digits: "0.63", "3.2e-05"; "< 1e-300" near the smallest doubles.
 std::string p_value(double p);
 
+/// Two sentences with a space between them; the second may be empty.
+std::string joined(const std::string& sentence, const std::string& more);
+
 /// "1 scene", "2 scenes".
 std::string counted(std::size_t count, std::string_view singular);
 
 /// The ids, separated by ", ".
 std::string listed(const std::vector<std::string>& names);
+
+/// That right-censored times are left out, how many of each mark and method, and whom that favours;
+/// empty if there are none.
+std::string censored_times_in_words(const Dataset& set);
 
 /// "1 participant", "16 simulated participants" and the like.
 std::string participants_in_words(const StudyTables& tables);

@@ -34,7 +34,7 @@ void write_study(const study::StudyRecords& records, const fs::path& folder) {
   file.close();
   const study::AnalysisPlan& plan = records.protocol.analysis;
   write_file(folder / "models_plan.csv",
-             csv_of(models_plan(set, planned_pairs(set, plan), plan.scenes)));
+             csv_of(models_plan(set, planned_pairs(set, plan), plan.scenes, ModelDetail::p_only)));
 }
 
 }  // namespace

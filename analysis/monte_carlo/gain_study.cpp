@@ -42,6 +42,10 @@ ExpectedStudy gain_study(const GainDesign& design) {
                            .trials = 0.3};
   expected.protocol.analysis.primary = {{"outline", "fv", "od"}};
   expected.protocol.analysis.scenes = design.scenes;
+  expected.times[only_mark].ratios.back() = design.ratio;
+  if (design.margin) {
+    expected.protocol.analysis.equivalence_margins = {{"outline", *design.margin}};
+  }
   if (design.censored > 0.0) {
     expected.protocol.timing.mark_timeout_s =
         expected.times[only_mark].baseline_s *

@@ -1,6 +1,8 @@
 // Studies of two methods in which people and scenes differ in what they gain, and times run out.
 #pragma once
 
+#include <optional>
+
 #include "analysis/monte_carlo/expected_study.h"
 
 namespace foveola::analysis {
@@ -10,11 +12,13 @@ struct GainDesign {
   double scenes_gain = 0.0;
   double censored = 0.0;  ///< The share of the baseline's times that is right-censored; below 1.
   study::SceneEffects scenes = study::SceneEffects::random;
+  double ratio = 0.5;              ///< Of the times of `fv` to those of `od`.
+  std::optional<double> margin{};  ///< Of equivalence, a ratio above 1.
 };
 
-/// The mark `outline` in five scenes, which `fv` reaches in half of the time of `od`; this is the
-/// planned comparison. Standard deviations of log times: 0.5 between people and between scenes,
-/// whose times with the other method are as long, and 0.3 between trials.
+/// The mark `outline` in five scenes with the methods `od` and `fv`; this is the planned
+/// comparison. Standard deviations of log times: 0.5 between people and between scenes, whose times
+/// with the other method are as long, and 0.3 between trials.
 ExpectedStudy gain_study(const GainDesign& design);
 
 /// The rating `artifacts` of the same, in which the methods do not differ: the planned comparison.

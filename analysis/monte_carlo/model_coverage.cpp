@@ -39,6 +39,18 @@ ModelCell crossed_cell(std::size_t participants) {
           .gaps = 0.1};
 }
 
+ModelCell equivalence_cell(double censored, double ratio) {
+  constexpr std::size_t participants = 24;
+  return {.name = fmt::format("equivalence within 25 %, {} people, {:.0f} % censored, ratio {:g}",
+                              participants, 100.0 * censored, ratio),
+          .expected = gain_study({.participants_gain = 0.15,
+                                  .censored = censored,
+                                  .scenes = study::SceneEffects::fixed,
+                                  .ratio = ratio,
+                                  .margin = 1.25}),
+          .participants = participants};
+}
+
 ModelCell ordinal_cell(std::size_t participants) {
   return {.name = fmt::format("ordinal by clmm, {} people, no effect", participants),
           .expected = rating_study(),
@@ -46,7 +58,28 @@ ModelCell ordinal_cell(std::size_t participants) {
           .is_rating = true};
 }
 
+/// Ratings of 2 and 3 with the baseline, and of 3 and 4 with the method: the odds ratio is
+/// infinite.
+ModelCell separated_cell(std::size_t participants) {
+  ModelCell cell = ordinal_cell(participants);
+  cell.name = fmt::format("ordinal by clmm, {} people, separated ratings", participants);
+  cell.expected.shifts = {{0.0, 1.0}};
+  cell.expected.ratings_spread = {.participants = 0.0,
+                                  .scenes = 0.0,
+                                  .participants_gain = 0.0,
+                                  .scenes_gain = 0.0,
+                                  .trials = 0.06};
+  return cell;
+}
+
+bool is_separated(const ModelCell& cell) {
+  return cell.is_rating && cell.expected.shifts.front().back() != 0.0;
+}
+
 std::size_t study_count_of(const ModelCell& cell, const ModelCoverageSettings& settings) {
+  if (is_separated(cell)) {
+    return (settings.studies + 19) / 20;  // takes clmm the longest
+  }
   return cell.is_rating ? (2 * settings.studies + 4) / 5 : settings.studies;
 }
 
@@ -91,19 +124,47 @@ bool has_fixed_scenes(const ModelCell& cell) {
   return cell.expected.protocol.analysis.scenes == study::SceneEffects::fixed;
 }
 
+bool tests_equivalence(const ModelCell& cell) {
+  return !cell.expected.protocol.analysis.equivalence_margins.empty();
+}
+
 /// As many as model_figures() has, in its order.
 StudyCounts count_study(const ModelCell& cell, const study::StudyRecords& records,
                         const FittedModels& models, const Truth& truth) {
   const Dataset set = select_for_analysis(records);
   const study::AnalysisPlan& plan = records.protocol.analysis;
-  const auto primary = [&](const FittedModels& by_r) {
-    return planned_primary_analyses(set, plan, by_r).front().primary;
+  const auto planned_one = [&](const FittedModels& by_r) {
+    return planned_primary_analyses(set, plan, by_r).front();
   };
+  const auto primary = [&](const FittedModels& by_r) { return planned_one(by_r).primary; };
+  if (is_separated(cell)) {
+    StudyCounts found(2);
+    for (const auto& [count, result] :
+         {std::pair(&found.front(), primary(models)), std::pair(&found.back(), primary({}))}) {
+      if (result && (count == &found.back() || result->instead.empty())) {
+        count->add(result->p < plan.alpha);
+      }
+    }
+    return found;
+  }
+  if (tests_equivalence(cell)) {
+    StudyCounts declared(2);
+    const auto is_declared = [&](const MethodComparison& found) {
+      return found.equivalent && found.equivalent->p < plan.alpha;
+    };
+    declared.front().add(is_declared(planned_one(models)));
+    declared.back().add(is_declared(planned_one({})));
+    return declared;
+  }
   const bool is_fixed = has_fixed_scenes(cell);
   const double planned = is_fixed ? truth.in_these_scenes : truth.in_all_scenes;
   StudyCounts counts(is_fixed ? 3 : 2);
-  if (const auto found = primary(models); found && found->instead.empty() && found->interval) {
-    counts.front().add(*found, planned);
+  if (const auto found = primary(models); found && found->instead.empty()) {
+    if (cell.is_rating) {
+      counts.front().add(found->p >= plan.alpha);  // as the interval covers no difference
+    } else {
+      counts.front().add(*found, planned);
+    }
     if (is_fixed) {
       counts[1].add(*found, truth.in_all_scenes);
     }
@@ -154,6 +215,12 @@ std::vector<ModelCell> model_cells() {
   }
   cells.push_back(crossed_cell(16));
   cells.push_back(crossed_cell(40));
+  cells.push_back(separated_cell(16));
+  for (const double ratio : {0.8, 1.0}) {
+    for (const double censored : {0.0, 0.2, 0.4}) {
+      cells.push_back(equivalence_cell(censored, ratio));
+    }
+  }
   for (std::size_t i = 0; i < cells.size(); ++i) {
     cells[i].stream = i;
   }
@@ -184,6 +251,26 @@ std::vector<CoverageFigure> model_figures(const ModelCell& cell) {
   const auto figure = [&](const char* claim) -> CoverageFigure {
     return {.name = cell.name, .claim = claim, .estimates_ratios = !cell.is_rating};
   };
+  if (is_separated(cell)) {
+    std::vector<CoverageFigure> found = {figure("finds the difference"),
+                                         figure("finds it without R")};
+    found.front().required = Interval{99.0, 100.0};
+    found.front().few_studies = true;
+    return found;
+  }
+  if (tests_equivalence(cell)) {
+    const bool is_equal = cell.expected.times.front().ratios.back() == 1.0;
+    std::vector<CoverageFigure> declared = {figure(is_equal ? "declared" : "wrongly declared"),
+                                            figure("declared without R")};
+    for (CoverageFigure& of_tests : declared) {
+      of_tests.estimates_ratios = false;
+    }
+    if (!is_equal) {
+      declared.front().required = Interval{0.0, 6.8};
+      declared.front().few_studies = true;
+    }
+    return declared;
+  }
   std::vector<CoverageFigure> figures = {figure(cell.is_rating ? "covers no difference"
                                                 : is_fixed     ? "covers in these scenes"
                                                                : "covers")};

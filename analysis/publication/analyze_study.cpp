@@ -75,10 +75,16 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
           "The planned comparison of {} and {} in {} has no P-value ({}); Holm's adjustment counts "
           "it as not significant.",
           row.method, row.reference, row.measure, row.missing));
-    } else if (row.planned && !row.primary->instead.empty()) {
-      warnings.push_back(fmt::format("The planned comparison of {} and {} in {} is by {}: {}.",
-                                     row.method, row.reference, row.measure,
-                                     name_of(row.primary->kind), row.primary->instead));
+    } else if (row.planned) {
+      const PrimaryResult& primary = *row.primary;
+      for (const auto& [verb, what] : {std::pair("is by", primary.instead),
+                                       std::pair("has a warning of R for", primary.warning)}) {
+        if (!what.empty()) {
+          warnings.push_back(fmt::format("The planned comparison of {} and {} in {} {} the {}: {}.",
+                                         row.method, row.reference, row.measure, verb,
+                                         name_of(primary.kind), what));
+        }
+      }
     }
   }
   if (const std::string few = few_scenes(output.comparisons, tables.set.scenes.size());

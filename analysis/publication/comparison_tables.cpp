@@ -142,10 +142,14 @@ void add_equivalence(double alpha, ColumnsOf<MethodComparison>& columns) {
       "Confidence of the interval that follows, 1 − 2 alpha: it lies within the margins where the "
       "unadjusted P is below alpha",
       [=](const auto& /*row*/, const auto& /*test*/) { return 100.0 * (1.0 - 2.0 * alpha); });
-  add("equivalence_interval_low", "Lower end of that interval, in the margin's unit",
-      [](const auto& row, const auto& test) { return row.in_unit(test.interval.low); });
-  add("equivalence_interval_high", "Its upper end",
-      [](const auto& row, const auto& test) { return row.in_unit(test.interval.high); });
+  const auto add_end = [&](const char* name, const char* description, double Interval::* end) {
+    add(name, description, [=](const MethodComparison& row, const EquivalenceTest& test) {
+      return test.interval ? std::optional(row.in_unit(*test.interval.*end)) : std::nullopt;
+    });
+  };
+  add_end("equivalence_interval_low", "Lower end of that interval, in the margin's unit",
+          &Interval::low);
+  add_end("equivalence_interval_high", "Its upper end", &Interval::high);
   add("p_above_low_margin", "One-sided P that the difference lies above the lower margin",
       [](const auto& /*row*/, const auto& test) { return test.p_above_low; });
   add("p_below_high_margin", "One-sided P that it lies below the upper margin",
@@ -157,6 +161,9 @@ void add_equivalence(double alpha, ColumnsOf<MethodComparison>& columns) {
         "That P adjusted by Holm's method over the planned comparisons with a margin, a family of "
         "their own; empty for exploratory ones, which are not adjusted"},
        [](const MethodComparison& row) { return field(row.p_equivalent_holm); }});
+  columns.push_back({{"equivalence_note", text, "",
+                      "Why a comparison with a margin has no test of equivalence; empty if it has"},
+                     [](const MethodComparison& row) { return field(row.no_equivalence); }});
 }
 
 void add_primary(ColumnsOf<MethodComparison>& columns) {
@@ -176,8 +183,14 @@ void add_primary(ColumnsOf<MethodComparison>& columns) {
   add_text("analysis_note",
            "Why it stands in for the one that was planned; empty if it is that one",
            [](const PrimaryResult& result) { return result.instead; });
+  add_text("analysis_warning", "What R warned of it",
+           [](const PrimaryResult& result) { return result.warning; });
   add_text("scale", "What its estimate is: ratio, odds ratio or points",
            [](const PrimaryResult& result) { return name_of(result.scale); });
+  columns.push_back(
+      {{"scenes", whole, "", "Scenes that its estimate rests on"}, [](const MethodComparison& row) {
+         return field_in(row.primary, [](auto& result) { return result.scenes; });
+       }});
   add("estimate", "Estimate of the primary analysis",
       [](const PrimaryResult& result) { return in_scale(result.scale, result.estimate); });
   const auto end = [](const PrimaryResult& result, double Interval::* which) {
@@ -213,17 +226,17 @@ void add_influence(ColumnsOf<MethodComparison>& columns) {
                          return field_in(row.influence, value);
                        }});
   };
-  add_number(
-      "leave_one_out_low",
-      "Smallest estimate without one participant, of the crossed model or over participants, "
-      "as a ratio or in points",
-      [](const Interval& estimates) { return estimates.low; });
+  add_number("leave_one_out_low",
+             "Smallest primary estimate without one participant, as a ratio or in points",
+             [](const Interval& estimates) { return estimates.low; });
   add_code("leave_one_out_low_without", "The code of that participant",
            [](const Influence& found) { return found.without_low; });
   add_number("leave_one_out_high", "Largest estimate without one participant",
              [](const Interval& estimates) { return estimates.high; });
   add_code("leave_one_out_high_without", "The code of that participant",
            [](const Influence& found) { return found.without_high; });
+  columns.push_back({{"leave_one_out_note", text, "", "Why there is none; empty if there is"},
+                     [](const MethodComparison& row) { return field(row.no_influence); }});
 }
 
 void add_complete_cases(ColumnsOf<MethodComparison>& columns) {
@@ -312,6 +325,8 @@ Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons) {
        }},
       {{"participants_left_out", whole, "", "Participants with a missing value"},
        [](const O& row) { return field(row.left_out); }},
+      {{"censored", whole, "", "Right-censored times of the measure, which are left out"},
+       [](const O& row) { return field(row.censored); }},
       of_variance("f", "F of the repeated-measures analysis of variance of log times",
                   [](auto& test) { return test.f; }),
       of_variance("df", "Degrees of freedom of the methods",
@@ -372,6 +387,8 @@ Table order_effects_table(const StudyTables& tables, const Comparisons& comparis
        [](const O& row) {
          return field_in(row.change_per_step, [](auto& test) { return test.n; });
        }},
+      {{"censored", whole, "", "Right-censored times of the measure, which are left out"},
+       [](const O& row) { return field(row.censored); }},
       in_percent("change_percent", "Of times: change with each step", mean),
       in_percent("ci95_low_percent", "Lower end of its 95 % interval", low),
       in_percent("ci95_high_percent", "Upper end of its 95 % interval", high),

@@ -126,8 +126,10 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
   add(AnalysisKind::ordinal_model,
       fmt::format(
           "a cumulative link mixed model with random effects of participants{} and of their "
-          "differences between the methods, with the standard error and degrees of freedom of a "
-          "balanced linear model of the latent variable",
+          "differences between the methods, its P by the likelihood ratio and its interval by the "
+          "profile likelihood, scaled as the standard error of a balanced linear model of the "
+          "latent "
+          "variable is",
           comparisons.plan.scenes == study::SceneEffects::random ? ", of scenes" : ""));
   add(AnalysisKind::signed_ranks,
       "Wilcoxon’s signed-rank test of the participants’ means, with Hodges and Lehmann’s estimate "
@@ -218,8 +220,9 @@ std::string other_analyses_in_words(const Comparisons& comparisons) {
   std::string text;
   if (any([](const MethodComparison& row) { return row.equivalent.has_value(); })) {
     text += fmt::format(
-        " Equivalence within the protocol’s margins was tested by two one-sided t tests with {:g} "
-        "% intervals, those of planned comparisons with Holm’s adjustment of their own.",
+        " Equivalence within the protocol’s margins was tested by two one-sided tests of the "
+        "primary analysis with {:g} % intervals, those of planned comparisons with Holm’s "
+        "adjustment of their own.",
         100.0 * (1.0 - 2.0 * comparisons.plan.alpha));
   }
   std::vector<std::string> done;

@@ -14,6 +14,9 @@ Table models_table(const StudyTables& tables, const Comparisons& comparisons) {
     return ColumnOf<M>{{name, number, "", description},
                        [=](const M& row) { return field_in(row.fit, value); }};
   };
+  const auto end = [](const Fit& fit, double Interval::* which) {
+    return fit.interval ? std::optional(*fit.interval.*which) : std::nullopt;
+  };
   const ColumnsOf<M> columns = {
       {{"measure", text, "", "Id of the mark or rating"},
        [](const M& row) { return field(row.measure); }},
@@ -32,9 +35,9 @@ Table models_table(const StudyTables& tables, const Comparisons& comparisons) {
              [](const Fit& fit) { return fit.standard_error; }),
       of_fit("df", "Its degrees of freedom", [](const Fit& fit) { return fit.degrees_of_freedom; }),
       of_fit("ci95_low", "Lower end of its 95 % interval",
-             [](const Fit& fit) { return fit.interval.low; }),
+             [=](const Fit& fit) { return end(fit, &Interval::low); }),
       of_fit("ci95_high", "Upper end of its 95 % interval",
-             [](const Fit& fit) { return fit.interval.high; }),
+             [=](const Fit& fit) { return end(fit, &Interval::high); }),
       of_fit("p", "Its two-sided P", [](const Fit& fit) { return fit.p; }),
       {{"trials", whole, "", "Trials of the model"},
        [](const M& row) { return field(row.trials); }},
@@ -52,7 +55,7 @@ Table models_table(const StudyTables& tables, const Comparisons& comparisons) {
        [](const M& row) { return field(row.scene_sd); }},
       {{"residual_sd", number, "", "Standard deviation of the difference within a scene"},
        [](const M& row) { return field(row.residual_sd); }},
-      {{"note", text, "", "Why there is no estimate, or a warning of R"},
+      {{"note", text, "", "Why there is no estimate, or warnings of R"},
        [](const M& row) { return field(row.note); }},
       kind_of_all<M>(tables)};
   return tabulate("models", "model that R fitted (--r)", columns, comparisons.models.models);

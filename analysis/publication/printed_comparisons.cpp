@@ -64,6 +64,37 @@ std::vector<std::string> rating_row(const MethodComparison& row) {
           rank_biserial(row)};
 }
 
+std::vector<std::string> equivalence_row(const MethodComparison& row) {
+  std::vector<std::string> cells = {
+      compared_in_words(row), row.planned ? "planned" : "exploratory",
+      fmt::format("{} {:g}", row.is_time ? "factor" : "±", *row.margin)};
+  if (row.equivalent) {
+    const std::optional<Interval>& interval = row.equivalent->interval;
+    cells.push_back(interval ? bracketed(row.in_unit(*interval), 1.0, 2) : "–");
+    cells.push_back(p_value(row.equivalent->p));
+    cells.push_back(row.p_equivalent_holm ? p_value(*row.p_equivalent_holm) : "–");
+    cells.emplace_back(name_of(row.primary->kind));
+  } else {
+    cells.insert(cells.end(), 3, "–");
+    cells.push_back("none: " + row.no_equivalence);
+  }
+  return cells;
+}
+
+std::vector<std::string> influence_row(const MethodComparison& row) {
+  if (!row.influence) {
+    return {compared_in_words(row), "none: " + row.no_influence, "–", "–", "–"};
+  }
+  const double scale = row.is_time ? 100.0 : 1.0;
+  const auto estimate = [&](double value) {
+    return fmt::format("{:.{}f} {}", scale * row.in_unit(value), row.is_time ? 1 : 2,
+                       row.is_time ? "%" : "points");
+  };
+  return {compared_in_words(row), estimate(row.influence->estimates.low),
+          row.influence->without_low, estimate(row.influence->estimates.high),
+          row.influence->without_high};
+}
+
 std::vector<std::string> variance_row(const OmnibusTest& row) {
   const VarianceAnalysis& found = *row.variance;
   return {row.measure,
@@ -107,6 +138,7 @@ PrintedTable printed_ratios(const Comparisons& comparisons) {
       "Geometric mean ratio of the participants’ pairs with t interval, then BCa bootstrap "
       "interval; paired t on logarithms; the same of the scenes in which all methods were "
       "measured (complete cases).";
+  table.note = joined(table.note, comparisons.censored_times);
   table.columns = {"Methods, mark", "n",           "ratio, % [95 %]",
                    "BCa 95 %",      "t (df)",      "P",
                    "d_z",           "n, complete", "ratio, % [95 %], complete"};
@@ -125,6 +157,7 @@ PrintedTable printed_ranks(const Comparisons& comparisons) {
   table.note =
       "Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges and Lehmann’s "
       "estimate of the ratio.";
+  table.note = joined(table.note, comparisons.censored_times);
   table.columns = {"Methods, mark", "n", "pseudo-median, % [95 %]", "P, Wilcoxon", "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
     if (!row.is_time) {
@@ -161,25 +194,23 @@ PrintedTable printed_equivalence(const Comparisons& comparisons) {
   table.id = "equivalence";
   table.title = "Equivalence.";
   table.note = fmt::format(
-      "Two one-sided t tests against the protocol’s margins, by the crossed mixed model where that "
-      "is the primary analysis, else over participants. The difference is too small to matter "
-      "where P is below {0:g}; where P is not adjusted, the {1:g} % interval then lies within the "
-      "margins. P of the planned comparisons is adjusted by Holm’s method over those with a "
-      "margin, a family of their own; exploratory ones are not adjusted.",
+      "Two one-sided tests of the primary analysis against the protocol’s margins, or the reason "
+      "why "
+      "it has none. The difference is too small to matter where P is below {0:g}; where P is not "
+      "adjusted, the {1:g} % interval of a t test then lies within the margins. P of the planned "
+      "comparisons is adjusted by Holm’s method over those with a margin, a family of their own; "
+      "exploratory ones are not adjusted.",
       comparisons.plan.alpha, confidence_percent);
   table.columns = {"Methods, measure",
                    "status",
                    "margin",
                    fmt::format("{:g} % interval", confidence_percent),
                    "P",
-                   "P, Holm"};
+                   "P, Holm",
+                   "analysis"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.equivalent) {
-      table.rows.push_back({compared_in_words(row), row.planned ? "planned" : "exploratory",
-                            fmt::format("{} {:g}", row.is_time ? "factor" : "±", *row.margin),
-                            bracketed(row.in_unit(row.equivalent->interval), 1.0, 2),
-                            p_value(row.equivalent->p),
-                            row.p_equivalent_holm ? p_value(*row.p_equivalent_holm) : "–"});
+    if (row.margin) {
+      table.rows.push_back(equivalence_row(row));
     }
   }
   return table;
@@ -193,6 +224,7 @@ PrintedTable printed_variance(const Comparisons& comparisons) {
       "Repeated-measures analysis of variance of log times, with Greenhouse and Geisser’s "
       "correction in the degrees of freedom and in P; participants with a missing value are left "
       "out.";
+  table.note = joined(table.note, comparisons.censored_times);
   table.columns = {"Mark", "F (df)", "ε", "P", "partial η²", "left out"};
   for (const OmnibusTest& row : comparisons.omnibus) {
     if (row.variance) {
@@ -209,6 +241,7 @@ PrintedTable printed_friedman(const Comparisons& comparisons) {
   table.note =
       "Friedman’s test, with ties, and Kendall’s W; participants with a missing value are left "
       "out.";
+  table.note = joined(table.note, comparisons.censored_times);
   table.columns = {"Measure", "χ² (df)", "P", "W", "left out"};
   for (const OmnibusTest& row : comparisons.omnibus) {
     if (row.ranks) {
@@ -245,19 +278,12 @@ PrintedTable printed_influence(const Comparisons& comparisons) {
   table.id = "influence";
   table.title = "Without one participant.";
   table.note =
-      "The smallest and the largest estimate of the planned comparisons when each participant in "
-      "turn is left out, and who that is.";
+      "The smallest and the largest primary estimate of the planned comparisons when each "
+      "participant in turn is left out, and who that is.";
   table.columns = {"Methods, measure", "smallest", "without", "largest", "without"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.planned && row.influence) {
-      const double scale = row.is_time ? 100.0 : 1.0;
-      const auto estimate = [&](double value) {
-        return fmt::format("{:.{}f} {}", scale * row.in_unit(value), row.is_time ? 1 : 2,
-                           row.is_time ? "%" : "points");
-      };
-      table.rows.push_back({compared_in_words(row), estimate(row.influence->estimates.low),
-                            row.influence->without_low, estimate(row.influence->estimates.high),
-                            row.influence->without_high});
+    if (row.planned) {
+      table.rows.push_back(influence_row(row));
     }
   }
   return table;

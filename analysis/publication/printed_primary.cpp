@@ -36,8 +36,9 @@ std::string speed_up_text(const PrimaryResult& result) {
 }
 
 std::string analysis_text(const PrimaryResult& result) {
-  return result.instead.empty() ? name_of(result.kind)
-                                : fmt::format("{} ({})", name_of(result.kind), result.instead);
+  const std::string why = result.instead.empty() ? "" : fmt::format(" ({})", result.instead);
+  const std::string warning = result.warning.empty() ? "" : fmt::format("; R: {}", result.warning);
+  return name_of(result.kind) + why + warning;
 }
 
 std::vector<std::string> primary_row(const MethodComparison& row) {
@@ -100,7 +101,7 @@ PrintedTable printed_models(const Comparisons& comparisons) {
       "points or logits.";
   table.columns = {"Methods, measure", "model", "trials", "right-censored",
                    "estimate [95 %]",  "df",    "P",      "SD, participants",
-                   "SD, scenes"};
+                   "SD, scenes",       "R says"};
   for (const FittedModel& model : comparisons.models.models) {
     std::vector<std::string> cells = {fmt::format("{} / {}, {}", method_label(model.method),
                                                   method_label(model.reference), model.measure),
@@ -108,14 +109,14 @@ PrintedTable printed_models(const Comparisons& comparisons) {
                                       std::to_string(model.censored)};
     if (model.fit) {
       cells.push_back(estimate_text(model.scale, model.fit->estimate, model.fit->interval));
-      cells.push_back(fmt::format("{:.1f}", model.fit->degrees_of_freedom));
+      cells.push_back(fixed(model.fit->degrees_of_freedom, 1));
       cells.push_back(p_value(model.fit->p));
     } else {
-      cells.push_back(model.note);
-      cells.insert(cells.end(), 2, "–");
+      cells.insert(cells.end(), 3, "–");
     }
     cells.push_back(fixed(model.participant_sd, 3));
     cells.push_back(fixed(model.scene_sd, 3));
+    cells.push_back(model.note);
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -164,7 +164,8 @@ PrintedTable printed_geometric_means(const StudyTables& tables,
   PrintedTable table;
   table.id = "geometric-means";
   table.title = "Geometric means over scenes.";
-  table.note = "With 95 % intervals over n participants.";
+  table.note =
+      joined("With 95 % intervals over n participants.", censored_times_in_words(tables.set));
   table.columns = {"Method and mark", "n", "seconds", "% of " + baseline_name(tables)};
   const bool has_published = published && is_relative_to_od(tables.set);
   if (has_published) {

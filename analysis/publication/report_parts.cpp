@@ -74,10 +74,6 @@ std::string points_left_out() {
       "With more than {} participants, the points of single participants are left out.", most_dots);
 }
 
-std::string joined(const std::string& sentence, const std::string& more) {
-  return more.empty() ? sentence : sentence + " " + more;
-}
-
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,
                         std::string_view explanation) {

@@ -22,9 +22,6 @@ std::string in_these_scenes(const StudyTables& tables);
 /// The sentence for figures that leave out the points of single participants.
 std::string points_left_out();
 
-/// Two sentences with a space between them; the second may be empty.
-std::string joined(const std::string& sentence, const std::string& more);
-
 /// The figure of this name as a part of the page; empty if there is none. Texts are plain.
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,

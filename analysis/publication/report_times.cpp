@@ -57,7 +57,8 @@ std::string methods_explained(const StudyTables& tables, std::size_t methods,
                               const std::string& axis) {
   return fmt::format("{} {} {} {}", participants_explained(tables, methods),
                      estimates_explained(tables), axis,
-                     joined("An interval may run off the axis; the table has its ends.",
+                     joined(joined("An interval may run off the axis; the table has its ends.",
+                                   censored_times_in_words(tables.set)),
                             undrawn_marks(tables, marks_over_all_scenes(tables),
                                           "nobody has a scene in which every method’s time was "
                                           "measured")));

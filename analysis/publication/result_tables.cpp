@@ -196,7 +196,11 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
       {{"background_questions", text, "", "The questions whose answers are averaged"},
        [=](const B& /*row*/) { return field(questions); }},
       {{"n", whole, "", "Participants with all answers and a complete scene"},
-       [](const B& row) { return field(row.participants); }}};
+       [](const B& row) { return field(row.participants); }},
+      {{"censored", whole, "", "Right-censored times of the mark, which are left out"},
+       [&](const B& row) {
+         return field(tables.set.censored(*tables.set.measure_named(row.mark)));
+       }}};
   add_correlation(
       "pearson_r", "r", "t", "p_two_sided",
       "Pearson's correlation of the mean answer with the quantity",

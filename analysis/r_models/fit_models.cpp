@@ -48,14 +48,15 @@ class NamedRow {
     return found->second;
   }
 
-  /// Empty for an empty field. R writes an infinite number as Inf.
+  /// Empty for an empty field. R writes infinite numbers as Inf and -Inf.
   std::optional<double> number(const std::string& column) const {
     const std::string& digits = text(column);
     if (digits.empty()) {
       return std::nullopt;
     }
-    if (digits == "Inf") {
-      return std::numeric_limits<double>::infinity();
+    if (digits == "Inf" || digits == "-Inf") {
+      const double infinity = std::numeric_limits<double>::infinity();
+      return digits.front() == '-' ? -infinity : infinity;
     }
     double value = 0.0;
     const char* end = digits.data() + digits.size();
@@ -92,15 +93,27 @@ class NamedRow {
 
 std::optional<FittedModel::Fit> fit_of(const NamedRow& row) {
   const auto estimate = row.number("estimate");
-  const auto error = row.number("standard_error");
-  const auto df = row.number("degrees_of_freedom");
   const auto low = row.number("low");
   const auto high = row.number("high");
   const auto p = row.number("p");
-  if (!estimate || !error || !df || !low || !high || !p) {
+  if (!estimate || !p) {
     return std::nullopt;
   }
-  return FittedModel::Fit{*estimate, *error, *df, {*low, *high}, *p};
+  return FittedModel::Fit{
+      .estimate = *estimate,
+      .standard_error = row.number("standard_error"),
+      .degrees_of_freedom = row.number("degrees_of_freedom"),
+      .interval = low && high ? std::optional(Interval{*low, *high}) : std::nullopt,
+      .p = *p};
+}
+
+std::optional<Influence> influence_of(const NamedRow& row) {
+  const auto low = row.number("without_one_low");
+  const auto high = row.number("without_one_high");
+  if (!low || !high) {
+    return std::nullopt;
+  }
+  return Influence{{*low, *high}, row.text("low_without"), row.text("high_without")};
 }
 
 FittedModel model_of(const NamedRow& row) {
@@ -117,6 +130,7 @@ FittedModel model_of(const NamedRow& row) {
           .participant_sd = row.number("participant_sd"),
           .scene_sd = row.number("scene_sd"),
           .residual_sd = row.number("residual_sd"),
+          .influence = influence_of(row),
           .note = row.text("note")};
 }
 

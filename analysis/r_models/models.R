@@ -5,8 +5,10 @@
 # in each folder, which is of one study,
 # reads   trials_long.csv        a row for each trial
 #         models_plan.csv        a row for each comparison: measure, method, reference, whether
-#                                scenes are random or fixed, and the measure's kind: time, points
-#                                (a rating with few) or scale (a rating with many)
+#                                scenes are random or fixed, the measure's kind: time, points
+#                                (a rating with few) or scale (a rating with many), and whether
+#                                profile intervals and leave-one-out estimates are wanted: full or
+#                                not: p_only
 # writes  r_models.csv           a row for each model of each comparison
 #         r_versions.csv         the versions of R and of the packages that were used
 #
@@ -25,16 +27,36 @@ scale_of <- function(comparison) {
 # One row of r_models.csv.
 result <- function(comparison, model, estimate = NA, standard_error = NA, degrees_of_freedom = NA,
                    trials = 0, participants = 0, scenes = 0, censored = 0,
-                   participant_sd = NA, scene_sd = NA, residual_sd = NA, note = "") {
-  half <- qt((1 + confidence) / 2, degrees_of_freedom) * standard_error
-  p <- 2 * pt(-abs(estimate / standard_error), degrees_of_freedom)
+                   participant_sd = NA, scene_sd = NA, residual_sd = NA, note = "",
+                   half = qt((1 + confidence) / 2, degrees_of_freedom) * standard_error,
+                   low = estimate - half, high = estimate + half,
+                   p = 2 * pt(-abs(estimate / standard_error), degrees_of_freedom),
+                   leave_one_out = NULL) {
+  if (is.null(leave_one_out)) leave_one_out <- no_leave_one_out
   data.frame(measure = comparison$measure, method = comparison$method,
              reference = comparison$reference, model = model, scale = scale_of(comparison),
              note = note, estimate = estimate, standard_error = standard_error,
-             degrees_of_freedom = degrees_of_freedom, low = estimate - half,
-             high = estimate + half, p = p, trials = trials, participants = participants,
-             scenes = scenes, censored = censored, participant_sd = participant_sd,
-             scene_sd = scene_sd, residual_sd = residual_sd, stringsAsFactors = FALSE)
+             degrees_of_freedom = degrees_of_freedom, low = low, high = high, p = p,
+             trials = trials, participants = participants, scenes = scenes, censored = censored,
+             participant_sd = participant_sd, scene_sd = scene_sd, residual_sd = residual_sd,
+             leave_one_out, stringsAsFactors = FALSE)
+}
+
+no_leave_one_out <- list(without_one_low = NA_real_, low_without = "", without_one_high = NA_real_,
+                         high_without = "")
+
+# The smallest and the largest estimate(rows) without one participant, and who that is; NULL if it
+# is not wanted, or has no value without somebody.
+leave_one_out <- function(rows, comparison, estimate) {
+  people <- levels(rows$participant)
+  if (comparison$detail != "full" || length(people) < 3) return(NULL)
+  found <- vapply(people, function(code) {
+    tryCatch(suppressWarnings(estimate(droplevels(rows[rows$participant != code, ]))),
+             error = function(e) NA_real_)
+  }, 0)
+  if (!all(is.finite(found))) return(NULL)
+  list(without_one_low = min(found), low_without = people[which.min(found)],
+       without_one_high = max(found), high_without = people[which.max(found)])
 }
 
 # Calls fit(), and turns an error into a row; warnings go into the row's note.
@@ -101,18 +123,7 @@ pairs_of <- function(rows, is_time) {
 # or points ~ method with participants, scenes, both of their interactions with the method, and
 # participant:scene. Without these, every trial would count as one more participant.
 mixed_model <- function(pairs, scenes) {
-  if (nlevels(pairs$participant) < 2) stop("it needs two participants")
-  if (nlevels(pairs$scene) < 2) stop("one scene: the paired t test is this model")
-  model <- if (scenes == "random") {
-    difference ~ 1 + (1 | participant) + (1 | scene)
-  } else {
-    # The intercept is the mean over the scenes.
-    contrasts(pairs$scene) <- contr.sum(nlevels(pairs$scene))
-    difference ~ 1 + scene + (1 | participant)
-  }
-  fit <- lmerTest::lmer(model, data = pairs, control = lme4::lmerControl(
-    check.conv.singular = "ignore", optimizer = "nloptwrap",
-    optCtrl = list(xtol_abs = 1e-12, ftol_abs = 1e-14, maxeval = 10000)))
+  fit <- fit_mixed(pairs, scenes)
   row <- coef(summary(fit))[1, ]
   deviations <- as.data.frame(lme4::VarCorr(fit))
   deviation <- function(group) {
@@ -124,11 +135,33 @@ mixed_model <- function(pairs, scenes) {
        scene_sd = deviation("scene"), residual_sd = deviation("Residual"))
 }
 
+fit_mixed <- function(pairs, scenes) {
+  if (nlevels(pairs$participant) < 2) stop("it needs two participants")
+  if (nlevels(pairs$scene) < 2) stop("one scene: the paired t test is this model")
+  model <- if (scenes == "random") {
+    difference ~ 1 + (1 | participant) + (1 | scene)
+  } else {
+    # The intercept is the mean over the scenes.
+    contrasts(pairs$scene) <- contr.sum(nlevels(pairs$scene))
+    difference ~ 1 + scene + (1 | participant)
+  }
+  lmerTest::lmer(model, data = pairs, control = lme4::lmerControl(
+    check.conv.singular = "ignore", optimizer = "nloptwrap",
+    optCtrl = list(xtol_abs = 1e-12, ftol_abs = 1e-14, maxeval = 10000)))
+}
+
 crossed_model <- function(rows, comparison) {
   pairs <- pairs_of(rows, comparison$kind == "time")
   of_pairs <- list(trials = 2 * nrow(pairs), participants = nlevels(pairs$participant),
                    scenes = nlevels(pairs$scene), censored = sum(rows$censored))
-  do.call(result, c(list(comparison, "crossed"), mixed_model(pairs, comparison$scenes), of_pairs))
+  has_gaps <- nrow(pairs) < nlevels(pairs$participant) * nlevels(pairs$scene)
+  others <- if (has_gaps) {
+    leave_one_out(pairs, comparison, function(rest) {
+      lme4::fixef(fit_mixed(rest, comparison$scenes))[[1]]
+    })
+  }
+  do.call(result, c(list(comparison, "crossed", leave_one_out = others),
+                    mixed_model(pairs, comparison$scenes), of_pairs))
 }
 
 # A Tobit model of single trials, with terms for participants and scenes: a right-censored time says
@@ -144,16 +177,24 @@ tobit_model <- function(rows, comparison) {
   }
   is_random <- nlevels(rows$scene) > 1 && comparison$scenes == "random"
   terms <- scene_terms(rows, is_random)
-  fit <- survival::survreg(
-    as.formula(paste("survival::Surv(log(value), !censored) ~ method + participant", terms)),
-    data = rows, dist = "gaussian", model = TRUE, x = TRUE, y = TRUE,
-    control = survival::survreg.control(maxiter = 100))
+  fit <- fit_tobit(rows, terms)
   rows$influence <- residuals(fit, type = "dfbeta")[, 2]
   error <- if (is_random) crossed_error(rows) else clustered_error(rows, length(coef(fit)))
   note <- if (is_random || nlevels(rows$scene) == 1 || grepl("method:", terms)) "" else
     "in a scene every time of a method is right-censored: all scenes have one ratio"
+  others <- leave_one_out(rows, comparison, function(rest) {
+    rest <- with_a_measured_time(rest)
+    coef(fit_tobit(rest, scene_terms(rest, is_random)))[[2]]
+  })
   do.call(result, c(list(comparison, "tobit", coef(fit)[[2]], residual_sd = sqrt(2) * fit$scale,
-                         note = note), error, counts(rows)))
+                         note = note, leave_one_out = others), error, counts(rows)))
+}
+
+fit_tobit <- function(rows, terms) {
+  survival::survreg(
+    as.formula(paste("survival::Surv(log(value), !censored) ~ method + participant", terms)),
+    data = rows, dist = "gaussian", model = TRUE, x = TRUE, y = TRUE,
+    control = survival::survreg.control(maxiter = 100))
 }
 
 # Sum contrasts: the method's own term is the mean over the scenes.
@@ -195,7 +236,10 @@ with_a_measured_time <- function(rows) {
   }
 }
 
-# A cumulative link mixed model: steps of the scale need not be equal.
+# A cumulative link mixed model: steps of the scale need not be equal. P and interval are of the
+# likelihood ratio, since Wald's fail where the methods' ratings are separated: their odds ratio is
+# infinite, and its standard error too. The signed root of the likelihood ratio is scaled and held
+# against Student's t as Wald's would be (error_of_latent).
 ordinal_model <- function(rows, comparison) {
   rows$rating <- ordered(rows$value)
   rows <- droplevels(rows)
@@ -203,23 +247,31 @@ ordinal_model <- function(rows, comparison) {
   if (nlevels(rows$rating) < 2) stop("all answers are the same")
   fewest <- 3  # levels of a random effect, for ordinal
   if (nlevels(rows$participant) < fewest) stop("it needs three participants")
-  random <- "(1 | participant)"
-  fixed <- "method"
+  others <- "(1 | participant)"
   note <- ""
   if (nlevels(rows$scene) > 1) {
-    random <- paste(random, "+ (1 | participant:method)")
+    others <- paste(others, "+ (1 | participant:method)")
     if (comparison$scenes == "random" && nlevels(rows$scene) >= fewest) {
-      random <- paste(random, "+ (1 | scene) + (1 | scene:method)")
+      others <- paste(others, "+ (1 | scene) + (1 | scene:method)")
     } else {
-      fixed <- "method + scene"
+      others <- paste("scene +", others)
       if (comparison$scenes == "random") note <- "two scenes are fixed: too few to be random"
     }
   }
-  fit <- ordinal::clmm(as.formula(paste("rating ~", fixed, "+", random)), data = rows)
+  fit <- ordinal::clmm(as.formula(paste("rating ~ method +", others)), data = rows)
+  # How much less likely the data are with this log odds ratio, as the root of the likelihood ratio.
+  root_at <- function(effect) {
+    rows$shift <- effect * (rows$method == comparison$method)
+    fixed <- ordinal::clmm(as.formula(paste("rating ~ offset(shift) +", others)), data = rows,
+                           Hess = FALSE)
+    sqrt(max(0, 2 * (fit$logLik - fixed$logLik)))
+  }
   row <- coef(summary(fit))[paste0("method", comparison$method), ]
   estimate <- row[["Estimate"]]
-  standard_error <- row[["Std. Error"]]
-  if (!is.finite(standard_error)) stop("the model's curvature is not that of a maximum")
+  wald <- row[["Std. Error"]]
+  # As likely with a far larger effect: there is no largest one.
+  is_separated <- abs(estimate) > 8 && root_at(estimate + sign(estimate) * 5) < 0.1
+  is_singular <- !is.finite(wald)
   variances <- ordinal::VarCorr(fit)
   # The variance of the difference between two methods.
   of_difference <- function(group) {
@@ -227,9 +279,42 @@ ordinal_model <- function(rows, comparison) {
   }
   gain <- list(participant = of_difference("participant:method"),
                scene = of_difference("scene:method"))
-  error <- error_of_latent(standard_error^2, gain, counts(rows))
-  do.call(result, c(list(comparison, "ordinal", estimate, participant_sd = sqrt(gain$participant),
-                         scene_sd = sqrt(gain$scene), note = note), error, counts(rows)))
+  error <- if (is_separated || is_singular) {
+    error_without_hessian(gain, counts(rows))
+  } else {
+    latent <- error_of_latent(wald^2, gain, counts(rows))
+    c(latent, scale = latent$standard_error / wald)
+  }
+  p <- 2 * pt(-root_at(0) / error$scale, error$degrees_of_freedom)
+  ends <- if (comparison$detail == "full") {
+    limit <- qt((1 + confidence) / 2, error$degrees_of_freedom) * error$scale
+    step <- if (is_separated || is_singular) 2 else limit * wald  # Wald's limit
+    c(profile_end(root_at, estimate, -step, limit, is_separated && estimate < 0),
+      profile_end(root_at, estimate, step, limit, is_separated && estimate > 0))
+  } else {
+    c(NA, NA)
+  }
+  if (is_separated) {
+    estimate <- sign(estimate) * Inf
+    note <- c(note, "the methods' ratings are separated: the odds ratio has no largest value")
+  } else if (is_singular) {
+    note <- c(note, "the model's Hessian is singular")
+  }
+  do.call(result, c(list(comparison, "ordinal", estimate, error$standard_error,
+                         error$degrees_of_freedom, low = ends[1], high = ends[2], p = p,
+                         participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene),
+                         note = paste(note[nzchar(note)], collapse = "; ")), counts(rows)))
+}
+
+# Where root_at(effect) reaches the limit on one side of the estimate; infinite if it never does.
+profile_end <- function(root_at, estimate, step, limit, is_infinite) {
+  if (is_infinite) return(sign(step) * Inf)
+  beyond <- function(distance) root_at(estimate + sign(step) * distance) - limit
+  distance <- tryCatch(
+    uniroot(beyond, c(0, abs(step)), f.lower = -limit, extendInt = "upX",
+            tol = 0.01 * abs(step), maxiter = 25)$root,
+    error = function(e) Inf)
+  estimate + sign(step) * distance
 }
 
 # The standard error and Satterthwaite's degrees of freedom of the method's effect by the strata of a
@@ -258,6 +343,19 @@ error_of_latent <- function(variance, gain, count) {
   list(standard_error = sqrt(total),
        degrees_of_freedom =
          total^2 / (sum(strata^2 / freedom[varies]) + shared^2 / prod(freedom)))
+}
+
+# The same without a standard error: the scale of the root of the likelihood ratio, as if all of the
+# estimate's variance were between the fewest people or scenes that differ in their gain.
+error_without_hessian <- function(gain, count) {
+  parts <- c(gain$participant, gain$scene) / c(count$participants, count$scenes)
+  varies <- !is.na(parts) & parts > 1e-6
+  variance <- if (any(varies)) sum(parts[varies]) else 1
+  latent <- error_of_latent(variance,
+                            list(participant = if (varies[1]) gain$participant else NA,
+                                 scene = if (varies[2]) gain$scene else NA), count)
+  list(standard_error = NA, degrees_of_freedom = latent$degrees_of_freedom,
+       scale = latent$standard_error / sqrt(variance))
 }
 
 models_of <- function(trials, comparison) {

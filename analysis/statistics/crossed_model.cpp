@@ -162,52 +162,6 @@ CrossedModel model_of(Strata strata, double confidence) {
   return model;
 }
 
-RepeatedMeasures without_participant(const RepeatedMeasures& data, std::size_t participant) {
-  RepeatedMeasures others{data.participants - 1, data.conditions, data.values};
-  const auto row =
-      others.values.begin() + static_cast<std::ptrdiff_t>(participant * data.conditions);
-  others.values.erase(row, row + static_cast<std::ptrdiff_t>(data.conditions));
-  return others;
-}
-
-/// The strata without one participant, from those with all: n / (n - 1) times the square of a
-/// deviation from the mean of all n is what a sum of squares loses with it.
-class Downdate {
- public:
-  explicit Downdate(const RepeatedMeasures& data)
-      : data_(data), all_(analyse_variance(data)), scene_means_(column_means(data)) {}
-
-  Strata without(std::size_t participant) const {
-    const auto n = static_cast<long double>(data_.participants);
-    const auto scenes = static_cast<long double>(data_.conditions);
-    const long double effect = extended_mean(data_.of(participant)) - all_.mean;
-    Strata strata = empty_strata(data_.participants - 1, data_.conditions);
-    strata.mean = all_.mean - effect / (n - 1.0L);
-    strata.participants->squares =
-        all_.participants->squares - scenes * n / (n - 1.0L) * effect * effect;
-    strata.residual.squares = all_.residual.squares;
-    for (std::size_t scene = 0; scene < data_.conditions; ++scene) {
-      const long double residual = data_.at(participant, scene) - scene_means_[scene] - effect;
-      strata.residual.squares -= n / (n - 1.0L) * residual * residual;
-      const long double scene_effect = scene_means_[scene] - all_.mean - residual / (n - 1.0L);
-      strata.scenes->squares += (n - 1.0L) * scene_effect * scene_effect;
-    }
-    // Where hardly anything is left, it is the rounding of what was subtracted.
-    return sum_of_squares(strata) > 1e-6L * sum_of_squares(all_)
-               ? strata
-               : analyse_variance(without_participant(data_, participant));
-  }
-
- private:
-  static long double sum_of_squares(const Strata& strata) {
-    return strata.participants->squares + strata.scenes->squares + strata.residual.squares;
-  }
-
-  const RepeatedMeasures& data_;
-  Strata all_;
-  std::vector<long double> scene_means_;
-};
-
 }  // namespace
 
 std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, double confidence) {
@@ -216,20 +170,6 @@ std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, do
     return std::nullopt;
   }
   return model_of(analyse_variance(log_ratios), confidence);
-}
-
-std::vector<CrossedModel> crossed_models_without_each(const RepeatedMeasures& log_ratios) {
-  assert(log_ratios.values.size() == log_ratios.participants * log_ratios.conditions);
-  std::vector<CrossedModel> models;
-  if (log_ratios.participants < 3 || log_ratios.conditions < 2) {
-    return models;
-  }
-  const Downdate downdate(log_ratios);
-  models.reserve(log_ratios.participants);
-  for (std::size_t participant = 0; participant < log_ratios.participants; ++participant) {
-    models.push_back(model_of(downdate.without(participant), default_confidence));
-  }
-  return models;
 }
 
 }  // namespace foveola::analysis

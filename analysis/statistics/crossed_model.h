@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/repeated_measures.h"
@@ -59,9 +58,5 @@ struct CrossedModel {
 /// Empty with fewer than two participants or two scenes.
 std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios,
                                           double confidence = default_confidence);
-
-/// The models without each participant in turn, in their order; takes no longer than a few models.
-/// Empty with fewer than three participants or two scenes.
-std::vector<CrossedModel> crossed_models_without_each(const RepeatedMeasures& log_ratios);
 
 }  // namespace foveola::analysis

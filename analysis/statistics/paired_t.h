@@ -1,6 +1,7 @@
 // Student's t test of differences within participants, in their own unit or as ratios.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -18,6 +19,8 @@ struct TTest {
   double degrees_of_freedom = 0.0;
   double p = 0.0;    ///< Two-sided.
   double d_z = 0.0;  ///< Cohen's (1988) effect size of differences: mean / standard deviation.
+
+  double standard_error() const { return standard_deviation / std::sqrt(static_cast<double>(n)); }
 };
 
 /// Tests whether the mean of values is `hypothesis`. Empty where t is not defined: the values do

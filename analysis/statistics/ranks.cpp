@@ -1,9 +1,18 @@
 #include "analysis/statistics/ranks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace foveola::analysis {
+
+std::vector<double> without_rounding(std::vector<double> values) {
+  constexpr double step = 1e12;
+  for (double& value : values) {
+    value = std::round(value * step) / step;
+  }
+  return values;
+}
 
 Ranks rank(std::span<const double> values) {
   std::vector<std::size_t> order(values.size());

@@ -50,23 +50,35 @@ std::vector<std::size_t> doubled(const SignedRanks& ranks) {
   return doubled_ranks;
 }
 
-double exact_p(const SignedRanks& ranks, double smaller_sum) {
-  const std::vector<double> probability = rank_sum_distribution(doubled(ranks));
-  const auto end = probability.begin() + std::lround(2.0 * smaller_sum) + 1;
-  return std::min(1.0, 2.0 * std::accumulate(probability.begin(), end, 0.0));
+/// The probability of a sum of signed ranks that is at most this one.
+double exact_tail(const std::vector<double>& probability, double sum) {
+  return std::accumulate(probability.begin(), probability.begin() + std::lround(2.0 * sum) + 1,
+                         0.0);
 }
 
-/// The variance of the sum of positive ranks is a quarter of the sum of squared ranks, which says
-/// the same as the formulas that correct for ties and zeros.
-double approximate_p(const SignedRanks& ranks, double w_plus, double w_minus) {
+/// The distance of a rank sum from its mean in standard deviations. The variance of the sum of
+/// positive ranks is a quarter of the sum of squared ranks, which says the same as the formulas
+/// that correct for ties and zeros.
+double standardized(const SignedRanks& ranks, double distance) {
   double squares = 0.0;
   for (const auto* part : {&ranks.positive, &ranks.negative}) {
     for (const double rank : *part) {
       squares += rank * rank;
     }
   }
-  const double distance = std::max(0.0, std::abs(w_plus - w_minus) / 2.0 - 0.5);
-  return normal_two_sided(distance / (0.5 * std::sqrt(squares)));
+  return distance / (0.5 * std::sqrt(squares));
+}
+
+void compute_p(const SignedRanks& ranks, SignedRankTest& test) {
+  if (test.exact) {
+    const std::vector<double> probability = rank_sum_distribution(doubled(ranks));
+    test.p = std::min(1.0, 2.0 * exact_tail(probability, std::min(test.w_plus, test.w_minus)));
+    test.p_above = std::min(1.0, exact_tail(probability, test.w_minus));
+    return;
+  }
+  const double above = (test.w_plus - test.w_minus) / 2.0;
+  test.p = normal_two_sided(standardized(ranks, std::max(0.0, std::abs(above) - 0.5)));
+  test.p_above = normal_cdf(-standardized(ranks, above - 0.5));
 }
 
 }  // namespace
@@ -99,8 +111,7 @@ std::optional<SignedRankTest> signed_rank(std::span<const double> differences, Z
   test.w_plus = std::accumulate(ranks.positive.begin(), ranks.positive.end(), 0.0);
   test.w_minus = std::accumulate(ranks.negative.begin(), ranks.negative.end(), 0.0);
   test.exact = test.n <= largest_exact;
-  test.p = test.exact ? exact_p(ranks, std::min(test.w_plus, test.w_minus))
-                      : approximate_p(ranks, test.w_plus, test.w_minus);
+  compute_p(ranks, test);
   test.rank_biserial = (test.w_plus - test.w_minus) / (test.w_plus + test.w_minus);
   return test;
 }

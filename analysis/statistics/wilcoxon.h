@@ -20,6 +20,7 @@ struct SignedRankTest {
   double w_plus = 0.0;    ///< Sum of the ranks of positive differences.
   double w_minus = 0.0;   ///< Sum of the ranks of negative differences.
   double p = 0.0;         ///< Two-sided.
+  double p_above = 0.0;   ///< One-sided: small if the differences lie above zero.
   bool exact = false;
   /// The matched-pairs rank-biserial correlation (Kerby 2014): (w_plus - w_minus) over their sum;
   /// 1 if all differences are positive.

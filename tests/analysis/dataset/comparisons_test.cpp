@@ -285,7 +285,7 @@ TEST(Comparisons, ModelsOfROfTheSamePairArePrimaryWhereTheyArePlanned) {
                        .method = "fv",
                        .reference = "od",
                        .scale = scale,
-                       .fit = FittedModel::Fit{-0.5, 0.1, 5.0, {-0.8, -0.2}, 0.004}};
+                       .fit = FittedModel::Fit{-0.5, 0.1, 5.0, Interval{-0.8, -0.2}, 0.004}};
   };
   const FittedModels models{.models = {fitted("tobit", "outline", EffectScale::ratio),
                                        fitted("crossed", "material", EffectScale::ratio),
@@ -355,6 +355,99 @@ TEST(Comparisons, EquivalenceOfPlannedOnesIsAFamilyOfItsOwn) {
   const MethodComparison& exploratory = find(found, "outline", "vp", "od");
   EXPECT_TRUE(exploratory.equivalent);
   EXPECT_FALSE(exploratory.p_equivalent_holm);
+}
+
+/// A model of fv and od by R.
+FittedModel fitted(const std::string& model, const std::string& measure, EffectScale scale,
+                   const FittedModel::Fit& fit) {
+  return {.model = model,
+          .measure = measure,
+          .method = "fv",
+          .reference = "od",
+          .scale = scale,
+          .fit = fit};
+}
+
+/// Of which one of od's times is right-censored, and one missing.
+StudyRecords study_with_gaps() {
+  StudyRecords records = complete_study(6);
+  value_of(records, "P3", "aula", "od", "outline") = right_censored(30.0);
+  value_of(records, "P3", "aula", "od", "material") = {};
+  return records;
+}
+
+// A t test of the uncensored pairs declared methods equivalent whose Tobit ratio was 1.505, with a
+// 90 % interval of [1.452, 1.561]. P by R: pt((0.40913 - log(1.25)) / 0.020645, 15).
+TEST(Comparisons, EquivalenceIsThatOfThePrimaryModel) {
+  const double low = std::log(1.452);
+  const double high = std::log(1.561);
+  constexpr double t_90 = 1.753050355692572;  // qt(0.95, 15)
+  FittedModels models{
+      .models = {
+          fitted("tobit", "outline", EffectScale::ratio,
+                 {.estimate = 0.5 * (low + high),
+                  .standard_error = 0.5 * (high - low) / t_90,
+                  .degrees_of_freedom = 15.0,
+                  .p = 1e-7}),
+          fitted("crossed", "material", EffectScale::ratio,
+                 {.estimate = 0.05, .standard_error = 0.06, .degrees_of_freedom = 7.5, .p = 0.4}),
+          fitted("ordinal", "artifacts", EffectScale::odds_ratio, {.p = 0.5})}};
+  models.models[0].influence = Influence{{0.3, 0.5}, "P2", "P4"};
+  models.models[2].note = "separated";
+  study::AnalysisPlan plan = fv_planned();
+  plan.equivalence_margins = {{"outline", 1.25}, {"material", 1.25}, {"artifacts", 1.0}};
+  const Comparisons found = compare_methods(select_for_analysis(study_with_gaps()), plan, models);
+  const MethodComparison& tobit = find(found, "outline", "fv", "od");
+  EXPECT_NEAR(std::exp(tobit.equivalent->interval->low), 1.452, 1e-9);
+  EXPECT_NEAR(std::exp(tobit.equivalent->interval->high), 1.561, 1e-9);
+  EXPECT_NEAR(tobit.equivalent->p, 0.9999999, 1e-7);
+  // With gaps it was of the participants who have all scenes.
+  EXPECT_GOLDEN(find(found, "material", "fv", "od").equivalent->p, 0.01088623171881453);
+  const MethodComparison& ordinal = find(found, "artifacts", "fv", "od");
+  EXPECT_FALSE(ordinal.equivalent);
+  EXPECT_THAT(ordinal.no_equivalence, HasSubstr("margin in points"));
+  // So is what becomes of the estimate without each participant.
+  EXPECT_EQ(tobit.influence->without_low, "P2");
+  EXPECT_THAT(tobit.no_influence, testing::IsEmpty());
+  EXPECT_FALSE(ordinal.influence);
+  EXPECT_THAT(ordinal.no_influence, HasSubstr("was not fitted without each"));
+  // Warnings stand beside the result.
+  EXPECT_EQ(ordinal.primary->warning, "separated");
+}
+
+TEST(Comparisons, WithoutATobitModelNothingIsSaidOfEquivalence) {
+  study::AnalysisPlan plan = fv_planned();
+  plan.primary.push_back({"outline", "fv", "vp"});
+  plan.equivalence_margins = {{"outline", 1e6}};
+  const Comparisons found = compare(study_with_gaps(), plan);
+  const MethodComparison& censored = find(found, "outline", "fv", "od");
+  EXPECT_FALSE(censored.equivalent);
+  EXPECT_FALSE(censored.p_equivalent_holm);
+  EXPECT_THAT(censored.no_equivalence, HasSubstr("needs the Tobit model"));
+  // It stays in the family of two.
+  const MethodComparison& other = find(found, "outline", "fv", "vp");
+  EXPECT_DOUBLE_EQ(*other.p_equivalent_holm, std::min(1.0, 2.0 * other.equivalent->p));
+}
+
+TEST(Comparisons, OfSignedRanksEquivalenceAndInfluenceAreByRanks) {
+  study::AnalysisPlan plan = fv_planned();
+  plan.ratings = study::RatingAnalysis::signed_ranks;
+  plan.equivalence_margins = {{"artifacts", 5.0}};
+  const MethodComparison row = find(compare(complete_study(6), plan), "artifacts", "fv", "od");
+  EXPECT_EQ(row.equivalent->p, std::ldexp(1.0, -6));  // the smallest P of six differences
+  EXPECT_LE(row.influence->estimates.low, row.primary->estimate);
+  EXPECT_GE(row.influence->estimates.high, row.primary->estimate);
+}
+
+TEST(Comparisons, EveryTestThatLeavesOutRightCensoredTimesCountsThem) {
+  const Comparisons found = compare(study_with_gaps());
+  EXPECT_EQ(found.omnibus.at(0).censored, 1U);
+  EXPECT_EQ(found.omnibus.at(1).censored, 0U);
+  EXPECT_EQ(found.order.at(1).censored, 1U);
+  EXPECT_EQ(found.censored_times,
+            "Right-censored times are left out (1 of 12 outline times of OD), which favours the "
+            "method whose time ran out.");
+  EXPECT_EQ(compare(complete_study(4)).censored_times, "");
 }
 
 TEST(Comparisons, FewParticipantsHaveWhatCanBeComputed) {

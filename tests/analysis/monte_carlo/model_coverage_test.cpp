@@ -1,5 +1,6 @@
 #include "analysis/monte_carlo/model_coverage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -11,7 +12,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// Models as R would have fitted them, with this interval of every estimate.
+/// Models as R would have fitted them, with this interval of every estimate, and a P-value that
+/// agrees with it.
 ModelFitter fitter(Interval interval) {
   return [=](const std::vector<study::StudyRecords>& studies) {
     std::vector<FittedModels> all;
@@ -24,7 +26,12 @@ ModelFitter fitter(Interval interval) {
              .measure = planned.measure,
              .method = planned.method,
              .reference = planned.baseline,
-             .fit = FittedModel::Fit{.estimate = std::log(0.5), .interval = interval}});
+             .fit =
+                 FittedModel::Fit{.estimate = std::log(0.5),
+                                  .standard_error = 0.1,
+                                  .degrees_of_freedom = 15.0,
+                                  .interval = interval,
+                                  .p = interval.low <= 0.0 && interval.high >= 0.0 ? 0.5 : 0.001}});
       }
       for (const char* name : {"R", "lme4", "lmerTest", "survival", "ordinal"}) {
         models.versions.emplace_back(name, "1");
@@ -43,7 +50,7 @@ std::vector<CoverageFigure> measure(const ModelCell& cell, const ModelCoverageSe
 
 const ModelCoverageSettings few = {.studies = 50, .threads = 2};
 
-TEST(ModelCells, AreTwelveWithNamesAndStreamsOfTheirOwn) {
+TEST(ModelCells, AreNineteenWithNamesAndStreamsOfTheirOwn) {
   const std::vector<ModelCell> cells = model_cells();
   std::set<std::string> names;
   std::set<std::uint64_t> streams;
@@ -52,12 +59,18 @@ TEST(ModelCells, AreTwelveWithNamesAndStreamsOfTheirOwn) {
     streams.insert(cell.stream);
     EXPECT_EQ(cell.expected.protocol.analysis.primary.size(), 1U);
   }
-  EXPECT_EQ(names.size(), 12U);
-  EXPECT_EQ(streams.size(), 12U);
+  EXPECT_EQ(names.size(), 19U);
+  EXPECT_EQ(streams.size(), 19U);
 }
+
+bool is_separated(const ModelCell& cell) { return cell.name.ends_with("separated ratings"); }
+bool is_of_equivalence(const ModelCell& cell) { return cell.name.starts_with("equivalence"); }
 
 TEST(ModelCoverage, CountsTheStudiesWhoseIntervalCovers) {
   for (const ModelCell& cell : model_cells()) {
+    if (is_of_equivalence(cell) || is_separated(cell)) {
+      continue;
+    }
     const auto wide = measure(cell, few, fitter({-2.0, 2.0}));
     const auto beside = measure(cell, few, fitter({3.0, 4.0}));
     EXPECT_EQ(wide.front().studies, cell.is_rating ? 20U : 50U) << cell.name;
@@ -69,6 +82,30 @@ TEST(ModelCoverage, CountsTheStudiesWhoseIntervalCovers) {
     EXPECT_FALSE(beside.front().is_met()) << cell.name;
     EXPECT_EQ(wide.front().mean_ratio.has_value(), !cell.is_rating) << cell.name;
   }
+}
+
+// A model that is sure of a ratio of 0.5 declares nothing equivalent within 25 %; without R nothing
+// is declared where times are right-censored.
+TEST(ModelCoverage, CountsTheStudiesInWhichThePrimaryModelDeclaresEquivalence) {
+  for (const ModelCell& cell : model_cells()) {
+    if (is_of_equivalence(cell) && cell.expected.protocol.timing.mark_timeout_s < 1e6) {
+      const auto figures = measure(cell, few, fitter({-0.8, -0.6}));
+      EXPECT_EQ(figures.front().studies, 50U) << cell.name;
+      EXPECT_EQ(figures.front().hits, 0U) << cell.name;
+      EXPECT_EQ(figures.back().hits, 0U) << cell.name;
+    }
+  }
+}
+
+TEST(ModelCoverage, CountsTheStudiesInWhichASeparationIsFound) {
+  const std::vector<ModelCell> cells = model_cells();
+  const auto separated = std::find_if(cells.begin(), cells.end(), is_separated);
+  const auto missed = measure(*separated, few, fitter({-2.0, 2.0}));
+  EXPECT_EQ(missed.front().studies, 3U);
+  EXPECT_EQ(missed.front().hits, 0U);
+  EXPECT_FALSE(missed.front().is_met());
+  EXPECT_EQ(missed.back().hits, 3U);  // by Wilcoxon's test
+  EXPECT_EQ(measure(*separated, few, fitter({2.0, 3.0})).front().hits, 3U);
 }
 
 // With a third of the baseline's times out, those that are left make it look faster than it is.
@@ -134,7 +171,7 @@ TEST(ExpectedSeconds, TimesOneOfAHundredStudies) {
                            timed += studies.size();
                            return std::vector<FittedModels>(studies.size());
                          });
-  EXPECT_EQ(timed, 54U);
+  EXPECT_EQ(timed, 85U);
 }
 
 }  // namespace

@@ -109,8 +109,8 @@ TEST(ComparisonTables, EquivalenceIsInTheMarginsUnit) {
   const MethodComparison& artifacts = comparisons.methods.back();
   EXPECT_EQ(rows.front()["equivalence_margin"], 1.5);
   EXPECT_DOUBLE_EQ(rows.front()["equivalence_interval_low"].get<double>(),
-                   std::exp(outline.equivalent->interval.low));
-  EXPECT_EQ(rows.back()["equivalence_interval_high"], artifacts.equivalent->interval.high);
+                   std::exp(outline.equivalent->interval->low));
+  EXPECT_EQ(rows.back()["equivalence_interval_high"], artifacts.equivalent->interval->high);
 }
 
 TEST(ComparisonTables, HaveOrderEffectsAndEffectSizes) {

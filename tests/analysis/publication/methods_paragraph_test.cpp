@@ -55,7 +55,8 @@ TEST(MethodsParagraph, TellsAllAnalysesThatWereDoneAndNoOthers) {
                     HasSubstr("without each participant in turn"), HasSubstr("right-censored and"),
                     Not(HasSubstr("Equivalence"))));
   records.protocol.analysis.equivalence_margins = {{"outline", 1.25}};
-  EXPECT_THAT(paragraph(records), HasSubstr("two one-sided t tests with 90 % intervals"));
+  EXPECT_THAT(paragraph(records),
+              HasSubstr("two one-sided tests of the primary analysis with 90 % intervals"));
   EXPECT_THAT(paragraph(complete_study(1)),
               AllOf(Not(HasSubstr("sensitivity")), Not(HasSubstr("right-censored and"))));
 }

@@ -57,11 +57,11 @@ TEST(ResultTables, ColumnsAreFixedAndNameTheirUnits) {
       ElementsAre("rating", "method", "n", "mean", "sd", "median", "missing", "participant_kind"));
   EXPECT_THAT(results.rows_of("rating_counts").at(0),
               ElementsAre("rating", "method", "value", "label", "count", "participant_kind"));
-  EXPECT_THAT(
-      results.rows_of("background_correlation").at(0),
-      ElementsAre("mark", "method", "quantity", "background_questions", "n", "pearson_r", "t",
-                  "p_two_sided", "ci95_low_r", "ci95_high_r", "spearman_rho", "t_rho", "p_rho",
-                  "ci95_low_rho", "ci95_high_rho", "p_rho_exact", "participant_kind"));
+  EXPECT_THAT(results.rows_of("background_correlation").at(0),
+              ElementsAre("mark", "method", "quantity", "background_questions", "n", "censored",
+                          "pearson_r", "t", "p_two_sided", "ci95_low_r", "ci95_high_r",
+                          "spearman_rho", "t_rho", "p_rho", "ci95_low_rho", "ci95_high_rho",
+                          "p_rho_exact", "participant_kind"));
   EXPECT_THAT(
       results.rows_of("exclusions").at(0),
       ElementsAre("participant", "scene", "method", "measure", "reason", "participant_kind"));
@@ -102,8 +102,8 @@ TEST(ResultTables, WhatDoesNotExistIsEmpty) {
   EXPECT_EQ(baseline_row.at(5), "");
   EXPECT_EQ(baseline_row.at(8), "");
   EXPECT_THAT(results.rows_of("background_correlation").at(1),
-              ElementsAre("outline", "vp", "log_ratio", "graphics_3d+offline_rendering", "1", "",
-                          "", "", "", "", "", "", "", "", "", "", "human"));
+              ElementsAre("outline", "vp", "log_ratio", "graphics_3d+offline_rendering", "1", "0",
+                          "", "", "", "", "", "", "", "", "", "", "", "human"));
 }
 
 TEST(ResultTables, SimulatedParticipantsAreSaidToBe) {

@@ -140,35 +140,6 @@ TEST(CrossedModel, OneParticipantOrOneSceneIsNotEnough) {
   EXPECT_FALSE(crossed_model({}));
 }
 
-TEST(CrossedModel, WithoutAParticipantItIsTheModelOfTheOthers) {
-  for (const auto& [name, matrix] : golden_matrices("models_samples.csv")) {
-    SCOPED_TRACE(name);
-    const std::vector<CrossedModel> models =
-        crossed_models_without_each(complete_participants(matrix));
-    ASSERT_EQ(models.size(), matrix.size());
-    for (std::size_t i = 0; i < models.size(); ++i) {
-      GoldenMatrix others = matrix;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      const CrossedModel expected = crossed_model(complete_participants(others)).value();
-      EXPECT_EQ(models[i].participants, expected.participants);
-      EXPECT_GOLDEN(models[i].mean, expected.mean);
-      EXPECT_GOLDEN(models[i].participant_variance, expected.participant_variance);
-      EXPECT_GOLDEN(models[i].scene_variance, expected.scene_variance);
-      EXPECT_GOLDEN(models[i].test->degrees_of_freedom, expected.test->degrees_of_freedom);
-      EXPECT_GOLDEN(models[i].test->p, expected.test->p);
-    }
-  }
-}
-
-TEST(CrossedModel, WithoutTheOnlyParticipantWhoVariesThereIsNoTest) {
-  const std::vector<CrossedModel> models =
-      crossed_models_without_each({3, 2, {0.7, 0.7, 0.7, 0.7, 0.3, 1.9}});
-  ASSERT_EQ(models.size(), 3U);
-  EXPECT_TRUE(models[0].test);
-  EXPECT_FALSE(models[2].test);
-  EXPECT_DOUBLE_EQ(models[2].mean, 0.7);
-}
-
 TEST(CrossedModel, AWiderConfidenceWidensTheInterval) {
   const RepeatedMeasures data = golden_differences("interior_16x5");
   const Interval narrow = crossed_model(data, 0.9)->test->interval;

@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/paired_t.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/pairs.h"
 
 namespace foveola::analysis {
 namespace {
+
+EquivalenceTest of_mean(const std::vector<double>& values, double margin) {
+  const TTest test = one_sample_t(values).value();
+  return equivalence(test.mean, test.standard_error(), test.degrees_of_freedom, margin);
+}
 
 TEST(Equivalence, TwoOneSidedTestsAreThoseOfR) {
   const auto golden = golden_inference();
@@ -22,61 +28,59 @@ TEST(Equivalence, TwoOneSidedTestsAreThoseOfR) {
     SCOPED_TRACE(name);
     const std::vector<double> values =
         differences(golden_column(matrix, 0), golden_column(matrix, 1));
-    const EquivalenceTest test = equivalence(values, golden.at(name + ".margin")).value();
+    const EquivalenceTest test = of_mean(values, golden.at(name + ".margin"));
     EXPECT_GOLDEN(test.p_above_low, golden.at(name + ".p_above_low"));
     EXPECT_GOLDEN(test.p_below_high, golden.at(name + ".p_below_high"));
     EXPECT_EQ(test.p, std::max(test.p_above_low, test.p_below_high));
-    EXPECT_GOLDEN(test.interval.low, golden.at(name + ".low_90"));
-    EXPECT_GOLDEN(test.interval.high, golden.at(name + ".high_90"));
+    EXPECT_GOLDEN(test.interval->low, golden.at(name + ".low_90"));
+    EXPECT_GOLDEN(test.interval->high, golden.at(name + ".high_90"));
     ++compared;
   }
   EXPECT_EQ(compared, 10);
 }
 
-TEST(Equivalence, TheIntervalLiesWithinTheMarginsExactlyWhenTheTestSaysSo) {
-  const std::vector<double> values = {0.3, -0.2, 0.5, 0.1, 0.4, -0.1};
-  const Interval interval = equivalence(values, 1.0)->interval;
-  EXPECT_LT(equivalence(values, interval.high + 1e-9)->p, 0.05);
-  EXPECT_GT(equivalence(values, interval.high - 1e-9)->p, 0.05);
+// By R: pt((0.05 - log(1.25)) / 0.06, 7.5), exp(0.05 + c(-1, 1) * qt(0.95, 7.5) * 0.06).
+TEST(Equivalence, DegreesOfFreedomNeedNotBeWhole) {
+  const EquivalenceTest test = equivalence(0.05, 0.06, 7.5, std::log(1.25));
+  EXPECT_GOLDEN(test.p, 0.01088623171881453);
+  EXPECT_GOLDEN(std::exp(test.interval->low), 0.9393709322541185);
+  EXPECT_GOLDEN(std::exp(test.interval->high), 1.1765010818715402);
 }
 
-TEST(Equivalence, RatiosAreTestedOnTheirLogarithms) {
-  const std::vector<double> a = {1.0, 2.2, 2.9, 4.1};
-  const std::vector<double> b = {1.1, 2.0, 3.0, 4.0};
-  const double margin = std::log(1.25);
-  const EquivalenceTest test = equivalence(log_ratios(a, b), margin).value();
-  EXPECT_LT(test.interval.low, 0.0);
-  EXPECT_GT(test.interval.high, 0.0);
-  const EquivalenceTest swapped = equivalence(log_ratios(b, a), margin).value();
-  EXPECT_DOUBLE_EQ(swapped.p_above_low, test.p_below_high);
-  EXPECT_DOUBLE_EQ(swapped.interval.low, -test.interval.high);
+TEST(Equivalence, TheIntervalLiesWithinTheMarginsExactlyWhenTheTestSaysSo) {
+  const double high = equivalence(0.1, 0.2, 6.0, 1.0).interval->high;
+  EXPECT_LT(equivalence(0.1, 0.2, 6.0, high + 1e-9).p, 0.05);
+  EXPECT_GT(equivalence(0.1, 0.2, 6.0, high - 1e-9).p, 0.05);
 }
 
 TEST(Equivalence, OfTheCrossedModelItIsAsCertainAsItsInterval) {
   const RepeatedMeasures data =
       complete_participants(golden_matrices("models_samples.csv").at("interior_16x5"));
   const CrossedModel model = crossed_model(data).value();
-  const EquivalenceTest test = equivalence(model, std::log(2.0)).value();
+  const EquivalenceTest test = equivalence(model.mean, model.test->standard_error,
+                                           model.test->degrees_of_freedom, std::log(2.0));
   const Interval ninety = crossed_model(data, 0.9)->test->interval;
-  EXPECT_DOUBLE_EQ(test.interval.low, ninety.low);
-  EXPECT_DOUBLE_EQ(test.interval.high, ninety.high);
-  EXPECT_LT(equivalence(model, -ninety.low + 1e-9)->p, 0.05);
-  EXPECT_GT(equivalence(model, -ninety.low - 1e-9)->p, 0.05);
-  // Without differences between scenes it is that over participants.
-  const RepeatedMeasures fixed =
-      complete_participants(golden_matrices("models_samples.csv").at("no_scenes_12x5"));
-  std::vector<double> means;
-  for (std::size_t participant = 0; participant < fixed.participants; ++participant) {
-    means.push_back(*mean(fixed.of(participant)));
-  }
-  EXPECT_GOLDEN(equivalence(crossed_model(fixed).value(), std::log(2.0))->p,
-                equivalence(means, std::log(2.0))->p);
-  EXPECT_FALSE(equivalence(crossed_model({2, 2, {0.1, 0.1, 0.1, 0.1}}).value(), 2.0));
+  EXPECT_DOUBLE_EQ(test.interval->low, ninety.low);
+  EXPECT_DOUBLE_EQ(test.interval->high, ninety.high);
 }
 
-TEST(Equivalence, WhatDoesNotVaryHasNoTest) {
-  EXPECT_FALSE(equivalence(std::vector<double>{0.5, 0.5}, 1.0));
-  EXPECT_FALSE(equivalence(std::vector<double>{0.5}, 1.0));
+// By R's wilcox.test(x, mu = -+margin, alternative = "greater" and "less", exact = TRUE), and its
+// interval with conf.level = 0.9; with ties and zeros by the enumeration of all signs.
+TEST(Equivalence, ByRanksIsThatOfR) {
+  const std::vector<double> plain = {0.31, -0.22, 0.54, 0.13, 0.41, -0.17, 0.28, 0.05};
+  const EquivalenceTest within = equivalence_by_ranks(plain, 0.6).value();
+  EXPECT_EQ(within.p_above_low, 0.00390625);
+  EXPECT_EQ(within.p_below_high, 0.00390625);
+  EXPECT_DOUBLE_EQ(within.interval->low, -0.045);
+  EXPECT_DOUBLE_EQ(within.interval->high, 0.36);
+  EXPECT_EQ(equivalence_by_ranks(plain, 0.3)->p, 0.125);
+  const std::vector<double> tied = {0.2, -0.2, 0.4, 0.0, 0.2, -0.4, 0.6, 0.2, 0.0, 0.2};
+  EXPECT_EQ(equivalence_by_ranks(tied, 0.5)->p_above_low, 1.0 / 1024.0);
+  EXPECT_EQ(equivalence_by_ranks(tied, 0.5)->p, 3.0 / 1024.0);
+  EXPECT_EQ(equivalence_by_ranks(tied, 0.4)->p, 6.0 / 512.0);
+  EXPECT_EQ(equivalence_by_ranks(std::vector<double>{0.5, 0.5}, 0.5)->p, 1.0);
+  EXPECT_FALSE(equivalence_by_ranks(std::vector<double>{0.1}, 1.0)->interval);
+  EXPECT_FALSE(equivalence_by_ranks({}, 1.0));
 }
 
 }  // namespace

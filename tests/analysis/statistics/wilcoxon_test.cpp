@@ -78,8 +78,16 @@ TEST(Wilcoxon, ManyDifferencesOfOneSignStayExact) {
     differences.push_back(i);
   }
   EXPECT_THAT(signed_rank(differences)->p, DoubleEq(std::ldexp(1.0, -199)));
+  EXPECT_THAT(signed_rank(differences)->p_above, DoubleEq(std::ldexp(1.0, -200)));
   differences.push_back(201);
   EXPECT_FALSE(signed_rank(differences)->exact);
+}
+
+// wilcox.test(x, alternative = "greater", exact = FALSE)
+TEST(Wilcoxon, OneSidedPValuesAreThoseOfR) {
+  const std::vector<double> values = {0.31, -0.22, 0.54, 0.13, 0.41, -0.17, 0.28, 0.05};
+  EXPECT_EQ(signed_rank(values)->p_above, 19.0 / 256.0);
+  EXPECT_GOLDEN(signed_rank(values, ZeroRule::drop, 0)->p_above, 0.070741060741396702);
 }
 
 TEST(Wilcoxon, OneDifferenceProvesNothing) {
