@@ -33,6 +33,7 @@ void refuse_expectations(const PowerArguments& arguments) {
       {"--seconds", expectations.baseline_s.has_value()},
       {"--scene-spread", expectations.scenes_factor.has_value()},
       {"--trial-spread", expectations.trials_factor.has_value()},
+      {"--mark-variation", expectations.mark_variation.has_value()},
       {"--withdrawals", expectations.withdrawals.has_value()},
       {"--scenes", expectations.scenes.has_value()}};
   for (const auto& [option, is_given] : given) {
@@ -194,6 +195,13 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
                   std::exp(usual.scenes_gain)));
   add("--trial-spread", expectations.trials_factor,
       fmt::format("Factor by which single times vary (default {:.3g})", std::exp(usual.trials)));
+  add("--mark-variation", expectations.mark_variation,
+      fmt::format(
+          "Coefficient of variation of the logarithm of a mark's time over that of the mark "
+          "before: the larger, the less the marks of a trial depend on each other "
+          "(default {:g})",
+          ExpectedStudy().later_marks_variation))
+      ->check(CLI::Range(0.0, 10.0));
   add("--withdrawals", expectations.withdrawals,
       "Probability that a participant withdraws (default 0)")
       ->check(CLI::Range(0.0, 0.95));

@@ -44,6 +44,21 @@ std::string spread_in_words(const ExpectedSpread& spread) {
       std::exp(spread.participants_gain), std::exp(spread.scenes_gain), std::exp(spread.trials));
 }
 
+/// How the marks of a trial depend on each other.
+std::string dependence_in_words(const ExpectedStudy& expected) {
+  std::vector<std::string> pairs;
+  const auto& marks = expected.protocol.marks;
+  for (std::size_t mark = 1; mark < marks.size(); ++mark) {
+    pairs.push_back(fmt::format("{} with {} by {:.2f}", marks[mark].id, marks[mark - 1].id,
+                                correlation_with_mark_before(expected, mark, 0)));
+  }
+  return fmt::format(
+      "the log of a mark's time over the one before varies by {:.3g} of its mean "
+      "(--mark-variation), "
+      "so that single times with {} correlate: {}; ratings depend on no time",
+      expected.later_marks_variation, expected.protocol.methods.front(), fmt::join(pairs, ", "));
+}
+
 bool has_planned_rating(const ExpectedStudy& expected) {
   const auto& planned = expected.protocol.analysis.primary;
   return std::any_of(planned.begin(), planned.end(), [&](const study::PlannedComparison& row) {
@@ -263,6 +278,9 @@ std::string expectations_text(const StudyPowerReport& report) {
     text += line(protocol.marks[mark].id, times_in_words(expected, mark));
   }
   text += line("differences", spread_in_words(expected.times_spread));
+  if (protocol.marks.size() > 1) {
+    text += line("dependence", dependence_in_words(expected));
+  }
   if (has_planned_rating(expected)) {
     for (std::size_t rating = 0; rating < protocol.ratings.size(); ++rating) {
       text += line(protocol.ratings[rating].id, shifts_in_words(expected, rating));

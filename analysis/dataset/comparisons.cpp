@@ -299,6 +299,35 @@ bool is_of_pair(const study::PlannedComparison& planned, const std::string& meas
                                         (planned.method == b && planned.baseline == a));
 }
 
+/// Carry-over: the change of each method's values right after each other one, against those after
+/// the rest. None unless every method follows every other, and there are three at least. Of three,
+/// a method's second change is the first with the other sign.
+std::vector<OrderTest> carry_over_tests(const Dataset& set, std::size_t measure) {
+  const std::size_t methods = set.methods.size();
+  std::vector<OrderTest> tests;
+  for (std::size_t method = 0; methods > 2 && method < methods; ++method) {
+    bool is_known = false;
+    for (std::size_t previous = 0; previous < methods; ++previous) {
+      if (previous == method) {
+        continue;
+      }
+      const std::vector<OrderedValue> values = values_by_previous(set, measure, method, previous);
+      if (std::none_of(values.begin(), values.end(),
+                       [](const OrderedValue& value) { return value.position > 0.0; })) {
+        return {};
+      }
+      if (methods > 3 || !is_known) {
+        tests.push_back({set.measures[measure].id(),
+                         set.measures[measure].kind == MeasureKind::time,
+                         fmt::format("{} after {}", set.methods[method], set.methods[previous]),
+                         set.censored(measure), order_effect(values)});
+      }
+      is_known = true;
+    }
+  }
+  return tests;
+}
+
 /// The means of each measure that is compared; empty for the others.
 std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
   std::vector<ParticipantValues> means(set.measures.size());
@@ -411,6 +440,9 @@ Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
                                       std::pair(OrderOf::methods, "method in the scene")}) {
       result.order.push_back({of.id(), of.kind == MeasureKind::time, name, set.censored(measure),
                               order_effect(ordered_values(set, measure, order))});
+    }
+    for (OrderTest& test : carry_over_tests(set, measure)) {
+      result.order.push_back(std::move(test));
     }
   }
   result.models = std::move(models);

@@ -85,7 +85,7 @@ struct OmnibusTest {
   std::optional<FriedmanTest> ranks;
 };
 
-/// Whether a measure changes along the session.
+/// Whether a measure changes along the session, or with the method before.
 struct OrderTest {
   std::string measure;
   bool is_time = true;

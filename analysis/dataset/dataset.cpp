@@ -215,6 +215,7 @@ std::optional<std::size_t> Dataset::measure_named(const std::string& id) const {
 Dataset select_for_analysis(const StudyRecords& records) {
   check_protocol(records);
   Dataset set;
+  set.study = records.protocol.name;
   set.kind = kind_to_analyse(records);
   set.participants = participants_of(records, set.kind);
   set.scenes = records.scenes;

@@ -44,7 +44,8 @@ struct AmendedLabels {
 };
 
 struct Dataset {
-  std::string kind;  ///< All analysed sessions are "human", "pilot" or "simulated".
+  std::string study;  ///< The protocol's name.
+  std::string kind;   ///< All analysed sessions are "human", "pilot" or "simulated".
   /// What verifying the study's file found: "verified" or "changed"; "none" where nobody verified.
   std::string record = "none";
   std::vector<std::string> participants;  ///< In the order of their codes.

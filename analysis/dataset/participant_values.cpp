@@ -130,4 +130,22 @@ std::vector<OrderedValue> ordered_values(const Dataset& set, std::size_t measure
   return values;
 }
 
+std::vector<OrderedValue> values_by_previous(const Dataset& set, std::size_t measure,
+                                             std::size_t method, std::size_t previous) {
+  std::vector<OrderedValue> values;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+      const Value& value = set.value(participant, scene, method, measure);
+      const int position = set.trial(participant, scene, method).method_position;
+      if (!value.is_measured() || position == 0) {
+        continue;
+      }
+      const int of_previous = set.trial(participant, scene, previous).method_position;
+      values.push_back({participant, scene, of_previous == position - 1 ? 1.0 : 0.0,
+                        compared(set.measures[measure], value)});
+    }
+  }
+  return values;
+}
+
 }  // namespace foveola::analysis

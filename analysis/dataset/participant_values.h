@@ -48,4 +48,9 @@ PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t 
 enum class OrderOf { trials, methods };
 std::vector<OrderedValue> ordered_values(const Dataset& set, std::size_t measure, OrderOf order);
 
+/// The measured values of one method that is not the first in its scene, with the scene as
+/// condition; the position is 1 right after the method `previous`, else 0.
+std::vector<OrderedValue> values_by_previous(const Dataset& set, std::size_t measure,
+                                             std::size_t method, std::size_t previous);
+
 }  // namespace foveola::analysis

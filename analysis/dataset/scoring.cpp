@@ -151,7 +151,7 @@ std::vector<ScoreRow> score_questionnaires(const study::StudyRecords& records) {
     const auto& [session, step, questionnaire] = key;
     const Instrument& instrument = *known.at(questionnaire);
     for (const auto& [score, value] : scores_of(instrument, answers)) {
-      rows.push_back({records.sessions[session].participant, questionnaire, step,
+      rows.push_back({records.sessions[session].participant, session, questionnaire, step,
                       std::string(instrument.name), score, value});
     }
   }

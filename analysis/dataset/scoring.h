@@ -1,6 +1,7 @@
 // Scores of published questionnaires by their published keys.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace foveola::analysis {
 /// One score of a questionnaire that a participant filled in once.
 struct ScoreRow {
   std::string participant;
+  std::uint32_t session = 0;    ///< Its index in the records.
   std::string questionnaire;    ///< Its id in the protocol.
   int step = 0;                 ///< Of the session's plan: it may be asked twice.
   std::string instrument;       ///< "SSQ", "NASA-TLX" or "SUS".

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -12,27 +12,6 @@
 
 namespace foveola::analysis {
 namespace {
-
-bool is_five_point(double answer) {
-  return answer >= 1.0 && answer <= 5.0 && answer == std::floor(answer);
-}
-
-/// The questions in the order of their first answers, each with whether it is on five points.
-std::vector<std::pair<std::string, bool>> questions_of(
-    const std::vector<BackgroundAnswer>& answers) {
-  std::vector<std::pair<std::string, bool>> questions;
-  for (const BackgroundAnswer& row : answers) {
-    const auto known = std::find_if(questions.begin(), questions.end(), [&](const auto& question) {
-      return question.first == row.question;
-    });
-    if (known == questions.end()) {
-      questions.emplace_back(row.question, is_five_point(row.value));
-    } else {
-      known->second = known->second && is_five_point(row.value);
-    }
-  }
-  return questions;
-}
 
 /// [participant code][question id]
 using Answers = std::map<std::string, std::map<std::string, double>>;
@@ -52,13 +31,13 @@ Answers answers_by_participant(const std::vector<BackgroundAnswer>& rows) {
 
 /// The mean of a participant's answers on the scale; empty if one was not given.
 std::optional<double> background_of(const Answers& answers, const std::string& participant,
-                                    const BackgroundScale& scale) {
+                                    const std::vector<std::string>& scale) {
   const auto given = answers.find(participant);
   if (given == answers.end()) {
     return std::nullopt;
   }
   std::vector<double> values;
-  for (const std::string& question : scale.questions) {
+  for (const std::string& question : scale) {
     const auto answer = given->second.find(question);
     if (answer == given->second.end()) {
       return std::nullopt;
@@ -88,25 +67,35 @@ std::optional<double> mean_speed_up(const Dataset& set, std::size_t participant,
   return mean(of_scenes);
 }
 
-BackgroundCorrelation correlate_with_method(const Dataset& set, const Answers& answers,
-                                            const BackgroundScale& scale, TimeSaved quantity,
-                                            std::size_t mark, std::size_t method) {
-  BackgroundCorrelation row{
-      .quantity = quantity, .method = set.methods[method], .mark = set.measures[mark].id()};
-  std::vector<double> background;
-  std::vector<double> speed_ups;
-  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-    const auto experience = background_of(answers, set.participants[participant], scale);
-    const auto found = mean_speed_up(set, participant, row, mark, method);
-    if (experience && found) {
-      background.push_back(*experience);
-      speed_ups.push_back(*found);
+struct TimesOfMethod {
+  std::size_t mark = 0;
+  std::size_t method = 0;
+};
+
+/// Of the first planned comparison of times with the baseline, in either direction.
+std::optional<TimesOfMethod> first_planned_times(const Dataset& set,
+                                                 const study::AnalysisPlan& plan) {
+  for (const study::PlannedComparison& planned : plan.primary) {
+    const auto measure = set.measure_named(planned.measure);
+    const auto a = position_of(set.methods, planned.method);
+    const auto b = position_of(set.methods, planned.baseline);
+    if (measure && a && b && set.measures[*measure].kind == MeasureKind::time &&
+        std::min(*a, *b) == baseline) {
+      return TimesOfMethod{*measure, std::max(*a, *b)};
     }
   }
-  row.participants = background.size();
-  row.pearson = pearson(background, speed_ups);
-  row.spearman = spearman(background, speed_ups);
-  return row;
+  return std::nullopt;
+}
+
+void exclude_without_answers(const Answers& answers, const std::vector<std::string>& scale,
+                             Dataset& set) {
+  std::vector<Exclusion> exclusions;
+  for (const std::string& participant : set.participants) {
+    if (!background_of(answers, participant, scale)) {
+      exclusions.push_back({participant, "", "", "background", "a question was not answered"});
+    }
+  }
+  exclude(exclusions, set);
 }
 
 }  // namespace
@@ -131,32 +120,15 @@ std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& reco
   return answers_in_numbers(records, "background");
 }
 
-BackgroundScale choose_background_scale(const std::vector<BackgroundAnswer>& answers) {
-  const auto questions = questions_of(answers);
-  const std::vector<std::string> published = {"graphics_3d", "offline_rendering"};
-  const bool as_published =
-      std::all_of(published.begin(), published.end(), [&](const std::string& id) {
-        return std::any_of(questions.begin(), questions.end(),
-                           [&](const auto& question) { return question.first == id; });
-      });
-  if (as_published) {
-    return {published, true};
-  }
-  BackgroundScale scale;
-  for (const auto& [question, five_point] : questions) {
-    if (five_point && question != "gender") {
-      scale.questions.push_back(question);
-    }
-  }
-  std::sort(scale.questions.begin(), scale.questions.end());
-  return scale;
-}
-
 std::vector<QuestionAnswers> describe_background(const Dataset& set,
                                                  const std::vector<BackgroundAnswer>& rows) {
   const Answers answers = answers_by_participant(rows);
+  std::set<std::string> questions;
+  for (const BackgroundAnswer& row : rows) {
+    questions.insert(row.question);
+  }
   std::vector<QuestionAnswers> result;
-  for (const auto& [question, five_point] : questions_of(rows)) {
+  for (const std::string& question : questions) {
     std::vector<double> values;
     for (const std::string& participant : set.participants) {
       const auto given = answers.find(participant);
@@ -166,45 +138,44 @@ std::vector<QuestionAnswers> describe_background(const Dataset& set,
     }
     result.push_back({question, describe(values), set.participants.size() - values.size()});
   }
-  std::sort(result.begin(), result.end(), [](const QuestionAnswers& a, const QuestionAnswers& b) {
-    return a.question < b.question;
-  });
   return result;
 }
 
-std::vector<Exclusion> list_missing_answers(const Dataset& set,
-                                            const std::vector<BackgroundAnswer>& rows,
-                                            const BackgroundScale& scale) {
+BackgroundCorrelation correlate_background(const Dataset& set,
+                                           const std::vector<BackgroundAnswer>& rows,
+                                           const std::vector<std::string>& questions,
+                                           TimeSaved quantity, std::size_t mark,
+                                           std::size_t method) {
   const Answers answers = answers_by_participant(rows);
-  std::vector<Exclusion> exclusions;
-  for (const std::string& participant : set.participants) {
-    if (!scale.questions.empty() && !background_of(answers, participant, scale)) {
-      exclusions.push_back({participant, "", "", "background", "a question was not answered"});
+  BackgroundCorrelation row{
+      .quantity = quantity, .method = set.methods[method], .mark = set.measures[mark].id()};
+  std::vector<double> background;
+  std::vector<double> speed_ups;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    const auto experience = background_of(answers, set.participants[participant], questions);
+    const auto found = mean_speed_up(set, participant, row, mark, method);
+    if (experience && found) {
+      background.push_back(*experience);
+      speed_ups.push_back(*found);
     }
   }
-  return exclusions;
+  row.participants = background.size();
+  row.pearson = pearson(background, speed_ups);
+  row.spearman = spearman(background, speed_ups);
+  return row;
 }
 
-std::vector<BackgroundCorrelation> correlate_background(const Dataset& set,
-                                                        const std::vector<BackgroundAnswer>& rows,
-                                                        const BackgroundScale& scale) {
-  const Answers answers = answers_by_participant(rows);
-  std::vector<BackgroundCorrelation> correlations;
-  for (const TimeSaved quantity : {TimeSaved::log_ratio, TimeSaved::seconds_saved}) {
-    for (const std::size_t mark : set.times()) {
-      for (std::size_t method = baseline + 1; method < set.methods.size(); ++method) {
-        correlations.push_back(correlate_with_method(set, answers, scale, quantity, mark, method));
-      }
-    }
+Background analyse_background(const std::vector<BackgroundAnswer>& answers,
+                              const study::AnalysisPlan& plan, Dataset& set) {
+  Background background{.scale = plan.background, .answers = describe_background(set, answers)};
+  if (plan.background.empty()) {
+    return background;
   }
-  return correlations;
-}
-
-Background analyse_background(const std::vector<BackgroundAnswer>& answers, Dataset& set) {
-  const BackgroundScale scale = choose_background_scale(answers);
-  Background background{scale, describe_background(set, answers),
-                        correlate_background(set, answers, scale)};
-  exclude(list_missing_answers(set, answers, scale), set);
+  if (const std::optional<TimesOfMethod> times = first_planned_times(set, plan)) {
+    background.correlation = correlate_background(set, answers, plan.background,
+                                                  TimeSaved::log_ratio, times->mark, times->method);
+  }
+  exclude_without_answers(answers_by_participant(answers), plan.background, set);
   return background;
 }
 

@@ -26,12 +26,6 @@ std::vector<BackgroundAnswer> answers_in_numbers(const study::StudyRecords& reco
 /// Those of the questionnaire "background".
 std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& records);
 
-/// The answers that make up a participant's background.
-struct BackgroundScale {
-  std::vector<std::string> questions;
-  bool as_published = false;  ///< Questions 3 and 4 of Table 1, as in section 5.1.
-};
-
 /// One row of Table 1: what the analysed participants answered to one question.
 struct QuestionAnswers {
   std::string question;
@@ -67,30 +61,25 @@ struct BackgroundCorrelation {
   std::optional<Correlation> spearman;
 };
 
-/// The paper averaged the answers to its questions 3 and 4, on experience with applications with 3D
-/// graphics and with offline rendering (Koskela et al. 2018, section 5.1 and Table 1). Where a
-/// study did not ask both (ids `graphics_3d` and `offline_rendering`), every question whose answers
-/// are all whole numbers from 1 to 5 counts, except `gender`, a code.
-BackgroundScale choose_background_scale(const std::vector<BackgroundAnswer>& answers);
+/// The correlation of the mean answer to `questions` with the speed-up of a mark with a method,
+/// both indices of the set. Throws Error if an answer is not finite.
+BackgroundCorrelation correlate_background(const Dataset& set,
+                                           const std::vector<BackgroundAnswer>& answers,
+                                           const std::vector<std::string>& questions,
+                                           TimeSaved quantity, std::size_t mark,
+                                           std::size_t method);
 
-/// The participants of `set` who did not answer every question of the scale.
-std::vector<Exclusion> list_missing_answers(const Dataset& set,
-                                            const std::vector<BackgroundAnswer>& answers,
-                                            const BackgroundScale& scale);
-
-/// For each mark and each method but the baseline, first of the log ratios, then of the seconds
-/// saved. Throws Error if an answer is not finite.
-std::vector<BackgroundCorrelation> correlate_background(
-    const Dataset& set, const std::vector<BackgroundAnswer>& answers, const BackgroundScale& scale);
-
-/// All of it: the scale, and the correlations of the study's marks and methods.
+/// What participants answered, and the one correlation that the protocol states: of its scale with
+/// the log ratio of its first planned comparison of times with the baseline.
 struct Background {
-  BackgroundScale scale;
+  std::vector<std::string> scale;        ///< The protocol's questions; empty if it states none.
   std::vector<QuestionAnswers> answers;  ///< Table 1.
-  std::vector<BackgroundCorrelation> correlations;
+  std::optional<BackgroundCorrelation> correlation;
 };
 
-/// Adds the participants who did not answer all of the scale to the set's exclusions.
-Background analyse_background(const std::vector<BackgroundAnswer>& answers, Dataset& set);
+/// Adds the participants who did not answer all of the scale to the set's exclusions. Throws Error
+/// if an answer is not finite.
+Background analyse_background(const std::vector<BackgroundAnswer>& answers,
+                              const study::AnalysisPlan& plan, Dataset& set);
 
 }  // namespace foveola::analysis

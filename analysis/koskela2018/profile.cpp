@@ -13,8 +13,8 @@ bool has(const Dataset& set, const std::string& id, MeasureKind kind) {
 }  // namespace
 
 bool measures_what_was_published(const Dataset& set) {
-  if (!has(set, "outline", MeasureKind::time) || !has(set, "material", MeasureKind::time) ||
-      !has(set, "artifacts", MeasureKind::rating)) {
+  if (!set.study.starts_with("koskela2018") || !has(set, "outline", MeasureKind::time) ||
+      !has(set, "material", MeasureKind::time) || !has(set, "artifacts", MeasureKind::rating)) {
     return false;
   }
   const study::Question& rating = set.measures[*set.measure_named("artifacts")].question;
@@ -24,7 +24,10 @@ bool measures_what_was_published(const Dataset& set) {
 
 bool is_relative_to_od(const Dataset& set) { return set.methods[baseline] == "od"; }
 
-std::string meaning_of_mark(const std::string& mark) {
+std::string meaning_of_mark(const Dataset& set, const std::string& mark) {
+  if (!measures_what_was_published(set)) {
+    return "";
+  }
   if (mark == "outline") {
     return "The outline mark says when a participant could tell whether moving or turning the "
            "chosen object had succeeded.";
@@ -34,17 +37,17 @@ std::string meaning_of_mark(const std::string& mark) {
                             : "";
 }
 
-std::string reason_for_mark(const Measure& mark) {
-  if (mark.id() == "outline") {
-    return "the outline of a chosen object could be judged";
+std::string reason_for_mark(const Dataset& set, const Measure& mark) {
+  if (meaning_of_mark(set, mark.id()).empty()) {
+    return fmt::format("“{}” ({})", mark.question.text, mark.id());
   }
-  return mark.id() == "material" ? "its material could be judged"
-                                 : fmt::format("“{}” ({})", mark.question.text, mark.id());
+  return mark.id() == "outline" ? "the outline of a chosen object could be judged"
+                                : "its material could be judged";
 }
 
-std::string moment_of(const Measure& mark) {
-  return meaning_of_mark(mark.id()).empty() ? "the mark " + mark.id()
-                                            : "the " + mark.id() + " was visible";
+std::string moment_of(const Dataset& set, const Measure& mark) {
+  return meaning_of_mark(set, mark.id()).empty() ? "the mark " + mark.id()
+                                                 : "the " + mark.id() + " was visible";
 }
 
 }  // namespace foveola::analysis

@@ -256,20 +256,19 @@ void compare_participants(const StudyTables& tables, const std::vector<Backgroun
 /// says neither which one it took, nor how times were averaged, nor which correlation P is of.
 void compare_background_p(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
                           const PublishedStudy& published, std::vector<ComparedNumber>& numbers) {
-  const BackgroundScale scale = choose_background_scale(answers);
-  const std::vector<BackgroundCorrelation> correlations =
-      scale.as_published && is_relative_to_od(tables.set)
-          ? correlate_background(tables.set, answers, scale)
-          : std::vector<BackgroundCorrelation>{};
+  const std::vector<std::string> questions = {"graphics_3d", "offline_rendering"};
+  const auto fv = position_of(tables.set.methods, "fv");
   for (const std::string mark : marks) {
     ComparedNumber number = number_of_text(published, "background_p",
                                            "P of experience (questions 3 and 4) against OD − FV");
     number.mark = mark;
     number.reading = "Pearson’s r";
-    for (const BackgroundCorrelation& row : correlations) {
-      if (row.mark == mark && row.method == "fv" && row.quantity == TimeSaved::seconds_saved &&
-          row.pearson) {
-        number.study = Estimate{row.pearson->n, row.pearson->p, {}};
+    if (fv && is_relative_to_od(tables.set)) {
+      const BackgroundCorrelation found =
+          correlate_background(tables.set, answers, questions, TimeSaved::seconds_saved,
+                               *tables.set.measure_named(mark), *fv);
+      if (found.pearson) {
+        number.study = Estimate{found.pearson->n, found.pearson->p, {}};
       }
     }
     numbers.push_back(std::move(number));

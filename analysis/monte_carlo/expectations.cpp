@@ -353,6 +353,8 @@ ExpectedStudy expect(const study::Protocol& protocol, const Expectations& expect
   if (const auto factor = expectations.trials_factor) {
     spread.trials = sd_of(*factor, "--trial-spread");
   }
+  expected.later_marks_variation =
+      expectations.mark_variation.value_or(expected.later_marks_variation);
   expected.withdrawals = expectations.withdrawals.value_or(expected.withdrawals);
   if (expectations.scenes) {
     take_scenes(*expectations.scenes, expected.protocol);

@@ -33,8 +33,10 @@ struct Expectations {
   std::optional<double> participants_factor;  ///< Of participants' own ratios between methods.
   std::optional<double> scenes_factor;        ///< Of scenes' own ratios.
   std::optional<double> trials_factor;        ///< Of single times.
-  std::optional<double> withdrawals;          ///< The probability that a participant withdraws.
-  std::optional<int> scenes;                  ///< Their number, if not that of the protocol.
+  /// ExpectedStudy::later_marks_variation, by which the marks of a trial depend on each other.
+  std::optional<double> mark_variation;
+  std::optional<double> withdrawals;  ///< The probability that a participant withdraws.
+  std::optional<int> scenes;          ///< Their number, if not that of the protocol.
 };
 
 /// The study that is expected. What is not stated takes the default, or, with a pilot of the same

@@ -195,6 +195,21 @@ study::StudyRecords records_of(const study::Protocol& protocol) {
 
 }  // namespace
 
+double correlation_with_mark_before(const ExpectedStudy& expected, std::size_t mark,
+                                    std::size_t method) {
+  const auto log_s = [&](std::size_t of) {
+    return std::log(expected.times[of].baseline_s * expected.times[of].ratios[method]);
+  };
+  const auto square = [](double x) { return x * x; };
+  double variance = square(expected.times_spread.trials);
+  double before = variance;
+  for (std::size_t later = 1; later <= mark; ++later) {
+    before = variance;
+    variance += square(expected.later_marks_variation * (log_s(later) - log_s(later - 1)));
+  }
+  return variance > 0.0 ? std::sqrt(before / variance) : 1.0;
+}
+
 study::StudyRecords draw_study(const ExpectedStudy& expected, std::size_t participants,
                                std::uint64_t seed) {
   const study::Protocol& protocol = expected.protocol;

@@ -46,11 +46,16 @@ struct ExpectedStudy {
                                 .scenes_gain = 0.05,
                                 .trials = 0.2};
   /// Coefficient of variation, between trials, of the logarithm of a mark's time over that of the
-  /// mark before.
+  /// mark before. With 0 the marks of a trial depend on each other entirely.
   double later_marks_variation = 0.25;
   double change_per_trial = 0.0;  ///< Of the logarithm of times; learning if below zero.
   double withdrawals = 0.0;       ///< The probability that a participant withdraws.
 };
+
+/// The correlation of single log times of a mark with those of the mark before, with one method of
+/// one participant in one scene; `mark` is not the first.
+double correlation_with_mark_before(const ExpectedStudy& expected, std::size_t mark,
+                                    std::size_t method);
 
 /// Records of simulated sessions, complete but for those that were withdrawn, which have no trials.
 /// Same seed, same records; those of the first participants do not depend on how many there are.

@@ -129,7 +129,7 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
                             omnibus_table(tables, output.comparisons),
                             order_effects_table(tables, output.comparisons),
                             answers_by_question(records, tables.set),
-                            questionnaire_scores(records, tables.set.kind),
+                            questionnaire_scores(records, tables.set),
                             background_correlation(tables, output.background),
                             data_quality_table(tables, output.checks),
                             latency_table(tables, output.checks),
@@ -356,7 +356,8 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
     output.tables.set.record = output.record->faults.empty() ? "verified" : "changed";
   }
   const std::optional<PublishedStudy> published = published_beside(output.tables.set);
-  output.background = analyse_background(background_answers(records), output.tables.set);
+  output.background =
+      analyse_background(background_answers(records), records.protocol.analysis, output.tables.set);
   output.checks = check_data_quality(output.tables, quality, records);
   const study::StudyRecords& data = exported ? *exported : records;
   const TrialColumns trials(data, output.tables.set, quality.gaze);

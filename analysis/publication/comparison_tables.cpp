@@ -381,7 +381,9 @@ Table order_effects_table(const StudyTables& tables, const Comparisons& comparis
   const ColumnsOf<O> columns = {
       {{"measure", text, "", "Id of the mark or rating"},
        [](const O& row) { return field(row.measure); }},
-      {{"per", text, "", "A step: trial in the session, or method in the scene"},
+      {{"per", text, "",
+        "A step: trial in the session, method in the scene, or carry-over, as fv after od: right "
+        "after that method in the scene, against after the others"},
        [](const O& row) { return field(row.of); }},
       {{"n", whole, "", "Participants whose order varies"},
        [](const O& row) {

@@ -19,6 +19,7 @@ namespace {
 // These limits are Foveola's own, for want of published ones.
 constexpr double least_balance_p = 0.01;
 constexpr double most_false_alarms_percent = 20.0;
+constexpr double max_censored_percent = 20.0;
 
 /// The figures of the participants who are analysed.
 std::vector<study::FrameFigures> analysed_frames(const StudyTables& tables,
@@ -163,6 +164,26 @@ DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
           within(outliers.empty())};
 }
 
+/// Where times run out, complete cases and signed ranks favour the method whose times they are.
+DataQualityCheck check_time_outs(const Dataset& set) {
+  const double trials = static_cast<double>(set.participants.size() * set.scenes.size());
+  std::vector<std::string> found;
+  double largest = 0.0;
+  for (const std::size_t mark : set.times()) {
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      const double percent = 100.0 * static_cast<double>(set.censored(mark, method)) / trials;
+      largest = std::max(largest, percent);
+      if (percent > 0.0) {
+        found.push_back(fmt::format("{} with {} {:.1f} %", set.measures[mark].id(),
+                                    method_label(set.methods[method]), percent));
+      }
+    }
+  }
+  return {"Times that ran out", found.empty() ? "none" : listed(found),
+          fmt::format("{:g} % of any mark’s with any method, ours", max_censored_percent),
+          within(largest <= max_censored_percent)};
+}
+
 std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
                                            const study::DataQualityRecords& quality) {
   std::map<std::string, std::vector<double>> presses;
@@ -211,7 +232,8 @@ DataQualityReport check_data_quality(const StudyTables& tables,
   add(check_frames(report.frames));
   add(check_gaze(tables.set, records, quality.gaze_runs, gaze));
   add(check_sessions(tables.set, records, quality.courses));
-  add({check_order(tables.set), check_catches(report.catches), check_outliers(report.outliers)});
+  add({check_order(tables.set), check_time_outs(tables.set), check_catches(report.catches),
+       check_outliers(report.outliers)});
   report.reactions = reaction_floors(tables, quality);
   return report;
 }

@@ -21,7 +21,7 @@ using study::MeasureKind;
 std::string measures_in_words(const Dataset& set) {
   std::vector<std::string> marks;
   for (const std::size_t mark : set.times()) {
-    marks.push_back(reason_for_mark(set.measures[mark]));
+    marks.push_back(reason_for_mark(set, set.measures[mark]));
   }
   std::string text = fmt::format(", and marked when {}",
                                  fmt::join(marks, marks.size() == 2 ? " and when " : ", when "));

@@ -257,7 +257,12 @@ PrintedTable printed_order_effects(const Comparisons& comparisons) {
   table.title = "Order and learning.";
   table.note =
       "Change with each step, with 95 % interval over participants; the means of participants, "
-      "scenes and methods are subtracted first.";
+      "scenes and methods are subtracted first. Carry-over, where every method follows every "
+      "other: "
+      "“fv after od” is the change of fv right after od in a scene, against fv after the others. P "
+      "is "
+      "not adjusted.";
+  table.note = joined(table.note, comparisons.censored_times);
   table.columns = {"Measure, per", "n", "change [95 %]", "t (df)", "P", "d_z"};
   for (const OrderTest& row : comparisons.order) {
     const std::string name = fmt::format("{}, {}", row.measure, row.of);

@@ -100,7 +100,7 @@ PrintedTable printed_times(const StudyTables& tables, std::size_t mark,
   const std::string reference = baseline_name(tables);
   PrintedTable table;
   table.id = "times-" + measure.id();
-  table.title = fmt::format("Time until {}.", moment_of(measure));
+  table.title = fmt::format("Time until {}.", moment_of(tables.set, measure));
   table.note = fmt::format(
       "{} in seconds; other methods in per cent of each participant’s own {} time in the same "
       "scene. Mean ± standard deviation over n participants; last, the geometric mean over scenes "
@@ -130,7 +130,7 @@ PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark
   PrintedTable table;
   table.id = "ratios-of-means-" + tables.set.measures[mark].id();
   table.title = fmt::format("Time until {}, of {}’s mean time.",
-                            moment_of(tables.set.measures[mark]), reference);
+                            moment_of(tables.set, tables.set.measures[mark]), reference);
   table.note = fmt::format(
       "Mean time over participants in per cent of {}’s mean time in the scene ± standard deviation "
       "in percentage points of it.{}",
@@ -240,6 +240,9 @@ PrintedTable printed_scores(const Table& scores) {
   // By questionnaire, step, instrument and score, in the order of the rows.
   std::vector<std::pair<std::vector<std::string>, std::vector<double>>> groups;
   for (const Row& row : scores.rows) {
+    if (text_in(scores, row, "status") != "analysed") {
+      continue;
+    }
     const std::vector<std::string> key = {
         text_in(scores, row, "questionnaire"), text_in(scores, row, "step"),
         text_in(scores, row, "instrument"), text_in(scores, row, "score")};
@@ -255,7 +258,7 @@ PrintedTable printed_scores(const Table& scores) {
   PrintedTable table;
   table.id = "scores";
   table.title = "Scores of questionnaires.";
-  table.note = "By their published keys, of all sessions that filled them in.";
+  table.note = "By their published keys, of the analysed sessions that filled them in.";
   table.columns = {"Questionnaire and score", "instrument", "n", "mean", "sd", "median"};
   for (const auto& [key, values] : groups) {
     const Description found = describe(values);
@@ -291,42 +294,25 @@ PrintedTable printed_background_answers(const Background& background,
   return table;
 }
 
-PrintedTable printed_background(const StudyTables& tables, const Background& background,
-                                const std::optional<PublishedStudy>& published) {
+PrintedTable printed_background(const StudyTables& tables, const Background& background) {
   PrintedTable table;
   table.id = "background";
   table.title = "Correlation of background with speed-up.";
-  table.note = fmt::format(
-      "Pearson’s r of the values and Spearman’s ρ of their ranks, with 95 % intervals; P is "
-      "two-sided and not adjusted. Speed-up is a participant’s mean over scenes: the logarithm of "
-      "{0}’s time over the method’s, or {0}’s time minus the method’s, which is larger for those "
-      "who take long with every method. A dash: not defined, because of fewer than three "
-      "participants or constant values.",
-      baseline_name(tables));
+  table.note = joined(
+      fmt::format(
+          "Pearson’s r of the values, whose two-sided P is that of the stated hypothesis, and "
+          "Spearman’s ρ of their ranks, with 95 % intervals. Speed-up is a participant’s mean over "
+          "scenes of the logarithm of {}’s time over the method’s. A dash: not defined, because of "
+          "fewer than three participants or constant values.",
+          baseline_name(tables)),
+      censored_times_in_words(tables.set));
   table.columns = {"Speed-up", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
-  const bool has_published =
-      published && background.scale.as_published && is_relative_to_od(tables.set);
-  if (has_published) {
-    table.note +=
-        " Published: Koskela et al. 2018, section 5.1, of the difference between OD and FV, "
-        "without saying of which mark or correlation.";
-    table.columns.emplace_back("published P");
-  }
-  for (const BackgroundCorrelation& row : background.correlations) {
-    const std::string method = method_label(row.method);
-    const std::string speed_up = row.quantity == TimeSaved::log_ratio
-                                     ? fmt::format("log({}/{})", baseline_name(tables), method)
-                                     : fmt::format("{} − {} in s", baseline_name(tables), method);
-    table.rows.push_back({fmt::format("{}, {}", speed_up, row.mark),
-                          std::to_string(row.participants), coefficient(row.pearson),
-                          row.pearson ? fixed(row.pearson->t, 2) : "–", p_text(row.pearson),
-                          coefficient(row.spearman), p_text(row.spearman)});
-    if (has_published) {
-      const bool is_of_same = row.quantity == TimeSaved::seconds_saved && row.method == "fv";
-      table.rows.back().push_back(
-          is_of_same ? fmt::format("{:g}", published_figure(*published, "background_p").value)
-                     : "–");
-    }
+  if (const std::optional<BackgroundCorrelation>& row = background.correlation) {
+    table.rows.push_back(
+        {fmt::format("log({}/{}), {}", baseline_name(tables), method_label(row->method), row->mark),
+         std::to_string(row->participants), coefficient(row->pearson),
+         row->pearson ? fixed(row->pearson->t, 2) : "–", p_text(row->pearson),
+         coefficient(row->spearman), p_text(row->spearman)});
   }
   return table;
 }

@@ -47,8 +47,8 @@ PrintedTable printed_scores(const Table& scores);
 PrintedTable printed_background_answers(const Background& background,
                                         const std::optional<PublishedStudy>& published);
 
-PrintedTable printed_background(const StudyTables& tables, const Background& background,
-                                const std::optional<PublishedStudy>& published);
+/// The correlation that the protocol states; no rows without one.
+PrintedTable printed_background(const StudyTables& tables, const Background& background);
 
 /// The two methods with the sign that joins them, and the measure: "FV / OD, outline".
 std::string compared_in_words(const MethodComparison& row);

@@ -9,26 +9,31 @@
 namespace foveola::analysis {
 namespace {
 
-std::string background_scale_in_words(const BackgroundScale& scale) {
-  if (scale.questions.empty()) {
-    return "The study asked no background question on a scale of five points, so there is nothing "
-           "to correlate.";
+std::string background_in_words(const Background& background) {
+  if (background.scale.empty()) {
+    return "The protocol states no scale of background ([analysis] background), so nothing is "
+           "correlated with it.";
   }
-  return fmt::format("Background is the mean of the answers to {}{}.",
-                     scale.as_published ? "" : "every question on a scale of five points: ",
-                     listed(scale.questions));
+  if (!background.correlation) {
+    return "The protocol plans no comparison of times with the baseline, with which background "
+           "could be correlated.";
+  }
+  return fmt::format(
+      "Background is the mean of the answers to {}, as the protocol states. Its correlation with "
+      "the "
+      "speed-up in the first planned comparison of times is the only one that is tested.",
+      listed(background.scale));
 }
 
 }  // namespace
 
 std::string background_section(const StudyTables& tables, const Background& background,
                                const std::optional<PublishedStudy>& published) {
-  std::string text = background_scale_in_words(background.scale);
+  std::string text = background_in_words(background);
   std::string table;
-  if (!background.scale.questions.empty()) {
-    const std::string paper = paper_notes(tables, published).background;
-    text += paper.empty() ? "" : " " + paper;
-    table = html_of(printed_background(tables, background, published), data_notice(tables));
+  if (background.correlation) {
+    text = joined(text, paper_notes(tables, published).background);
+    table = html_of(printed_background(tables, background), data_notice(tables));
   }
   return html_section(
       "Background and speed-up",

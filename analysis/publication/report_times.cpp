@@ -91,7 +91,7 @@ std::string meanings_of_marks(const StudyTables& tables) {
   std::string text;
   for (const std::size_t mark : tables.set.times()) {
     const Measure& measure = tables.set.measures[mark];
-    const std::string meaning = meaning_of_mark(measure.id());
+    const std::string meaning = meaning_of_mark(tables.set, measure.id());
     text += " " + (meaning.empty()
                        ? fmt::format("The mark {}: “{}”", measure.id(), measure.question.text)
                        : meaning);

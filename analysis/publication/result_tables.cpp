@@ -183,15 +183,14 @@ Table rating_counts(const StudyTables& tables) {
 
 Table background_correlation(const StudyTables& tables, const Background& background) {
   using B = BackgroundCorrelation;
-  const std::string questions = fmt::format("{}", fmt::join(background.scale.questions, "+"));
+  const std::string questions = fmt::format("{}", fmt::join(background.scale, "+"));
   ColumnsOf<B> columns = {
       {{"mark", text, "", "Id of the mark"}, [](const B& row) { return field(row.mark); }},
       {{"method", text, "", "The method whose times are compared with the baseline's"},
        [](const B& row) { return field(row.method); }},
       {{"quantity", text, "",
         "What background is held against, a mean over scenes: log_ratio (natural logarithm of the "
-        "baseline's time over the method's) or seconds_saved (baseline less "
-        "method)"},
+        "baseline's time over the method's)"},
        [](const B& row) { return field(std::string(name_of(row.quantity))); }},
       {{"background_questions", text, "", "The questions whose answers are averaged"},
        [=](const B& /*row*/) { return field(questions); }},
@@ -213,8 +212,8 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
          return field_in(row.spearman, [](auto& found) { return found.exact; });
        }});
   columns.push_back(kind_of_all<B>(tables));
-  return tabulate("background_correlation", "quantity, mark and method", columns,
-                  background.correlations);
+  return tabulate("background_correlation", "correlation that the protocol states", columns,
+                  background.correlation ? std::vector{*background.correlation} : std::vector<B>());
 }
 
 Table exclusions(const StudyTables& tables) {

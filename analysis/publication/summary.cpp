@@ -43,10 +43,9 @@ std::string terminal_summary(const StudyTables& tables, const Background& backgr
   if (published) {
     text += block(tables, printed_background_answers(background, published));
   }
-  if (!background.correlations.empty() && !background.scale.questions.empty()) {
-    PrintedTable table = printed_background(tables, background, published);
-    table.title =
-        fmt::format("Background ({}) against speed-up", listed(background.scale.questions));
+  if (background.correlation) {
+    PrintedTable table = printed_background(tables, background);
+    table.title = fmt::format("Background ({}) against speed-up", listed(background.scale));
     text += block(tables, std::move(table));
   }
   return text;

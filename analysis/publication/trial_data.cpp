@@ -28,6 +28,11 @@ void append_value(const StudyRecords& records, const Measure& measure, const Val
   }
 }
 
+constexpr const char* session_status_meaning =
+    "analysed; or why the session is not: excluded, withdrawn (with --withdrawn only), "
+    "interrupted, "
+    "refused, or of another kind (other kind)";
+
 /// "analysed", or why the session is not.
 std::string status_of(const study::SessionRow& session, bool is_analysed) {
   if (is_analysed) {
@@ -225,9 +230,7 @@ AnswerColumns::AnswerColumns(const StudyRecords& records, const Dataset& set)
   columns_ = {
       participant_column(),
       state_column(),
-      {"status", text, "",
-       "analysed; or why the session is not: excluded, withdrawn (with --withdrawn only), "
-       "interrupted, refused, or of another kind (other kind: see status_reason)"},
+      {"status", text, "", session_status_meaning},
       reason_column(),
       {"questionnaire", text, "", "Id of the questionnaire"},
       {"step", whole, "", "Place in the session's plan: a questionnaire may be asked twice"},
@@ -303,11 +306,16 @@ Table answers_by_question(const StudyRecords& records, const Dataset& set) {
   return tabulate("answers_by_question", "question with answers in numbers", columns, rows);
 }
 
-Table questionnaire_scores(const StudyRecords& records, const std::string& kind) {
+Table questionnaire_scores(const StudyRecords& records, const Dataset& set) {
   using S = ScoreRow;
+  const std::vector<std::optional<std::size_t>> analysed = analysed_sessions(records, set);
   const ColumnsOf<S> columns = {
       {{"participant", text, "", "Code of the participant"},
        [](const S& row) { return field(row.participant); }},
+      {{"status", text, "", session_status_meaning},
+       [&](const S& row) {
+         return field(status_of(records.sessions[row.session], analysed[row.session].has_value()));
+       }},
       {{"questionnaire", text, "", "Id of the questionnaire"},
        [](const S& row) { return field(row.questionnaire); }},
       {{"step", whole, "", "Place in the session's plan: a questionnaire may be asked twice"},
@@ -319,7 +327,7 @@ Table questionnaire_scores(const StudyRecords& records, const std::string& kind)
       {{"score", text, "", "Which score"}, [](const S& row) { return field(row.score); }},
       {{"value", number, "", "The score by its published key; empty if an item has no answer"},
        [](const S& row) { return field(row.value); }},
-      {kind_column(), [&](const S& /*row*/) { return field(kind); }}};
+      {kind_column(), [&](const S& row) { return field(records.sessions[row.session].kind); }}};
   return tabulate("questionnaire_scores", "score of a filled-in questionnaire", columns,
                   score_questionnaires(records));
 }

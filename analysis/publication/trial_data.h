@@ -65,8 +65,9 @@ class AnswerColumns {
 /// answers_by_question: the mean of every question's numbers, over the analysed participants.
 Table answers_by_question(const study::StudyRecords& records, const Dataset& set);
 
-/// questionnaire_scores: of the published questionnaires that have a key.
-Table questionnaire_scores(const study::StudyRecords& records, const std::string& kind);
+/// questionnaire_scores: of the published questionnaires that have a key, of every session, with
+/// whether it is analysed.
+Table questionnaire_scores(const study::StudyRecords& records, const Dataset& set);
 
 /// The columns and rows of participants_wide: for each analysed participant every value, in a
 /// column named MEASURE.SCENE.METHOD, and every number of a questionnaire, QUESTIONNAIRE.QUESTION.

@@ -42,7 +42,9 @@ std::optional<TTest> order_effect(const std::vector<OrderedValue>& values, doubl
       slopes.push_back(static_cast<double>(own.products / own.squares));
     }
   }
-  return one_sample_t(slopes, 0.0, confidence);
+  // Two participants' residuals are each other's negative, and so their slopes are equal.
+  constexpr std::size_t fewest = 3;
+  return slopes.size() < fewest ? std::nullopt : one_sample_t(slopes, 0.0, confidence);
 }
 
 }  // namespace foveola::analysis

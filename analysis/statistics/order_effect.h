@@ -21,7 +21,8 @@ struct OrderedValue {
 /// least-squares slope, from values and positions less what participants and conditions have on
 /// average (the residuals of an additive model of both), so that neither is taken for an effect of
 /// order, also where cells are missing. The test is one_sample_t of the slopes. Participants whose
-/// positions do not vary beyond their conditions' have no slope. Empty where one_sample_t is.
+/// positions do not vary beyond their conditions' have no slope. Empty where one_sample_t is, and
+/// with fewer than three slopes.
 std::optional<TTest> order_effect(const std::vector<OrderedValue>& values,
                                   double confidence = default_confidence);
 

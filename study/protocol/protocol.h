@@ -203,6 +203,9 @@ struct AnalysisPlan {
   /// The margin of equivalence tests by measure, the largest difference that does not matter: a
   /// ratio above 1 for times, points for ratings.
   std::map<std::string, double> equivalence_margins;
+  /// Questions in numbers of the questionnaire "background", whose mean answer is a participant's
+  /// background; empty: no scale is stated, and nothing is held against one.
+  std::vector<std::string> background;
   std::optional<int> participants;  ///< The planned number.
 };
 

@@ -112,6 +112,35 @@ std::map<std::string, double> read_margins(TomlReader reader, const Protocol& pr
   return margins;
 }
 
+bool is_in_numbers(const Question& question) {
+  return question.kind == QuestionKind::likert || question.kind == QuestionKind::number;
+}
+
+std::vector<std::string> read_background(TomlReader& reader, const Protocol& protocol) {
+  std::vector<std::string> known;
+  for (const Questionnaire& form : protocol.questionnaires) {
+    if (form.id == "background") {
+      for (const Question& question : form.questions) {
+        if (is_in_numbers(question)) {
+          known.push_back(question.id);
+        }
+      }
+    }
+  }
+  std::vector<std::string> scale;
+  for (const TomlReader::Text& id : reader.texts("background")) {
+    if (std::find(known.begin(), known.end(), id.value) == known.end()) {
+      reader.fail(
+          id.source,
+          fmt::format("the questionnaire background has no question '{}' in numbers", id.value),
+          known.empty() ? "leave the key out"
+                        : fmt::format("choose from {}", fmt::join(known, ", ")));
+    }
+    scale.push_back(id.value);
+  }
+  return scale;
+}
+
 }  // namespace
 
 AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
@@ -120,6 +149,7 @@ AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   reader.read("participants", plan.participants, 1, 100'000);
   reader.read("scenes", plan.scenes, scene_effects);
   reader.read("ratings", plan.ratings, rating_analyses);
+  plan.background = read_background(reader, protocol);
   plan.primary = read_comparisons(reader, protocol);
   plan.equivalence_margins = read_margins(reader.table("equivalence_margins"), protocol);
   reader.reject_unknown_keys();

@@ -25,6 +25,7 @@ StudyRecords empty_study(const std::string& name, const std::string& title, char
   records.protocol.sha256 = std::string(64, digest);
   records.measures = study::trial_measures(study::published_marks(), study::published_ratings());
   records.words = {"", "the chair", "rated"};
+  records.protocol.analysis.background = {"graphics_3d", "offline_rendering"};
   return records;
 }
 
@@ -137,7 +138,7 @@ Value right_censored(double seconds) {
 }
 
 StudyRecords golden_study_records() {
-  StudyRecords records = empty_study("golden", "A made-up study", 'a');
+  StudyRecords records = empty_study("koskela2018-golden", "A made-up study", 'a');
   records.scenes = {"aula", "barn", "cave"};
   records.methods = {"od", "vp", "fv"};
   for (int i = 1; i <= 9; ++i) {
@@ -156,7 +157,7 @@ StudyRecords golden_study_records() {
 }
 
 StudyRecords complete_study(int participants) {
-  StudyRecords records = empty_study("complete", "A complete study", 'c');
+  StudyRecords records = empty_study("koskela2018-complete", "A complete study", 'c');
   records.scenes = {"aula", "barn"};
   records.methods = {"od", "vp", "fv"};
   for (int p = 1; p <= participants; ++p) {

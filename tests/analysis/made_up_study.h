@@ -14,7 +14,8 @@ namespace foveola::analysis {
 study::StudyRecords golden_study_records();
 
 /// A complete study of people without gaps: participants P1 ... Pn, scenes "aula" and "barn",
-/// methods od, vp and fv, the published marks and rating, both background questions.
+/// methods od, vp and fv, the published marks and rating, both background questions, which the plan
+/// states as its scale; it plans no comparison.
 study::StudyRecords complete_study(int participants);
 
 /// The row of one trial, for changing it. The row must exist.

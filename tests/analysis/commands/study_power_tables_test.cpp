@@ -38,9 +38,10 @@ StudyPowerReport report_with(const std::vector<StudyPower>& curve) {
 
 TEST(StudyPowerTables, WhatIsExpectedIsPrinted) {
   const std::string text = expectations_text(report_with({}));
-  for (const char* part :
-       {"5 scenes (random), 3 methods", "2 planned comparisons at 0.05",
-        "15 s with od; vp 32 %, fv 10 % of that", "comfort", "vp +8", "withdrawals   10 %"}) {
+  for (const char* part : {"5 scenes (random), 3 methods", "2 planned comparisons at 0.05",
+                           "15 s with od; vp 32 %, fv 10 % of that", "comfort", "vp +8",
+                           "withdrawals   10 %", "varies by 0.25 of its mean (--mark-variation)",
+                           "material with outline by 0.90", "ratings depend on no time"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
 }

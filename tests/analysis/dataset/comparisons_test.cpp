@@ -339,6 +339,34 @@ TEST(Comparisons, LearningIsFoundInTheOrderOfTrials) {
   EXPECT_NEAR(test.change_per_step->mean, std::log(0.9), 0.01);
 }
 
+// Right after od, fv takes a fifth longer.
+TEST(Comparisons, CarryOverIsFoundWhereEveryMethodFollowsEveryOther) {
+  StudyRecords records = complete_study(24);
+  EXPECT_EQ(compare(records).order.size(), 6U) << "the orders of methods are not recorded";
+  constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    study::TrialRow& row = records.trials[i];
+    const std::size_t participant = i / 6;
+    const int(&order)[3] = orders[(participant + (row.scene == 0 ? 0U : 3U + participant / 6)) % 6];
+    row.method_position = static_cast<std::uint16_t>(order[row.method]);
+    const bool is_after_od = row.method == 2 && order[2] == order[0] + 1;
+    const double noise = 1.0 + 0.002 * static_cast<double>(i * 7 % 11);
+    records.values[i * records.measures.size()] =
+        measured((is_after_od ? 12.0 : 10.0) * noise * (1.0 + static_cast<double>(participant)) *
+                 (1.0 + row.scene) * (1.0 + row.method));
+  }
+  const Comparisons found = compare(records);
+  const auto fv = std::find_if(found.order.begin(), found.order.end(), [](const OrderTest& row) {
+    return row.measure == "outline" && row.of == "fv after od";
+  });
+  ASSERT_NE(fv, found.order.end());
+  EXPECT_NEAR(fv->change_per_step->mean, std::log(1.2), 0.01);
+  EXPECT_LT(fv->change_per_step->p, 0.001);
+  EXPECT_EQ(std::count_if(found.order.begin(), found.order.end(),
+                          [](const OrderTest& row) { return row.measure == "outline"; }),
+            2 + 3);
+}
+
 TEST(Comparisons, EquivalenceOfPlannedOnesIsAFamilyOfItsOwn) {
   study::AnalysisPlan plan;
   plan.primary = {{"outline", "fv", "od"}, {"outline", "fv", "vp"}, {"material", "fv", "vp"}};

@@ -21,29 +21,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
-// Koskela et al. 2018, section 5.1: "The questions used in the calculation were questions 3 and 4."
-TEST(Background, ThePublishedQuestionsAreChosenWhereBothWereAsked) {
-  const BackgroundScale scale = choose_background_scale(
-      {{"P1", "virtual_reality", 2}, {"P1", "offline_rendering", 5}, {"P1", "graphics_3d", 4}});
-  EXPECT_TRUE(scale.as_published);
-  EXPECT_THAT(scale.questions, ElementsAre("graphics_3d", "offline_rendering"));
-}
-
-TEST(Background, ElseEveryFivePointQuestionCounts) {
-  const BackgroundScale scale = choose_background_scale({{"P1", "virtual_reality", 2},
-                                                         {"P1", "offline_rendering", 3},
-                                                         {"P1", "age", 4},
-                                                         {"P1", "gender", 5},
-                                                         {"P1", "hours", 2.5},
-                                                         {"P2", "age", 31},
-                                                         {"P2", "graphics", 1}});
-  EXPECT_FALSE(scale.as_published);
-  EXPECT_THAT(scale.questions, ElementsAre("graphics", "offline_rendering", "virtual_reality"));
-}
-
-TEST(Background, WithoutQuestionsThereIsNoScale) {
-  EXPECT_THAT(choose_background_scale({}).questions, IsEmpty());
-}
+constexpr std::size_t fv = 1;  ///< Its place in the saving study.
 
 /// Participants P1 to P4 save 1 to 4 seconds in the one scene of this study.
 study::StudyRecords saving_study() {
@@ -68,38 +46,43 @@ TEST(Background, CorrelatesTheMeanAnswerWithTheSpeedUp) {
   const std::vector<BackgroundAnswer> answers = {{"P1", "a", 5}, {"P1", "b", 3}, {"P2", "a", 1},
                                                  {"P2", "b", 5}, {"P3", "a", 2}, {"P3", "b", 2},
                                                  {"P4", "a", 1}, {"P4", "b", 1}};
-  const auto rows = correlate_background(set, answers, {{"a", "b"}, false});
-  ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0].quantity, TimeSaved::log_ratio);
-  EXPECT_NEAR(rows[0].pearson->r, -0.999355114, 1e-9);  // R: cor(4:1, log(1.1 + 0:3 / 10))
-  EXPECT_DOUBLE_EQ(rows[0].spearman->r, -1.0);
-  EXPECT_EQ(rows[2].quantity, TimeSaved::seconds_saved);
-  EXPECT_DOUBLE_EQ(rows[2].pearson->r, -1.0);
-  for (const std::size_t i : {0U, 2U}) {
-    EXPECT_EQ(rows[i].method, "fv");
-    EXPECT_EQ(rows[i].participants, 4U);
-    EXPECT_DOUBLE_EQ(rows[i].spearman->p, 2.0 / 24.0);
-    EXPECT_EQ(rows[i].mark, "outline");
-  }
-  EXPECT_EQ(rows[1].mark, "material");
-  EXPECT_EQ(rows[1].participants, 0U);
-  EXPECT_FALSE(rows[1].pearson);
-  EXPECT_FALSE(rows[1].spearman);
+  const BackgroundCorrelation ratio =
+      correlate_background(set, answers, {"a", "b"}, TimeSaved::log_ratio, outline_index, fv);
+  EXPECT_EQ(ratio.quantity, TimeSaved::log_ratio);
+  EXPECT_NEAR(ratio.pearson->r, -0.999355114, 1e-9);  // R: cor(4:1, log(1.1 + 0:3 / 10))
+  EXPECT_DOUBLE_EQ(ratio.spearman->r, -1.0);
+  EXPECT_DOUBLE_EQ(ratio.spearman->p, 2.0 / 24.0);
+  EXPECT_EQ(ratio.method, "fv");
+  EXPECT_EQ(ratio.mark, "outline");
+  EXPECT_EQ(ratio.participants, 4U);
+  EXPECT_DOUBLE_EQ(
+      correlate_background(set, answers, {"a", "b"}, TimeSaved::seconds_saved, outline_index, fv)
+          .pearson->r,
+      -1.0);
+  const BackgroundCorrelation material =
+      correlate_background(set, answers, {"a", "b"}, TimeSaved::log_ratio, material_index, fv);
+  EXPECT_EQ(material.participants, 0U);
+  EXPECT_FALSE(material.pearson || material.spearman);
 }
 
 TEST(Background, AParticipantWithoutEveryAnswerIsLeftOut) {
   const Dataset set = select_for_analysis(saving_study());
   const std::vector<BackgroundAnswer> answers = {
       {"P1", "a", 5}, {"P2", "a", 1}, {"P2", "b", 5}, {"P3", "a", 2}, {"P3", "b", 2}};
-  EXPECT_EQ(correlate_background(set, answers, {{"a", "b"}, false})[0].participants, 2U);
+  EXPECT_EQ(correlate_background(set, answers, {"a", "b"}, TimeSaved::log_ratio, outline_index, fv)
+                .participants,
+            2U);
 }
 
 TEST(Background, AnAnswerThatIsNoNumberIsNamed) {
   const Dataset set = select_for_analysis(saving_study());
   const std::vector<BackgroundAnswer> answers = {
       {"P1", "a", std::numeric_limits<double>::quiet_NaN()}};
-  EXPECT_THAT([&] { (void)correlate_background(set, answers, {{"a"}, false}); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("participant P1"), HasSubstr("question a"))));
+  EXPECT_THAT(
+      [&] {
+        (void)correlate_background(set, answers, {"a"}, TimeSaved::log_ratio, outline_index, fv);
+      },
+      ThrowsMessage<Error>(AllOf(HasSubstr("participant P1"), HasSubstr("question a"))));
 }
 
 TEST(Background, IsWhatWasAnsweredInNumbersToTheQuestionnaireOfThatId) {
@@ -116,53 +99,84 @@ TEST(Background, IsWhatWasAnsweredInNumbersToTheQuestionnaireOfThatId) {
 TEST(Background, CorrelationsOfTheGoldenStudyAreThoseOfR) {
   const auto golden = golden_study();
   const study::StudyRecords records = golden_study_records();
-  Dataset set = select_for_analysis(records);
-  const Background background = analyse_background(background_answers(records), set);
-  EXPECT_TRUE(background.scale.as_published);
-  ASSERT_EQ(background.correlations.size(), 8U);
-  for (const BackgroundCorrelation& row : background.correlations) {
-    const std::string key =
-        row.mark + "." + row.method + "." + (row.quantity == TimeSaved::log_ratio ? "log_" : "");
-    ASSERT_TRUE(row.pearson);
-    EXPECT_EQ(row.participants, 8U);
-    EXPECT_GOLDEN(row.pearson->r, golden.at(key + "r"));
-    EXPECT_GOLDEN(row.pearson->p, golden.at(key + "p"));
-    EXPECT_GOLDEN(row.pearson->interval->low, golden.at(key + "r_low"));
-    EXPECT_GOLDEN(row.pearson->interval->high, golden.at(key + "r_high"));
+  const Dataset set = select_for_analysis(records);
+  for (const TimeSaved quantity : {TimeSaved::log_ratio, TimeSaved::seconds_saved}) {
+    for (const std::size_t mark : {outline_index, material_index}) {
+      for (const std::size_t method : {1U, 2U}) {
+        const BackgroundCorrelation row =
+            correlate_background(set, background_answers(records),
+                                 {"graphics_3d", "offline_rendering"}, quantity, mark, method);
+        const std::string key =
+            row.mark + "." + row.method + "." + (quantity == TimeSaved::log_ratio ? "log_" : "");
+        ASSERT_TRUE(row.pearson);
+        EXPECT_EQ(row.participants, 8U);
+        EXPECT_GOLDEN(row.pearson->r, golden.at(key + "r"));
+        EXPECT_GOLDEN(row.pearson->p, golden.at(key + "p"));
+        EXPECT_GOLDEN(row.pearson->interval->low, golden.at(key + "r_low"));
+        EXPECT_GOLDEN(row.pearson->interval->high, golden.at(key + "r_high"));
+      }
+    }
   }
+}
+
+Background background_of(const study::StudyRecords& records) {
+  Dataset set = select_for_analysis(records);
+  return analyse_background(background_answers(records), records.protocol.analysis, set);
+}
+
+study::StudyRecords planned_golden_study() {
+  study::StudyRecords records = golden_study_records();
+  records.protocol.analysis.primary = {
+      {"artifacts", "fv", "od"}, {"material", "fv", "vp"}, {"material", "od", "fv"}};
+  return records;
+}
+
+// Of 16 correlations one in four studies had one with P below 0.05 by chance.
+TEST(Background, OneCorrelationIsTestedTheOneThatThePlanStates) {
+  const Background background = background_of(planned_golden_study());
+  EXPECT_THAT(background.scale, ElementsAre("graphics_3d", "offline_rendering"));
+  EXPECT_EQ(background.correlation->mark, "material");
+  EXPECT_EQ(background.correlation->method, "fv");
+  EXPECT_EQ(background.correlation->quantity, TimeSaved::log_ratio);
+  EXPECT_GOLDEN(background.correlation->pearson->p, golden_study().at("material.fv.log_p"));
+  EXPECT_EQ(background.answers.size(), 3U);
+  EXPECT_FALSE(background_of(golden_study_records()).correlation) << "nothing is planned";
+}
+
+// A scale of 1 to 7, a hand as 1 or 2 and a number of children were averaged, since the answers
+// looked like a scale of five points.
+TEST(Background, WithoutAStatedScaleNothingIsCorrelated) {
+  study::StudyRecords records = planned_golden_study();
+  records.protocol.analysis.background.clear();
+  for (int i = 1; i <= 8; ++i) {
+    const std::string code = fmt::format("P0{}", i);
+    add_answer(records, code, "background", "handedness", 1.0 + i % 2);
+    add_answer(records, code, "background", "children", 1.0 + i % 3);
+  }
+  const Background background = background_of(records);
+  EXPECT_THAT(background.scale, IsEmpty());
+  EXPECT_FALSE(background.correlation);
+  EXPECT_EQ(background.answers.size(), 5U);
 }
 
 TEST(Background, DoesNotDependOnTheUnitOfTime) {
-  study::StudyRecords records = golden_study_records();
-  const auto correlations = [&] {
-    Dataset set = select_for_analysis(records);
-    return analyse_background(background_answers(records), set).correlations;
-  };
-  const std::vector<BackgroundCorrelation> in_seconds = correlations();
-  for (const char* mark : {"outline", "material"}) {
-    change_values(records, mark, [](study::Value& value) { value.number *= 1000.0; });
-  }
-  const std::vector<BackgroundCorrelation> in_milliseconds = correlations();
-  for (std::size_t i = 0; i < in_seconds.size(); ++i) {
-    EXPECT_GOLDEN(in_milliseconds[i].pearson->p, in_seconds[i].pearson->p);
-  }
+  study::StudyRecords records = planned_golden_study();
+  const double in_seconds = background_of(records).correlation->pearson->p;
+  change_values(records, "material", [](study::Value& value) { value.number *= 1000.0; });
+  EXPECT_GOLDEN(background_of(records).correlation->pearson->p, in_seconds);
 }
 
-TEST(Background, OneParticipantOrOneMethodHasNoCorrelation) {
+TEST(Background, OneParticipantHasNoCorrelationCoefficient) {
   study::StudyRecords records = complete_study(1);
-  Dataset alone = select_for_analysis(records);
-  EXPECT_FALSE(analyse_background(background_answers(records), alone).correlations[0].pearson);
-  records.methods = {"od"};
-  keep_trials(records, [](const study::TrialRow& row) { return row.method == 0; });
-  Dataset one_method = select_for_analysis(records);
-  EXPECT_THAT(analyse_background(background_answers(records), one_method).correlations, IsEmpty());
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
+  EXPECT_FALSE(background_of(records).correlation->pearson);
 }
 
 TEST(Background, WhoDidNotAnswerAllIsListed) {
   study::StudyRecords records = complete_study(2);
   records.answers.pop_back();
   Dataset set = select_for_analysis(records);
-  (void)analyse_background(background_answers(records), set);
+  (void)analyse_background(background_answers(records), records.protocol.analysis, set);
   ASSERT_EQ(set.exclusions.size(), 1U);
   EXPECT_EQ(set.exclusions[0].participant, "P2");
   EXPECT_EQ(set.exclusions[0].measure, "background");

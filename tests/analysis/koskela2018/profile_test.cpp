@@ -27,13 +27,25 @@ TEST(Profile, IsNotOfOtherMarksRatingsOrScales) {
   EXPECT_FALSE(measures_what_was_published(select_for_analysis(records)));
 }
 
+// The same ids in a protocol of one's own: its marks need not mean what the paper's do.
+TEST(Profile, IsNotOfSomebodysOwnStudy) {
+  study::StudyRecords records = complete_study(1);
+  records.protocol.name = "bg";
+  const Dataset own = select_for_analysis(records);
+  EXPECT_FALSE(measures_what_was_published(own));
+  EXPECT_EQ(meaning_of_mark(own, "outline"), "");
+  EXPECT_EQ(moment_of(own, own.measures[outline_index]), "the mark outline");
+  EXPECT_THAT(reason_for_mark(own, own.measures[outline_index]),
+              testing::AllOf(testing::StartsWith("“"), testing::EndsWith(" (outline)")));
+}
+
 TEST(Profile, NamesTheMomentsOfItsMarksAndCallsOthersByTheirIds) {
-  const std::vector<Measure> measures = complete_study(1).measures;
-  EXPECT_EQ(moment_of(measures[outline_index]), "the outline was visible");
-  Measure third = measures[outline_index];
+  const Dataset set = select_for_analysis(complete_study(1));
+  EXPECT_EQ(moment_of(set, set.measures[outline_index]), "the outline was visible");
+  Measure third = set.measures[outline_index];
   third.question.id = "third";
-  EXPECT_EQ(moment_of(third), "the mark third");
-  EXPECT_EQ(meaning_of_mark("third"), "");
+  EXPECT_EQ(moment_of(set, third), "the mark third");
+  EXPECT_EQ(meaning_of_mark(set, "third"), "");
 }
 
 }  // namespace

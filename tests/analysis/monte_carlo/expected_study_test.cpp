@@ -10,6 +10,7 @@
 #include "analysis/dataset/study_tables.h"
 #include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/descriptive.h"
+#include "analysis/statistics/inference.h"
 
 namespace foveola::analysis {
 namespace {
@@ -41,6 +42,29 @@ TEST(ExpectedStudy, HoldsTheExpectedRatiosOfEveryMark) {
       EXPECT_NEAR(*mean(logs), std::log(expected.times[mark].ratios[method]), 4.0 * error);
       EXPECT_LT(error, 0.025);
     }
+  }
+}
+
+TEST(ExpectedStudy, MarksOfATrialDependOnEachOtherAsIsStated) {
+  ExpectedStudy expected = example_study();
+  expected.times_spread = {.participants = 0.0,
+                           .scenes = 0.0,
+                           .participants_gain = 0.0,
+                           .scenes_gain = 0.0,
+                           .trials = 0.3};
+  for (const double variation : {0.0, 0.25, 1.0}) {
+    expected.later_marks_variation = variation;
+    const Dataset set = select_for_analysis(draw_study(expected, 800, 5));
+    std::vector<double> before;
+    std::vector<double> after;
+    for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+      for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+        before.push_back(std::log(set.value(participant, scene, baseline, outline).number));
+        after.push_back(std::log(set.value(participant, scene, baseline, material).number));
+      }
+    }
+    EXPECT_NEAR(pearson(before, after)->r, correlation_with_mark_before(expected, material, 0),
+                0.04);
   }
 }
 

@@ -60,9 +60,9 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
           "times-outline.tex", "times_by_method.csv", "times_by_scene.csv", "times_in_seconds.pdf",
           "times_in_seconds.png", "times_in_seconds.svg", "trials_long.csv",
           "trials_timed_again.csv"));
-  EXPECT_THAT(
-      names_in(folder / "psych-ds" / "data"),
-      ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));
+  EXPECT_THAT(names_in(folder / "psych-ds" / "data"),
+              ElementsAre("study-koskela2018golden_type-participants_data.csv",
+                          "study-koskela2018golden_type-trials_data.csv"));
   EXPECT_EQ(output.report, folder / "report.html");
   EXPECT_EQ(output.files.size(), 65U);
   EXPECT_THAT(output.summary, HasSubstr("geometric"));

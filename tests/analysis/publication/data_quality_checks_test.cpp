@@ -121,6 +121,19 @@ TEST(DataQualityChecks, OnlyTheLastValidationCounts) {
   EXPECT_EQ(check_of(report, "Validation").verdict, Verdict::flagged);
 }
 
+TEST(DataQualityChecks, ManyTimesThatRanOutAreFlagged) {
+  study::StudyRecords records = complete_study(5);
+  EXPECT_EQ(check_of(report_on(records), "ran out").found, "none");
+  for (const char* participant : {"P1", "P2"}) {
+    value_of(records, participant, "aula", "od", "outline") = right_censored(60.0);
+  }
+  EXPECT_EQ(check_of(report_on(records), "ran out").verdict, Verdict::passed);
+  value_of(records, "P3", "aula", "od", "outline") = right_censored(60.0);
+  const DataQualityCheck many = check_of(report_on(records), "ran out");
+  EXPECT_EQ(many.verdict, Verdict::flagged);
+  EXPECT_EQ(many.found, "outline with OD 30.0 %");
+}
+
 TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
   study::StudyRecords records = complete_study(8);
   for (study::TrialRow& row : records.trials) {

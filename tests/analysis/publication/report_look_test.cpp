@@ -26,10 +26,11 @@ std::string simulated_report() {
   study::DataQualityRecords quality;
   quality.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
   StudyTables tables = tabulate_study(records);
-  const Background background = analyse_background(background_answers(records), tables.set);
+  const Background background =
+      analyse_background(background_answers(records), records.protocol.analysis, tables.set);
   const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
   return report_html({tables, background, answers_by_question(records, tables.set),
-                      questionnaire_scores(records, tables.set.kind), comparisons, quality,
+                      questionnaire_scores(records, tables.set), comparisons, quality,
                       check_data_quality(tables, quality, records), draw_figures(tables),
                       std::optional<PublishedStudy>{},
                       methods_paragraph(tables, comparisons, records), std::nullopt});

@@ -18,11 +18,12 @@ using testing::Not;
 std::string report_of(const study::StudyRecords& records,
                       const study::DataQualityRecords& quality = {}) {
   StudyTables tables = tabulate_study(records);
-  const Background background = analyse_background(background_answers(records), tables.set);
+  const Background background =
+      analyse_background(background_answers(records), records.protocol.analysis, tables.set);
   const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
   const std::optional<PublishedStudy> published = published_beside(tables.set);
   return report_html({tables, background, answers_by_question(records, tables.set),
-                      questionnaire_scores(records, tables.set.kind), comparisons, quality,
+                      questionnaire_scores(records, tables.set), comparisons, quality,
                       check_data_quality(tables, quality, records), draw_figures(tables), published,
                       methods_paragraph(tables, comparisons, records), std::nullopt});
 }

@@ -30,7 +30,8 @@ struct Results {
 
 Results results_of(const study::StudyRecords& records) {
   Results results{tabulate_study(records), {}};
-  const Background background = analyse_background(background_answers(records), results.tables.set);
+  const Background background = analyse_background(background_answers(records),
+                                                   records.protocol.analysis, results.tables.set);
   const StudyTables& tables = results.tables;
   results.all = {times_by_scene(tables),    times_by_method(tables),
                  ratings_by_method(tables), rating_counts(tables),
@@ -97,7 +98,9 @@ TEST(ResultTables, NumbersAreInFullPrecision) {
 }
 
 TEST(ResultTables, WhatDoesNotExistIsEmpty) {
-  const Results results = results_of(complete_study(1));
+  study::StudyRecords records = complete_study(1);
+  records.protocol.analysis.primary = {{"outline", "vp", "od"}};
+  const Results results = results_of(records);
   const CsvRow baseline_row = results.rows_of("times_by_scene").at(1);
   EXPECT_EQ(baseline_row.at(5), "");
   EXPECT_EQ(baseline_row.at(8), "");

@@ -13,15 +13,18 @@ using testing::Not;
 
 std::string summary_of(const study::StudyRecords& records) {
   StudyTables tables = tabulate_study(records);
-  const Background background = analyse_background(background_answers(records), tables.set);
+  const Background background =
+      analyse_background(background_answers(records), records.protocol.analysis, tables.set);
   return terminal_summary(tables, background, published_beside(tables.set));
 }
 
 TEST(Summary, HasTheMainNumbers) {
-  const std::string text = summary_of(golden_study_records());
+  study::StudyRecords records = golden_study_records();
+  records.protocol.analysis.primary = {{"material", "fv", "od"}};
+  const std::string text = summary_of(records);
   // From R, in data/golden/study_values.csv.
   EXPECT_THAT(text, HasSubstr("10.1 [9.2, 11.0]"));
-  EXPECT_THAT(text, HasSubstr("OD − FV in s, material"));
+  EXPECT_THAT(text, HasSubstr("log(OD/FV), material"));
   EXPECT_THAT(text, HasSubstr("1.74 ± 0.62"));
   EXPECT_THAT(text, HasSubstr("8 participants, 3 scenes, 3 methods"));
   EXPECT_THAT(text, Not(HasSubstr("imulated")));

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/data_files.h"
+#include "analysis/publication/printed_results.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "tests/analysis/made_up_study.h"
@@ -214,20 +215,33 @@ TEST(TrialData, QuestionsInNumbersAreDescribed) {
   EXPECT_EQ(rows[3].at(0), "unknown");
 }
 
-TEST(TrialData, ScoresAreATable) {
+TEST(TrialData, ScoresSayWhetherTheirSessionIsAnalysed) {
   study::StudyRecords records = complete_study(1);
+  records.sessions.push_back({"P2", "simulated", "completed", {}, {}});
+  records.sessions.push_back({"P3", "human", "excluded", {}, "slept"});
   study::Questionnaire form;
   form.id = "load";
   for (const char* item : {"mental_demand", "physical_demand", "temporal_demand", "performance",
                            "effort", "frustration"}) {
     form.questions.push_back({.id = item, .minimum = 0, .maximum = 20});
-    add_answer(records, "P1", "load", item, 10.0);
+    for (const char* participant : {"P1", "P2", "P3"}) {
+      add_answer(records, participant, "load", item, participant[1] == '1' ? 10.0 : 20.0);
+    }
   }
   records.protocol.questionnaires = {form};
-  const std::vector<CsvRow> rows =
-      parse_csv(csv_of(questionnaire_scores(records, "human")), "scores");
-  ASSERT_EQ(rows.size(), 2U);
-  EXPECT_THAT(rows[1], ElementsAre("P1", "load", "0", "NASA-TLX", "raw_load", "50", "human"));
+  const Table scores = questionnaire_scores(records, select_for_analysis(records));
+  const std::vector<CsvRow> rows = parse_csv(csv_of(scores), "scores");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_THAT(rows[1],
+              ElementsAre("P1", "analysed", "load", "0", "NASA-TLX", "raw_load", "50", "human"));
+  EXPECT_THAT(rows[2], ElementsAre("P2", "other kind", "load", "0", "NASA-TLX", "raw_load", "100",
+                                   "simulated"));
+  EXPECT_EQ(rows[3].at(1), "excluded");
+  // Means in print are of the analysed ones.
+  const PrintedTable printed = printed_scores(scores);
+  ASSERT_EQ(printed.rows.size(), 1U);
+  EXPECT_THAT(printed.rows[0],
+              ElementsAre("load (step 0), raw_load", "NASA-TLX", "1", "50.0", "–", "50.0"));
 }
 
 TEST(TrialData, PsychDsDescribesItsVariables) {

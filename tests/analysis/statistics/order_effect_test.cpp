@@ -50,6 +50,14 @@ TEST(OrderEffect, WithoutVaryingPositionsThereIsNone) {
   EXPECT_FALSE(order_effect({}));
 }
 
+// Two centred slopes are equal by construction: P was 3e-15, by rounding alone.
+TEST(OrderEffect, TwoParticipantsHaveNone) {
+  std::vector<OrderedValue> values = golden_order();
+  std::erase_if(values, [](const OrderedValue& value) { return value.participant > 2; });
+  EXPECT_FALSE(values.empty());
+  EXPECT_FALSE(order_effect(values));
+}
+
 TEST(OrderEffect, AFixedOrderIsConfoundedWithConditionsAndHasNone) {
   std::vector<OrderedValue> values = golden_order();
   for (OrderedValue& value : values) {

@@ -23,7 +23,7 @@ TEST(Procedure, EveryKeyIsRead) {
 scene_order = "latin"
 method_order = "williams"
 object = "per method"
-phases = ["after", "consent", "reaction", "trials"]
+phases = ["after", "consent", "background", "reaction", "trials"]
 )" + minimal + R"(
 [texts]
 consent = "Suostun."
@@ -80,9 +80,18 @@ id = "words"
 text = "What else?"
 kind = "text"
 required = false
+[[questionnaire]]
+id = "background"
+title = "You"
+[[questionnaire.question]]
+id = "expertise"
+text = "How much?"
+minimum = 1
+maximum = 7
 [analysis]
 participants = 12
 alpha = 0.01
+background = ["expertise"]
 [[analysis.primary]]
 measure = "shape"
 method = "fv"
@@ -98,7 +107,8 @@ noise = 0.5
   EXPECT_EQ(protocol.scene_order, Order::latin);
   EXPECT_EQ(protocol.method_order, Order::williams);
   EXPECT_EQ(protocol.object_choice, ObjectChoice::per_method);
-  EXPECT_THAT(phases_of(protocol), ElementsAre("after", "consent", "reaction", "trials"));
+  EXPECT_THAT(phases_of(protocol),
+              ElementsAre("after", "consent", "background", "reaction", "trials"));
   EXPECT_EQ(text_of(protocol.texts, "consent"), "Suostun.");
   EXPECT_EQ(text_of(protocol.texts, "ready_title"), "Valmiina {trial}?");
   ASSERT_EQ(protocol.marks.size(), 1U);
@@ -144,6 +154,7 @@ noise = 0.5
   EXPECT_FALSE(after.questions[1].required);
   EXPECT_EQ(protocol.analysis.participants, 12);
   EXPECT_EQ(protocol.analysis.alpha, 0.01);
+  EXPECT_THAT(protocol.analysis.background, ElementsAre("expertise"));
   ASSERT_EQ(protocol.analysis.primary.size(), 2U);
   EXPECT_EQ(protocol.analysis.primary[0].measure, "shape");
   EXPECT_EQ(protocol.analysis.primary[0].baseline, "od") << "the protocol's first";

@@ -285,6 +285,15 @@ INSTANTIATE_TEST_SUITE_P(
               "the keys here are artifacts, material, outline"},
         Fault{"margin_that_is_no_ratio", minimal + "[analysis.equivalence_margins]\noutline = 1\n",
               "6:11", "outline"},
+        Fault{"background_of_nothing",
+              minimal + "[analysis]\nbackground = [\"children\"]\n"
+                        "[[questionnaire]]\nid = \"background\"\ntitle = \"You\"\n"
+                        "[[questionnaire.question]]\nid = \"expertise\"\ntext = \"1 to 7\"\n"
+                        "minimum = 1\nmaximum = 7\n"
+                        "[[questionnaire.question]]\nid = \"hand\"\ntext = \"Hand\"\n"
+                        "kind = \"choice\"\n"
+                        "options = [{ label = \"left\", value = 1 }]\n",
+              "6:15", "'children' in numbers; choose from expertise"},
         Fault{"nobody_is_planned", minimal + "[analysis]\nparticipants = 0\n", "6:16",
               "participants"}),
     [](const testing::TestParamInfo<Fault>& test) { return test.param.name; });
