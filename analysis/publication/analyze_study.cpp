@@ -376,7 +376,8 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
                       options.r ? fit_models_of(models, staged.path())
                                 : FittedModels{.missing = "it was not asked for (analyze --r)"});
   output.results = tables_of(output, records, trials, gaze, participants, answers, models);
-  output.summary = terminal_summary(output.tables, output.background, published);
+  output.summary =
+      terminal_summary(output.tables, output.comparisons, output.background, published);
   output.warnings = warnings_about(output);
   if (const std::string& why = output.comparisons.models.missing; options.r && !why.empty()) {
     output.warnings.push_back(fmt::format("No model was fitted: {}.", why));

@@ -1,11 +1,8 @@
 #include "analysis/publication/report.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
-#include "analysis/dataset/wording.h"
-#include "analysis/koskela2018/profile.h"
+#include "analysis/publication/headline.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
 #include "analysis/tables/html.h"
@@ -13,45 +10,16 @@
 namespace foveola::analysis {
 namespace {
 
-/// The crossed model's ratio, for scenes like these; empty where it is not the primary analysis.
-std::string for_other_scenes(const Comparisons& comparisons, const MethodTimes& times,
-                             const std::string& reference) {
-  for (const MethodComparison& row : comparisons.methods) {
-    if (row.measure == times.mark && row.method == times.method && row.reference == reference &&
-        row.primary && row.primary->kind == AnalysisKind::crossed_model) {
-      const PrimaryResult& result = *row.primary;
-      Estimate percent{.value = 100.0 * std::exp(result.estimate)};
-      if (result.interval) {
-        percent.interval = {100.0 * std::exp(result.interval->low),
-                            100.0 * std::exp(result.interval->high)};
-      }
-      return fmt::format("; in scenes like these, {} %", with_interval(percent, 1));
-    }
-  }
-  return "";
-}
-
 std::string findings_html(const StudyTables& tables, const Comparisons& comparisons) {
   std::string items;
-  for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
-    for (const std::size_t mark : tables.set.times()) {
-      const MethodTimes& times = tables.method_times_of(mark, method);
-      if (times.percent_of_baseline) {
-        items += fmt::format(
-            "<li>{} took <strong>{} %</strong> of {}’s time until {} {}{}.</li>\n",
-            escape_html(method_label(times.method)),
-            escape_html(with_interval(times.percent_of_baseline, 1)),
-            escape_html(baseline_label(tables)), escape_html(moment_of(tables.set.measures[mark])),
-            in_these_scenes(tables),
-            escape_html(for_other_scenes(comparisons, times, tables.set.methods[baseline])));
-      }
-    }
+  for (const Headline& finding : headlines(tables, comparisons)) {
+    items += fmt::format("<li>{} <strong>{}</strong> {}.</li>\n", escape_html(finding.before),
+                         escape_html(finding.value), escape_html(finding.after));
   }
   return items.empty() ? ""
                        : "<ul class=\"findings\">\n" + items +
-                             "</ul>\n<p>Geometric means over scenes, with 95 % intervals over "
-                             "participants in brackets; in scenes like these, with intervals over "
-                             "participants and scenes (crossed mixed model).</p>\n";
+                             "</ul>\n<p>The primary analysis of each comparison, with its 95 % "
+                             "confidence interval in brackets.</p>\n";
 }
 
 std::string methods_text_section(const std::string& methods) {

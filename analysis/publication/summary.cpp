@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/publication/headline.h"
 #include "analysis/publication/printed_results.h"
 #include "renderer/base/utf8.h"
 
@@ -19,11 +20,15 @@ std::string block(const StudyTables& tables, PrintedTable table) {
 
 }  // namespace
 
-std::string terminal_summary(const StudyTables& tables, const Background& background,
+std::string terminal_summary(const StudyTables& tables, const Comparisons& comparisons,
+                             const Background& background,
                              const std::optional<PublishedStudy>& published) {
   std::string text = fmt::format(
       "{}: {}, {}, {}\n", printable(tables.protocol_name), participants_in_words(tables),
       counted(tables.set.scenes.size(), "scene"), counted(tables.set.methods.size(), "method"));
+  for (const Headline& finding : headlines(tables, comparisons)) {
+    text += fmt::format("  {}.\n", printable(finding.sentence()));
+  }
   for (const std::size_t mark : tables.set.times()) {
     text += block(tables, printed_times(tables, mark, published));
   }
@@ -31,6 +36,9 @@ std::string terminal_summary(const StudyTables& tables, const Background& backgr
       "  Mean ± standard deviation; % of each participant's own {} time. The last row: geometric\n"
       "  mean over scenes with a 95 % interval over participants.\n",
       printable(method_label(tables.set.methods[baseline])));
+  if (const std::string censored = censored_times_in_words(tables.set); !censored.empty()) {
+    text += fmt::format("  {}\n", printable(censored));
+  }
   if (published) {
     text += block(tables, printed_geometric_means(tables, published));
   }

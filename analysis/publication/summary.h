@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/background.h"
 #include "analysis/koskela2018/published_study.h"
@@ -11,8 +12,9 @@
 namespace foveola::analysis {
 
 /// Several lines of aligned plain text, ended by a line break; the first says whether participants
-/// were simulated. Control characters in names are shown as "?".
-std::string terminal_summary(const StudyTables& tables, const Background& background,
+/// were simulated, those below it are the headline. Control characters in names are shown as "?".
+std::string terminal_summary(const StudyTables& tables, const Comparisons& comparisons,
+                             const Background& background,
                              const std::optional<PublishedStudy>& published);
 
 }  // namespace foveola::analysis

@@ -15,7 +15,8 @@ std::string summary_of(const study::StudyRecords& records) {
   StudyTables tables = tabulate_study(records);
   const Background background =
       analyse_background(background_answers(records), records.protocol.analysis, tables.set);
-  return terminal_summary(tables, background, published_beside(tables.set));
+  return terminal_summary(tables, compare_methods(tables.set, records.protocol.analysis),
+                          background, published_beside(tables.set));
 }
 
 TEST(Summary, HasTheMainNumbers) {
@@ -28,6 +29,11 @@ TEST(Summary, HasTheMainNumbers) {
   EXPECT_THAT(text, HasSubstr("1.74 ± 0.62"));
   EXPECT_THAT(text, HasSubstr("8 participants, 3 scenes, 3 methods"));
   EXPECT_THAT(text, Not(HasSubstr("imulated")));
+}
+
+TEST(Summary, BeginsWithThePrimaryResults) {
+  EXPECT_THAT(summary_of(complete_study(4)),
+              HasSubstr("4 participants, 2 scenes, 3 methods\n  VP took "));
 }
 
 TEST(Summary, HasThePublishedNumbersBesideTheStudys) {
