@@ -209,7 +209,8 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
        report_html({tables, output.background, table_named(output.results, "answers_by_question"),
                     table_named(output.results, "questionnaire_scores"), output.comparisons,
                     quality, output.checks, figures, published,
-                    methods_paragraph(tables, output.comparisons, records), output.record})});
+                    methods_paragraph(tables, output.comparisons, records, quality),
+                    output.record})});
   return files;
 }
 
@@ -295,16 +296,15 @@ FittedModels fit_models_of(const Table& plan, const fs::path& folder) {
 /// Writes the behavioural data, and the gaze of the participants in them, with one attempt in
 /// memory at a time.
 void write_bids(const study::StudyRecords& records, const TrialColumns& trials,
-                const ParticipantColumns& participants,
-                const std::vector<study::GazeRunRow>& validations, const GazeReader& read_gaze,
-                const fs::path& folder, AnalysisOutput& output) {
+                const ParticipantColumns& participants, const study::DataQualityRecords& quality,
+                const GazeReader& read_gaze, const fs::path& folder, AnalysisOutput& output) {
   for (const TextFile& file : bids_files(output.tables, records, trials, participants)) {
     write_output(folder, file.name, file.content, output);
   }
   if (!read_gaze) {
     return;
   }
-  EyeTrackingExport eyes(output.tables.set, validations);
+  EyeTrackingExport eyes(output.tables.set, quality.gaze_runs, quality.gaze);
   read_gaze([&](const study::AttemptGaze& attempt) {
     for (const TextFile& file : eyes.files_of(attempt)) {
       write_output(folder, file.name, file.content, output);
@@ -386,7 +386,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
     output.warnings.push_back(withdrawn_in_words(data));
   }
   if (options.bids) {
-    write_bids(data, trials, participants, quality.gaze_runs, read_gaze, staged.path(), output);
+    write_bids(data, trials, participants, quality, read_gaze, staged.path(), output);
   }
   for (const TextFile& file : files_of(output, quality, records, published)) {
     write_output(staged.path(), file.name, file.content, output);

@@ -126,7 +126,12 @@ std::string readme(const StudyTables& tables) {
       "timing of a\ntrial; runs count these in the order of the session, trials that were timed "
       "again and practice included.\nIts .json says which trial it is, and "
       "*_physioevents.tsv.gz has the first frame, the marks and the eye's\nmovements. Where there "
-      "are any, .bidsignore names them, since older validators do not know them.\n\n"
+      "are any, .bidsignore names them, since older validators do not know them. A\n"
+      "*_recording-mouse_physio.tsv.gz is of sessions in which the mouse pointer stood for the "
+      "eye.\n\n"
+      "A value that does not exist is n/a; an answer that somebody typed as n/a is 'n/a, with an\n"
+      "apostrophe. NA, None or null are answers: read with na.strings = \"n/a\" in R, with\n"
+      "keep_default_na=False, na_values=[\"n/a\"] in pandas.\n\n"
       "Before you publish these files, add their Authors and License to "
       "dataset_description.json.\n",
       tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title,

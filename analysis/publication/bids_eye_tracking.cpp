@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/bids.h"
+#include "analysis/publication/gaze_source.h"
 #include "analysis/publication/gzip.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
@@ -57,21 +58,28 @@ SidecarJson timestamp_column() {
   return json;
 }
 
-std::string samples_json(const study::AttemptGaze& attempt, double frequency_hz,
-                         const std::optional<double>& accuracy_deg) {
+std::string samples_json(const study::AttemptGaze& attempt, const std::string& tracker,
+                         double frequency_hz, const std::optional<double>& accuracy_deg) {
   const Nanoseconds start =
       attempt.samples.front().time - attempt.first_frame.value_or(attempt.samples.front().time);
-  SidecarJson json = {
-      {"PhysioType", "eyetrack"},    {"SamplingFrequency", frequency_hz},
-      {"StartTime", seconds(start)}, {"Columns", {"timestamp", "x_coordinate", "y_coordinate"}},
-      {"RecordedEye", "cyclopean"},  {"SampleCoordinateSystem", "eye-in-head"}};
-  if (accuracy_deg) {
-    json["AverageCalibrationError"] = *accuracy_deg;
+  SidecarJson json = {{"PhysioType", is_mouse(tracker) ? "generic" : "eyetrack"},
+                      {"SamplingFrequency", frequency_hz},
+                      {"StartTime", seconds(start)},
+                      {"Columns", {"timestamp", "x_coordinate", "y_coordinate"}}};
+  if (!is_mouse(tracker)) {
+    json["RecordedEye"] = "cyclopean";
+    json["SampleCoordinateSystem"] = "eye-in-head";
+    if (accuracy_deg) {
+      json["AverageCalibrationError"] = *accuracy_deg;
+    }
   }
   json["timestamp"] = timestamp_column();
   json["x_coordinate"] = column("Azimuth of the gaze, rightwards from straight ahead", "deg");
   json["y_coordinate"] = column("Elevation of the gaze, upwards from straight ahead", "deg");
   // BIDS has no name for these keys.
+  if (!tracker.empty()) {
+    json["GazeSource"] = tracker_in_words(tracker);
+  }
   json["StartTimeReference"] = "the first presented frame of the trial";
   json["Trial"] = {{"Position", attempt.trial},  {"Kind", attempt.trial_kind},
                    {"Scene", attempt.scene},     {"Method", attempt.method},
@@ -109,7 +117,7 @@ void add_movements(const std::vector<GazeSample>& samples, std::vector<EyeEvent>
   }
 }
 
-std::vector<EyeEvent> events_of(const study::AttemptGaze& attempt) {
+std::vector<EyeEvent> events_of(const study::AttemptGaze& attempt, const std::string& tracker) {
   std::vector<EyeEvent> events;
   if (attempt.first_frame) {
     events.push_back({*attempt.first_frame, Nanoseconds(0), "first_frame", ""});
@@ -117,7 +125,9 @@ std::vector<EyeEvent> events_of(const study::AttemptGaze& attempt) {
   for (const study::MarkedMoment& mark : attempt.marks) {
     events.push_back({mark.time, Nanoseconds(0), mark.censored ? "timed_out" : "mark", mark.mark});
   }
-  add_movements(attempt.samples, events);
+  if (!is_mouse(tracker)) {
+    add_movements(attempt.samples, events);
+  }
   std::stable_sort(events.begin(), events.end(),
                    [](const EyeEvent& a, const EyeEvent& b) { return a.onset < b.onset; });
   return events;
@@ -155,7 +165,11 @@ std::string events_json() {
 }  // namespace
 
 EyeTrackingExport::EyeTrackingExport(const Dataset& set,
-                                     const std::vector<study::GazeRunRow>& validations) {
+                                     const std::vector<study::GazeRunRow>& validations,
+                                     const std::vector<study::AttemptGazeRow>& gaze) {
+  for (const study::AttemptGazeRow& row : gaze) {
+    trackers_[{row.participant, row.trial, row.attempt}] = row.tracker;
+  }
   const std::vector<std::string> labels = bids_labels(set);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     subjects_[set.participants[i]].label = labels[i];
@@ -179,13 +193,15 @@ std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& atte
     return {};
   }
   Subject& subject = found->second;
+  const auto known = trackers_.find({attempt.participant, attempt.trial, attempt.attempt});
+  const std::string tracker = known == trackers_.end() ? "" : known->second;
   const std::string stem =
-      fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_run-{1:02}_recording-eye1_physio",
-                  subject.label, ++subject.runs);
+      fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_run-{1:02}_recording-{2}_physio",
+                  subject.label, ++subject.runs, is_mouse(tracker) ? "mouse" : "eye1");
   std::vector<TextFile> files = {
       {stem + ".tsv.gz", gzip(samples_tsv(attempt.samples))},
-      {stem + ".json", samples_json(attempt, *frequency_hz, subject.accuracy_deg)}};
-  if (const std::vector<EyeEvent> events = events_of(attempt); !events.empty()) {
+      {stem + ".json", samples_json(attempt, tracker, *frequency_hz, subject.accuracy_deg)}};
+  if (const std::vector<EyeEvent> events = events_of(attempt, tracker); !events.empty()) {
     has_events_ = true;
     files.push_back({stem + "events.tsv.gz", gzip(events_tsv(events))});
     files.push_back({stem + "events.json", events_json()});

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
@@ -20,16 +21,18 @@ namespace foveola::analysis {
 class EyeTrackingExport {
  public:
   /// Exports the participants of `set`. A participant's accuracy is that of the last of
-  /// `validations` with any valid sample.
-  EyeTrackingExport(const Dataset& set, const std::vector<study::GazeRunRow>& validations);
+  /// `validations` with any valid sample; `gaze` names the tracker of each attempt.
+  EyeTrackingExport(const Dataset& set, const std::vector<study::GazeRunRow>& validations,
+                    const std::vector<study::AttemptGazeRow>& gaze);
 
   /// bids/sub-LABEL/beh/sub-LABEL_task-preview_run-RUN_recording-eye1 with _physio.tsv.gz,
   /// _physio.json, _physioevents.tsv.gz and _physioevents.json. A sample is its time by the
   /// session's clock in nanoseconds, then azimuth (rightwards) and elevation (upwards) in degrees
   /// from straight ahead, in the head's axes; "n/a" where the tracker saw no gaze. Events are the
   /// first frame, the marks and the eye's movements; without any, the last two files are left out.
-  /// Empty for a participant who is not analysed, or if the samples are too few to have a
-  /// frequency.
+  /// Where a mouse stood for the eye, it is a recording-mouse of the generic PhysioType, without
+  /// eye and movements. Empty for a participant who is not analysed, or if the samples are too few
+  /// to have a frequency.
   std::vector<TextFile> files_of(const study::AttemptGaze& attempt);
 
   /// bids/.bidsignore if any file so far needs it, so that validators that know no BIDS 1.11 pass
@@ -46,6 +49,8 @@ class EyeTrackingExport {
     std::optional<double> accuracy_deg;
   };
   std::map<std::string, Subject> subjects_;  ///< By the participant's code.
+  /// By the participant's code, trial and attempt.
+  std::map<std::tuple<std::string, std::size_t, int>, std::string> trackers_;
   std::size_t too_short_ = 0;
   bool has_events_ = false;
 };

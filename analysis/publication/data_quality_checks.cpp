@@ -10,6 +10,7 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/frame_checks.h"
 #include "analysis/publication/gaze_checks.h"
+#include "analysis/publication/gaze_source.h"
 #include "analysis/publication/session_checks.h"
 #include "analysis/statistics/order_balance.h"
 
@@ -229,6 +230,7 @@ DataQualityReport check_data_quality(const StudyTables& tables,
   const auto add = [&](const std::vector<DataQualityCheck>& checks) {
     report.checks.insert(report.checks.end(), checks.begin(), checks.end());
   };
+  add({check_gaze_source(tables.set, quality.gaze)});
   add(check_frames(report.frames));
   add(check_gaze(tables.set, records, quality.gaze_runs, gaze));
   add(check_sessions(tables.set, records, quality.courses));

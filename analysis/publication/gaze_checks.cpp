@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -82,18 +81,6 @@ DataQualityCheck check_objects_in_view(const std::vector<TrackedTrial>& trials) 
   return check;
 }
 
-/// What the gaze was of, where the record says: the pointer's and a simulated eye's are no
-/// person's.
-std::string trackers_in_words(const std::vector<TrackedTrial>& trials) {
-  std::set<std::string> trackers;
-  for (const TrackedTrial& trial : trials) {
-    if (!trial.gaze->tracker.empty()) {
-      trackers.insert(trial.gaze->tracker);
-    }
-  }
-  return trackers.empty() ? "" : fmt::format("; tracker: {}", fmt::join(trackers, ", "));
-}
-
 DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
   DataQualityCheck check{
       "Trials with the gaze elsewhere", "the gaze or the object was not recorded",
@@ -112,8 +99,8 @@ DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
     }
   }
   if (known > 0) {
-    check.found = fmt::format("{} of {}{}{}", elsewhere.size(), counted(known, "trial"),
-                              colon_and_findings(elsewhere), trackers_in_words(trials));
+    check.found = fmt::format("{} of {}{}", elsewhere.size(), counted(known, "trial"),
+                              colon_and_findings(elsewhere));
     check.verdict = within(elsewhere.empty());
   }
   return check;

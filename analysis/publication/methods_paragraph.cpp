@@ -1,6 +1,7 @@
 #include "analysis/publication/methods_paragraph.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "analysis/dataset/amended_labels.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
+#include "analysis/publication/gaze_source.h"
 
 namespace foveola::analysis {
 namespace {
@@ -82,6 +84,36 @@ std::string apparatus_in_words(const study::StudyRecords& records) {
   }
   return text + fmt::format(" The time-out of a mark was {:g} s; later marks are right-censored.",
                             records.protocol.timing.mark_timeout_s);
+}
+
+/// What stood for participants' eyes, and whether that differed.
+std::string gaze_in_words(const Dataset& set, const study::DataQualityRecords& quality) {
+  const std::vector<GazeSource> sources = gaze_sources(set, quality.gaze);
+  if (sources.empty()) {
+    return "";
+  }
+  return sources.size() == 1 ? fmt::format(" Gaze came from {}.", gaze_sources_in_words(sources))
+                             : fmt::format(" Gaze came from different sources: {}.",
+                                           gaze_sources_in_words(sources));
+}
+
+/// The programs that ran the analysed sessions, and whether they differed.
+std::string programs_in_words(const Dataset& set, const study::StudyRecords& records) {
+  std::vector<study::SessionPrograms> analysed;
+  std::ranges::copy_if(records.programs, std::back_inserter(analysed),
+                       [&](const study::SessionPrograms& session) {
+                         return std::ranges::binary_search(set.participants, session.participant);
+                       });
+  const std::vector<study::ProgramUse> uses = study::program_uses(analysed);
+  if (uses.empty()) {
+    return "";
+  }
+  if (uses.size() == 1) {
+    return fmt::format(" Sessions were run by {}.", uses.front().program);
+  }
+  std::vector<std::string> words;
+  std::ranges::transform(uses, std::back_inserter(words), study::use_in_words);
+  return fmt::format(" Sessions were run by different programs: {}.", fmt::join(words, "; "));
 }
 
 /// Whose primary analyses are of this kind, as the subject of a sentence: times, ratings or both.
@@ -190,6 +222,21 @@ std::string exclusions_in_words(const StudyTables& tables) {
       fmt::join(reasons, "; "));
 }
 
+/// How many ratings are missing, of those that were asked.
+std::string missing_ratings_in_words(const Dataset& set) {
+  std::size_t ratings = 0;
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < set.values.size(); ++i) {
+    if (set.measures[i % set.measures.size()].kind == MeasureKind::rating) {
+      ++ratings;
+      missing += set.values[i].state == Value::State::missing ? 1 : 0;
+    }
+  }
+  return missing == 0 ? ""
+                      : fmt::format(" Of {} ratings {} {} missing.", ratings, missing,
+                                    missing == 1 ? "was" : "were");
+}
+
 /// How many times were right-censored or not measured, of those that were planned.
 std::string gaps_in_words(const Dataset& set) {
   std::size_t times = 0;
@@ -272,7 +319,8 @@ std::string amendments_in_words(const StudyTables& tables) {
 }  // namespace
 
 std::string methods_paragraph(const StudyTables& tables, const Comparisons& comparisons,
-                              const study::StudyRecords& records) {
+                              const study::StudyRecords& records,
+                              const study::DataQualityRecords& quality) {
   const std::string warning = data_warning(tables);
   std::string text = warning.empty() ? "" : warning + " ";
   text += fmt::format("{} saw {} ({}), each with {} ({}) of progressive path tracing",
@@ -281,8 +329,10 @@ std::string methods_paragraph(const StudyTables& tables, const Comparisons& comp
                       listed(tables.set.methods));
   return text + measures_in_words(tables.set) + orders_in_words(records.protocol) +
          other_trials_in_words(records.protocol) + questionnaires_in_words(records.protocol) +
-         apparatus_in_words(records) + amendments_in_words(tables) + exclusions_in_words(tables) +
-         gaps_in_words(tables.set) + analysis_in_words(tables, comparisons) +
+         apparatus_in_words(records) + gaze_in_words(tables.set, quality) +
+         programs_in_words(tables.set, records) + amendments_in_words(tables) +
+         exclusions_in_words(tables) + gaps_in_words(tables.set) +
+         missing_ratings_in_words(tables.set) + analysis_in_words(tables, comparisons) +
          other_analyses_in_words(comparisons);
 }
 

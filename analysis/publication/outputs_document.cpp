@@ -13,6 +13,10 @@ study's marks, ratings and questions. Foveola's own copy of it is of a made-up s
 
 Every CSV file follows RFC 4180 (CRLF line ends, quotes where needed) with a heading; a column's name
 ends in its unit. A value that does not exist is an empty field (CSV), `null` (JSON), `n/a` (BIDS).
+What somebody typed may read like one: NA, None, null, n/a. Only an empty field is missing in CSV:
+read it so by `pandas.read_csv(file, keep_default_na=False, na_values=[""])`, in R by
+`read.csv(file, na.strings = "")`. In BIDS a typed `n/a` has an apostrophe before it, `'n/a`: read by
+`keep_default_na=False, na_values=["n/a"]` or `na.strings = "n/a"`, and take it away.
 Truth values are `TRUE` and `FALSE` in CSV, as R and pandas read them, and `true` and `false` elsewhere.
 Files for people are guarded, so that no spreadsheet takes a text that somebody typed for a formula: a
 text has an apostrophe before it if it begins with `=`, `+`, `-` or `@`, in full width too, with a tab,

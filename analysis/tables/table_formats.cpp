@@ -60,10 +60,20 @@ CsvRow names_of(const std::vector<Column>& columns) {
   return names;
 }
 
+/// "n/a" for a value that does not exist. A text "n/a" that somebody typed gets an apostrophe
+/// before it, and so does one with apostrophes already, so that one can be taken away again.
+std::string in_bids(const std::string& text) {
+  if (text.empty()) {
+    return "n/a";
+  }
+  const std::size_t quoted = text.find_first_not_of('\'');
+  return quoted != std::string::npos && text.substr(quoted) == "n/a" ? "'" + text : text;
+}
+
 std::string tsv_line(const CsvRow& texts) {
   std::string line;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    std::string text = texts[i].empty() ? "n/a" : texts[i];
+    std::string text = in_bids(texts[i]);
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
     line += (i > 0 ? "\t" : "") + text;

@@ -44,8 +44,9 @@ study::AttemptGaze made_up_gaze(const std::string& participant) {
 }
 
 std::vector<TextFile> files_of(const study::AttemptGaze& attempt,
-                               const std::vector<study::GazeRunRow>& validations = {}) {
-  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), validations);
+                               const std::vector<study::GazeRunRow>& validations = {},
+                               const std::vector<study::AttemptGazeRow>& gaze = {}) {
+  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), validations, gaze);
   return eyes.files_of(attempt);
 }
 
@@ -133,7 +134,7 @@ TEST(BidsEyeTracking, EachRecordingSaysWhichTrialItIs) {
 }
 
 TEST(BidsEyeTracking, RunsAreCountedForEachParticipant) {
-  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {});
+  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
   EXPECT_THAT(names_of(eyes.files_of(made_up_gaze("P1"))),
               ElementsAre(std::string(stem) + ".tsv.gz", std::string(stem) + ".json",
                           std::string(stem) + "events.tsv.gz", std::string(stem) + "events.json"));
@@ -147,7 +148,7 @@ TEST(BidsEyeTracking, WhoIsNotAnalysedHasNoFiles) {
 }
 
 TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
-  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {});
+  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
   study::AttemptGaze without_events = made_up_gaze("P1");
   without_events.first_frame.reset();
   without_events.marks.clear();
@@ -166,7 +167,7 @@ TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
 }
 
 TEST(BidsEyeTracking, RecordingsWithoutAFrequencyAreCounted) {
-  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {});
+  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
   study::AttemptGaze attempt = made_up_gaze("P1");
   attempt.samples.resize(1);
   EXPECT_THAT(eyes.files_of(attempt), IsEmpty());
@@ -182,6 +183,23 @@ TEST(BidsEyeTracking, HasTheAccuracyOfTheLastValidationWithValidSamples) {
   EXPECT_EQ(json_in(files_of(made_up_gaze("P1"), validations).at(1))["AverageCalibrationError"],
             0.5);
   EXPECT_FALSE(json_in(files_of(made_up_gaze("P1")).at(1)).contains("AverageCalibrationError"));
+}
+
+// A mouse has no eye: its path is no eye tracking.
+TEST(BidsEyeTracking, AMouseInPlaceOfAnEyeIsNamed) {
+  const study::AttemptGaze attempt = made_up_gaze("P1");
+  const std::vector<TextFile> files =
+      files_of(attempt, {{"P1", 1, 0.8, 0.1, 0.0, true}},
+               {{.participant = "P1", .trial = 3, .attempt = 1, .tracker = "pointer"}});
+  EXPECT_EQ(files.at(1).name,
+            "bids/sub-P1/beh/sub-P1_task-preview_run-01_recording-mouse_physio.json");
+  const nlohmann::json json = json_in(files.at(1));
+  EXPECT_EQ(json["PhysioType"], "generic");
+  EXPECT_EQ(json["GazeSource"], "the mouse pointer in place of an eye");
+  for (const char* of_eyes : {"RecordedEye", "SampleCoordinateSystem", "AverageCalibrationError"}) {
+    EXPECT_FALSE(json.contains(of_eyes)) << of_eyes;
+  }
+  EXPECT_THAT(rows_in(files.at(2)), SizeIs(3)) << "the first frame and two marks";
 }
 
 }  // namespace

@@ -121,6 +121,23 @@ TEST(DataQualityChecks, OnlyTheLastValidationCounts) {
   EXPECT_EQ(check_of(report, "Validation").verdict, Verdict::flagged);
 }
 
+TEST(DataQualityChecks, AMouseInPlaceOfAnEyeAndSessionsThatDifferAreFlagged) {
+  study::DataQualityRecords quality;
+  quality.gaze = {{.participant = "P1", .tracker = "fove0"},
+                  {.participant = "X", .tracker = "hid"}};
+  EXPECT_EQ(check_of(report_on(complete_study(2)), "Source").verdict, Verdict::unknown);
+  EXPECT_EQ(check_of(report_on(complete_study(2), quality), "Source").verdict, Verdict::passed);
+  quality.gaze.push_back({.participant = "P2", .tracker = "pointer"});
+  const DataQualityCheck mixed = check_of(report_on(complete_study(2), quality), "Source");
+  EXPECT_EQ(mixed.verdict, Verdict::flagged);
+  EXPECT_EQ(mixed.found,
+            "the eye tracker of profile fove0 (P1); the mouse pointer in place of an eye (P2)");
+  quality.gaze.erase(quality.gaze.begin());
+  const DataQualityCheck mouse = check_of(report_on(complete_study(2), quality), "Source");
+  EXPECT_EQ(mouse.verdict, Verdict::flagged);
+  EXPECT_EQ(mouse.found, "the mouse pointer in place of an eye");
+}
+
 TEST(DataQualityChecks, ManyTimesThatRanOutAreFlagged) {
   study::StudyRecords records = complete_study(5);
   EXPECT_EQ(check_of(report_on(records), "ran out").found, "none");

@@ -16,9 +16,11 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string paragraph(const study::StudyRecords& records) {
+std::string paragraph(const study::StudyRecords& records,
+                      const study::DataQualityRecords& quality = {}) {
   const StudyTables tables = tabulate_study(records);
-  return methods_paragraph(tables, compare_methods(tables.set, records.protocol.analysis), records);
+  return methods_paragraph(tables, compare_methods(tables.set, records.protocol.analysis), records,
+                           quality);
 }
 
 TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
@@ -34,6 +36,26 @@ TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
   EXPECT_THAT(text, HasSubstr("profile fove0"));
   EXPECT_THAT(text, HasSubstr("time-out of a mark was 900 s"));
   EXPECT_THAT(text, HasSubstr("2 comparisons were planned"));
+}
+
+TEST(MethodsParagraph, SaysWhereTheGazeCameFromAndWhereSessionsDiffer) {
+  study::StudyRecords records = complete_study(2);
+  records.programs = {{"P1", {"foveola 0.2.0"}}, {"P2", {"foveola 0.2.0"}}};
+  study::DataQualityRecords quality;
+  quality.gaze = {{.participant = "P1", .tracker = "pointer"},
+                  {.participant = "P2", .tracker = "pointer"}};
+  value_of(records, "P2", "barn", "fv", "artifacts") = {};
+  EXPECT_THAT(paragraph(records, quality),
+              AllOf(HasSubstr("Gaze came from the mouse pointer in place of an eye."),
+                    HasSubstr("Sessions were run by foveola 0.2.0."),
+                    HasSubstr("Of 12 ratings 1 was missing.")));
+  quality.gaze[1].tracker = "fove0";
+  records.programs[1].programs = {"foveola 0.1.0"};
+  EXPECT_THAT(paragraph(records, quality),
+              AllOf(HasSubstr("different sources: the eye tracker of profile fove0 (P2); the mouse "
+                              "pointer in place of an eye (P1)."),
+                    HasSubstr("different programs: foveola 0.2.0 in 1 session; foveola 0.1.0 in 1 "
+                              "session.")));
 }
 
 TEST(MethodsParagraph, LeavesOutWhatItDoesNotSay) {

@@ -33,7 +33,7 @@ std::string simulated_report() {
                       questionnaire_scores(records, tables.set), comparisons, quality,
                       check_data_quality(tables, quality, records), draw_figures(tables),
                       std::optional<PublishedStudy>{},
-                      methods_paragraph(tables, comparisons, records), std::nullopt});
+                      methods_paragraph(tables, comparisons, records, quality), std::nullopt});
 }
 
 /// The texts from each `begin` to the next `end`.

@@ -25,7 +25,7 @@ std::string report_of(const study::StudyRecords& records,
   return report_html({tables, background, answers_by_question(records, tables.set),
                       questionnaire_scores(records, tables.set), comparisons, quality,
                       check_data_quality(tables, quality, records), draw_figures(tables), published,
-                      methods_paragraph(tables, comparisons, records), std::nullopt});
+                      methods_paragraph(tables, comparisons, records, quality), std::nullopt});
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {

@@ -135,5 +135,12 @@ TEST(Table, ItemsBecomeRowsInTheirOrder) {
   EXPECT_EQ(table.columns.at(1).description, "Half of it");
 }
 
+// By BIDS 1.11.1 (common principles), n/a is a missing value.
+TEST(TableFormats, AnAnswerThatReadsLikeAMissingOneSurvivesBids) {
+  EXPECT_EQ(tsv_row({std::string("n/a"), std::string("'n/a"), std::string("NA"), Field(),
+                     std::string("it's n/a")}),
+            "'n/a\t''n/a\tNA\tn/a\tit's n/a\n");
+}
+
 }  // namespace
 }  // namespace foveola::analysis
