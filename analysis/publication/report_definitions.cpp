@@ -56,8 +56,11 @@ std::string definitions_section(const StudyTables& tables) {
       "pair’s influence on the ratio; with fixed scenes, each has a ratio of its own, of which the "
       "mean is given, and errors are clustered by participant, t with one degree of freedom fewer "
       "than participants. Ratings: a cumulative link mixed model with the same random effects, "
-      "whose standard error and degrees of freedom are those of a balanced linear model of the "
-      "latent variable, or signed ranks. "
+      "with P by the likelihood ratio and the interval by the profile likelihood, whose signed "
+      "root "
+      "is held against t with the degrees of freedom of a balanced linear model of the latent "
+      "variable, and scaled by the ratio of that model’s standard error to Wald’s; or signed "
+      "ranks. "
       "Without censoring and gaps the mixed model is of closed form; all else is fitted by R.");
   define("Pairs",
          "The trials of both methods in one scene by one participant. Each comparison uses "
@@ -115,7 +118,7 @@ std::string definitions_section(const StudyTables& tables) {
          "of freedom. "
          "Spearman’s is of the same form, but exact, over all orders of the ranks, for up to nine "
          "participants. Intervals are Fisher’s z, for ρ with the variance (1 + ρ²/2)/(n − 3) of "
-         "Bonett and Wright. None is corrected for the number of comparisons.");
+         "Bonett and Wright.");
   return html_section("Definitions", html + "</dl>\n");
 }
 

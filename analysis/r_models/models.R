@@ -269,8 +269,8 @@ ordinal_model <- function(rows, comparison) {
   row <- coef(summary(fit))[paste0("method", comparison$method), ]
   estimate <- row[["Estimate"]]
   wald <- row[["Std. Error"]]
-  # As likely with a far larger effect: there is no largest one.
-  is_separated <- abs(estimate) > 8 && root_at(estimate + sign(estimate) * 5) < 0.1
+  # As likely as with a far smaller effect, of an odds ratio of e^10: there is no largest one.
+  is_separated <- abs(estimate) > 10 && root_at(sign(estimate) * 10) < 0.2
   is_singular <- !is.finite(wald)
   variances <- ordinal::VarCorr(fit)
   # The variance of the difference between two methods.
@@ -294,6 +294,7 @@ ordinal_model <- function(rows, comparison) {
   } else {
     c(NA, NA)
   }
+  if (any(is.infinite(ends)) && !is_separated) note <- c(note, "the interval has an open end")
   if (is_separated) {
     estimate <- sign(estimate) * Inf
     note <- c(note, "the methods' ratings are separated: the odds ratio has no largest value")
@@ -345,15 +346,13 @@ error_of_latent <- function(variance, gain, count) {
          total^2 / (sum(strata^2 / freedom[varies]) + shared^2 / prod(freedom)))
 }
 
-# The same without a standard error: the scale of the root of the likelihood ratio, as if all of the
-# estimate's variance were between the fewest people or scenes that differ in their gain.
+# The same where the Hessian gives no standard error: the latent variable's residual is logistic, of
+# the variance pi^2 / 3.
 error_without_hessian <- function(gain, count) {
-  parts <- c(gain$participant, gain$scene) / c(count$participants, count$scenes)
-  varies <- !is.na(parts) & parts > 1e-6
-  variance <- if (any(varies)) sum(parts[varies]) else 1
-  latent <- error_of_latent(variance,
-                            list(participant = if (varies[1]) gain$participant else NA,
-                                 scene = if (varies[2]) gain$scene else NA), count)
+  levels <- c(count$participants, count$scenes)
+  variance <- sum(c(gain$participant, gain$scene) / levels, na.rm = TRUE) +
+    2 * pi^2 / 3 / prod(levels)
+  latent <- error_of_latent(variance, gain, count)
   list(standard_error = NA, degrees_of_freedom = latent$degrees_of_freedom,
        scale = latent$standard_error / sqrt(variance))
 }

@@ -41,7 +41,9 @@ nlohmann::json json_for(const study::StudyRecords& records,
 
 TEST(AnalysisJson, HasThePathsAndTheNumbersOfR) {
   const auto golden = golden_study();
-  const nlohmann::json json = json_for(golden_study_records());
+  study::StudyRecords records = golden_study_records();
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
+  const nlohmann::json json = json_for(records);
   EXPECT_EQ(json["report"], "results/report.html");
   EXPECT_EQ(json["baseline"], "od");
   EXPECT_EQ(json["participants"], 8);
@@ -55,8 +57,8 @@ TEST(AnalysisJson, HasThePathsAndTheNumbersOfR) {
                 golden.at("outline.fv.high_percent"));
   EXPECT_GOLDEN(tables["times_by_scene"].at(0)["sd_s"].get<double>(),
                 golden.at("outline.aula.od.sd_s"));
-  EXPECT_GOLDEN(tables["background_correlation"].at(5)["p_two_sided"].get<double>(),
-                golden.at("outline.fv.p"));
+  EXPECT_GOLDEN(tables["background_correlation"].at(0)["p_two_sided"].get<double>(),
+                golden.at("outline.fv.log_p"));
 }
 
 TEST(AnalysisJson, SaysWhoseDataItShows) {
@@ -133,7 +135,7 @@ TEST(AnalysisJson, HasTheChecksOfDataQualityAndTheirFigures) {
   quality.reactions = {{"P2", 0.25, false}};
   const nlohmann::json found = json_for(complete_study(2), quality)["tables"];
   EXPECT_GE(found["data_quality"].size(), 8U);
-  EXPECT_EQ(found["data_quality"].at(1)["verdict"], "flagged");
+  EXPECT_EQ(found["data_quality"].at(2)["verdict"], "flagged");
   EXPECT_EQ(found["latency"].at(0)["late_frames"], 7);
   EXPECT_EQ(found["latency"].at(0)["mean_gaze_age_s"], 0.012);
   EXPECT_EQ(found["reaction_times"].at(0)["median_s"], 0.25);
@@ -150,7 +152,9 @@ TEST(AnalysisJson, SaysWhichSessionsWereAmended) {
 }
 
 TEST(AnalysisJson, WhatDoesNotExistIsNull) {
-  const nlohmann::json tables = json_for(complete_study(1))["tables"];
+  study::StudyRecords records = complete_study(1);
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
+  const nlohmann::json tables = json_for(records)["tables"];
   EXPECT_TRUE(tables["times_by_method"].at(0)["geometric_mean_percent_of_baseline"].is_null());
   EXPECT_TRUE(tables["times_by_method"].at(1)["ci95_low_percent_of_baseline"].is_null());
   EXPECT_TRUE(tables["times_by_scene"].at(0)["sd_s"].is_null());

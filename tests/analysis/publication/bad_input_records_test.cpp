@@ -106,7 +106,8 @@ TEST_F(BadInputRecords, NothingMeasuredIsStillAReport) {
   records.values.assign(records.values.size(), {});
   records.answers.clear();
   const AnalysisOutput output = analyze(records);
-  EXPECT_EQ(output.tables.set.exclusions.size(), records.trials.size() * 3);
+  // Of the trials' three measures, and of each participant's background.
+  EXPECT_EQ(output.tables.set.exclusions.size(), records.trials.size() * 3 + 3);
   EXPECT_THAT(written("report.html"), HasSubstr("36 × no time recorded"));
   EXPECT_THAT(written("report.html"), HasSubstr("18 × no rating recorded"));
 }

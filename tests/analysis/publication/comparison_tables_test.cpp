@@ -100,7 +100,7 @@ TEST(ComparisonTables, HaveNoColumnsFromBoundsOfRightCensoredTimes) {
 }
 
 TEST(ComparisonTables, EquivalenceIsInTheMarginsUnit) {
-  const StudyTables tables = tabulate_study(golden_study_records());
+  const StudyTables tables = tabulate_study(complete_study(8));
   study::AnalysisPlan plan;
   plan.equivalence_margins = {{"outline", 1.5}, {"artifacts", 0.5}};
   const Comparisons comparisons = compare_methods(tables.set, plan);

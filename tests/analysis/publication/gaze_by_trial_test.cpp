@@ -115,7 +115,7 @@ TEST_F(GazeByTrial, AnObjectBehindTheHeadAndAGazeElsewhereAreFlagged) {
   EXPECT_EQ(view.found, "1 of 6 marks: P01, hall, od, material");
   const DataQualityCheck& elsewhere = check_of(output, "Trials with the gaze elsewhere");
   EXPECT_EQ(elsewhere.verdict, Verdict::flagged);
-  EXPECT_EQ(elsewhere.found, "1 of 3 trials: P01, box, od: 60 %; tracker: pointer");
+  EXPECT_EQ(elsewhere.found, "1 of 3 trials: P01, box, od: 60 %");
   EXPECT_THAT(output.warnings, Contains(HasSubstr("Marks with the object out of view: 1 of 6")));
   const std::string report = read_file(output.report);
   EXPECT_THAT(report, HasSubstr("⚑ Trials with the gaze elsewhere: 1 of 3 trials"));

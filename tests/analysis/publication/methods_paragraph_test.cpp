@@ -136,13 +136,14 @@ TEST(MethodsParagraph, SaysWhatWasMarkedAndRatedInTheProtocolsWords) {
                               "when its material could be judged; then they rated “"),
                     HasSubstr("(artifacts: 1 none to 5 not discernible at all)")));
   records.measures = study::trial_measures(
-      {{"third", "Now it is sharp.", ""}, {"material", "", ""}},
+      {{"third", "Now it is sharp.", ""}, {"material", "It is wood.", ""}},
       {{.id = "comfort", .text = "Comfortable?", .labels = {"a", "b", "c", "d", "e"}}});
-  EXPECT_THAT(paragraph(records),
-              AllOf(HasSubstr("marked when “Now it is sharp.” (third) and when its material"),
-                    HasSubstr("then they rated “Comfortable?” (comfort: 1 (a), 2 (b), 3 (c), 4 "
-                              "(d), 5 (e))."),
-                    Not(HasSubstr("artifacts"))));
+  EXPECT_THAT(
+      paragraph(records),
+      AllOf(HasSubstr("marked when “Now it is sharp.” (third) and when “It is wood.” (material)"),
+            HasSubstr("then they rated “Comfortable?” (comfort: 1 (a), 2 (b), 3 (c), 4 "
+                      "(d), 5 (e))."),
+            Not(HasSubstr("artifacts"))));
 }
 
 TEST(MethodsParagraph, SaysOfWhichPlannedComparisonsThereIsNoP) {

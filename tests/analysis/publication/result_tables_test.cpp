@@ -122,6 +122,7 @@ TEST(ResultTables, SimulatedParticipantsAreSaidToBe) {
 
 TEST(ResultTables, EveryTableSaysWhoseDataItShows) {
   study::StudyRecords records = complete_study(3);
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
   for (const char* kind : {"simulated", "pilot", "human"}) {
     for (study::SessionRow& session : records.sessions) {
       session.kind = kind;

@@ -58,6 +58,7 @@ TEST(Summary, SaysThatDataAreSimulated) {
 
 TEST(Summary, EveryTableSaysWhoseDataItShows) {
   study::StudyRecords records = complete_study(3);
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
   for (study::SessionRow& session : records.sessions) {
     session.kind = "pilot";
   }

@@ -213,6 +213,7 @@ TEST(FitModels, TakeRightCensoredTimesForWhatTheyAre) {
 TEST(FitModels, SeparatedRatingsHaveALikelihoodRatio) {
   study::StudyRecords records = noisy_study();
   records.protocol.analysis.primary = {{"artifacts", "fv", "od"}};
+  records.protocol.analysis.scenes = study::SceneEffects::fixed;
   change_values(records, "artifacts", [&, i = std::size_t{0}](Value& value) mutable {
     const double of_method = records.trials[i].method == 0 ? 1.0 : 2.0;
     value = measured(of_method + static_cast<double>((i * i / 3) % 2));

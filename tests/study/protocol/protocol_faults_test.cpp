@@ -292,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "minimum = 1\nmaximum = 7\n"
                         "[[questionnaire.question]]\nid = \"hand\"\ntext = \"Hand\"\n"
                         "kind = \"choice\"\n"
-                        "options = [{ label = \"left\", value = 1 }]\n",
+                        "options = [{ label = \"left\", value = 1 }, { label = \"right\" }]\n",
               "6:15", "'children' in numbers; choose from expertise"},
         Fault{"nobody_is_planned", minimal + "[analysis]\nparticipants = 0\n", "6:16",
               "participants"}),
