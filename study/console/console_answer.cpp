@@ -2,22 +2,38 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "study/console/console_command.h"
 #include "study/console/console_words.h"
 
 namespace foveola::study {
+namespace {
 
-ConsoleAnswer answer_to(const std::string& line, const SessionState& state,
-                        const Procedure& procedure, const Plan& plan) {
+std::string reply_to_unknown(const std::string& line) {
+  const std::string usage = console_usage(line);
+  if (line.empty() || usage.empty()) {
+    return line.empty() ? "" : fmt::format("What is '{}'? help says what there is.", line);
+  }
+  return fmt::format("'{}' is not a whole command; type {}", line, usage);
+}
+
+}  // namespace
+
+ConsoleAnswer answer_to(const std::string& line, const AskedSession& session) {
   const std::optional<ConsoleCommand> command = parse_console_line(line);
   if (!command) {
-    return {.reply = line.empty() ? "" : "What is '" + line + "'? help says what there is."};
+    return {.reply = reply_to_unknown(line)};
+  }
+  if (!command->code.empty() && command->code != session.participant) {
+    return {.reply = fmt::format("'{}' is not the participant of this session; type the code {}",
+                                 command->code, session.participant)};
   }
   switch (command->action) {
     case ConsoleAction::state:
-      return {.reply = words_for(state, procedure, plan)};
+      return {.reply = words_for(session.state, session.procedure, session.plan)};
     case ConsoleAction::next:
-      return {.reply = words_for_next(state, procedure, plan)};
+      return {.reply = words_for_next(session.state, session.procedure, session.plan)};
     case ConsoleAction::note:
       return {.event = NoteWritten{command->text}};
     case ConsoleAction::pause:
@@ -30,6 +46,8 @@ ConsoleAnswer answer_to(const std::string& line, const SessionState& state,
       return {.event = Excluded{command->text}};
     case ConsoleAction::withdraw:
       return {.event = Withdrawn{}};
+    case ConsoleAction::undo:
+      return {.event = EndUndone{}};
     case ConsoleAction::quit:
       return {.quits = true};
     case ConsoleAction::help:

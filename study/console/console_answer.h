@@ -15,8 +15,15 @@ struct ConsoleAnswer {
   bool quits = false;
 };
 
-/// state: the session's, on the disk or not. An empty line has none of the three.
-ConsoleAnswer answer_to(const std::string& line, const SessionState& state,
-                        const Procedure& procedure, const Plan& plan);
+/// Where a session is that a line is about.
+struct AskedSession {
+  const std::string& participant;  ///< the code, without which no line ends the session
+  const SessionState& state;       ///< on the disk or not
+  const Procedure& procedure;
+  const Plan& plan;
+};
+
+/// An empty line has none of the three.
+ConsoleAnswer answer_to(const std::string& line, const AskedSession& session);
 
 }  // namespace foveola::study

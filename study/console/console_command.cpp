@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,9 @@ struct CommandWord {
   ConsoleAction action;
   std::string_view argument;  ///< empty: it takes none
   std::string_view help;
+
+  bool takes_code() const { return argument.starts_with("CODE"); }
+  bool takes_text() const { return argument.ends_with("TEXT") || argument.ends_with("REASON"); }
 };
 
 constexpr std::array words = {
@@ -23,8 +27,11 @@ constexpr std::array words = {
                 "a trial that has begun is timed again after it"},
     CommandWord{"resume", ConsoleAction::resume, "", "after a pause"},
     CommandWord{"retime", ConsoleAction::retime, "", "the timing failed: times the method again"},
-    CommandWord{"exclude", ConsoleAction::exclude, "REASON", "ends the session; its data stay"},
-    CommandWord{"withdraw", ConsoleAction::withdraw, "", "the participant stops taking part"},
+    CommandWord{"exclude", ConsoleAction::exclude, "CODE REASON",
+                "ends the session; its data stay"},
+    CommandWord{"withdraw", ConsoleAction::withdraw, "CODE",
+                "ends the session: the participant stops taking part"},
+    CommandWord{"undo", ConsoleAction::undo, "", "takes back what has just ended the session"},
     CommandWord{"quit", ConsoleAction::quit, "", "interrupts; --resume goes on later"},
     CommandWord{"help", ConsoleAction::help, "", "these lines"},
 };
@@ -44,24 +51,49 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
 }
 
+/// Takes the first word off the text.
+std::string_view take_word(std::string_view& text) {
+  text = trimmed(text);
+  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+  text.remove_prefix(word.size());
+  return word;
+}
+
 }  // namespace
 
 std::optional<ConsoleCommand> parse_console_line(std::string_view line) {
-  const std::string_view command = trimmed(line);
-  const std::size_t gap = std::min(command.find_first_of(" \t"), command.size());
-  const std::string_view word = command.substr(0, gap);
-  const std::string_view text = trimmed(command.substr(gap));
-  const auto* const known = known_word(word);
-  const bool is_whole = known != words.end() && known->argument.empty() == text.empty();
-  return is_whole
-             ? std::optional(ConsoleCommand{.action = known->action, .text = std::string(text)})
-             : std::nullopt;
+  std::string_view rest = line;
+  const auto* const known = known_word(take_word(rest));
+  if (known == words.end()) {
+    return std::nullopt;
+  }
+  ConsoleCommand command{.action = known->action};
+  if (known->takes_code()) {
+    command.code = take_word(rest);
+  }
+  command.text = trimmed(rest);
+  const bool is_whole =
+      known->takes_code() != command.code.empty() && known->takes_text() != command.text.empty();
+  return is_whole ? std::optional(std::move(command)) : std::nullopt;
+}
+
+std::string console_usage(std::string_view line) {
+  const auto* const known = known_word(take_word(line));
+  return known == words.end() ? "" : fmt::format("{} {}", known->word, known->argument);
+}
+
+std::string console_words() {
+  std::string line;
+  for (const CommandWord& one : words) {
+    line += fmt::format("{}{}", line.empty() ? "" : "  ", one.word);
+  }
+  return line;
 }
 
 std::string console_help() {
   std::string help;
   for (const CommandWord& one : words) {
-    help += fmt::format("  {:<16}{}\n", fmt::format("{} {}", one.word, one.argument), one.help);
+    help += fmt::format("  {:<21}{}\n", fmt::format("{} {}", one.word, one.argument), one.help);
   }
   return help;
 }

@@ -72,6 +72,9 @@ struct Happened {
   std::string operator()(const Excluded& excluded) const {
     return fmt::format("The session was excluded: {}.", excluded.reason);
   }
+  std::string operator()(const EndUndone& /*event*/) const {
+    return "The session's end is undone; it is paused.";
+  }
 };
 
 std::string words_for_trial(std::size_t index, const Plan& plan) {

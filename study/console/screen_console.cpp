@@ -9,10 +9,19 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/utf8.h"
+#include "study/console/console_command.h"
 #include "study/console/line_console.h"
 #include "study/console/screen_layout.h"
 
 namespace foveola::study {
+namespace {
+
+bool may_be_pasted(const std::string& line) {
+  const std::optional<ConsoleCommand> command = parse_console_line(line);
+  return command && command->action == ConsoleAction::note;
+}
+
+}  // namespace
 
 std::unique_ptr<ScreenConsole> ScreenConsole::open(LineWriter& afterwards) {
   if (!Terminal::is_there()) {
@@ -81,16 +90,17 @@ void ScreenConsole::follow_keys(Terminal& terminal) {
 }
 
 void ScreenConsole::follow(const TypedKey& key) {
-  const bool is_help = key.kind == TypedKey::Kind::character && key.character == U'?';
-  std::unique_lock lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   is_to_paint_ = true;
-  if (is_help && prompt_.question().empty()) {
-    lock.unlock();
-    for (const std::string& line : key_help()) {
-      say(line);
-    }
-  } else if (std::optional<std::string> line = prompt_.follow(key, status_.is_paused)) {
-    asked_for_.push_back(std::move(*line));
+  std::optional<EnteredLine> line = entry_.follow(key);
+  if (!line) {
+    return;
+  }
+  if (line->is_pasted && !may_be_pasted(line->text)) {
+    said_.push_back(
+        printable(fmt::format("'{}' is pasted, and only a note may be; type it", line->text)));
+  } else {
+    asked_for_.push_back(std::move(line->text));
   }
 }
 
@@ -101,7 +111,7 @@ void ScreenConsole::paint(Terminal& terminal) {
   }
   SessionStatus status;
   std::vector<std::string> said;
-  std::string question;
+  std::string typed;
   {
     const std::scoped_lock lock(mutex_);
     if (!std::exchange(is_to_paint_, false) && !is_resized) {
@@ -110,10 +120,9 @@ void ScreenConsole::paint(Terminal& terminal) {
     status = status_;
     const auto newest = static_cast<std::ptrdiff_t>(std::min(said_.size(), terminal.size().rows));
     said.assign(said_.end() - newest, said_.end());
-    question = prompt_.question();
+    typed = entry_.typed();
   }
-  terminal.paint(
-      screen_lines({.status = status, .said = said, .question = question}, terminal.size()));
+  terminal.paint(screen_lines({.status = status, .said = said, .typed = typed}, terminal.size()));
 }
 
 }  // namespace foveola::study

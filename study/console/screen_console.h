@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "study/console/command_entry.h"
 #include "study/console/console.h"
-#include "study/console/key_prompt.h"
 #include "study/console/line_writer.h"
 #include "study/console/terminal.h"
 
@@ -46,7 +46,7 @@ class ScreenConsole final : public Console {
   std::condition_variable changed_;
   SessionStatus status_;
   std::vector<std::string> said_;
-  KeyPrompt prompt_;
+  CommandEntry entry_;
   std::vector<std::string> asked_for_;
   bool is_to_paint_ = true;
   bool has_tried_ = false;  ///< to open the terminal

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/utf8.h"
-#include "study/console/key_prompt.h"
+#include "study/console/console_command.h"
 
 namespace foveola::study {
 namespace {
@@ -76,14 +76,14 @@ std::vector<ScreenLine> warning_lines(const SessionStatus& status, std::size_t c
   return lines;
 }
 
-/// The keys, or what is asked back: as many lines as that takes, and at most `rows`.
+/// The commands, or what is typed: as many lines as that takes, and at most `rows`.
 std::vector<ScreenLine> last_lines(const ScreenContent& content, const ScreenSize& size) {
   std::vector<ScreenLine> lines;
-  if (content.question.empty()) {
-    lines.push_back({" " + key_names(content.status.is_paused), LineLook::title});
+  if (content.typed.empty()) {
+    lines.push_back({" " + console_words(), LineLook::title});
   } else {
-    append_wrapped(lines, content.question, {.first = " ", .look = LineLook::question},
-                   size.columns);
+    append_wrapped(lines, content.typed + "_   (Enter does it, Escape clears it)",
+                   {.first = " > ", .look = LineLook::typed}, size.columns);
   }
   // The end is where one types.
   const std::size_t hidden = lines.size() - std::min(lines.size(), size.rows);

@@ -11,7 +11,7 @@
 
 namespace foveola::study {
 
-enum class LineLook { plain, title, warning, question };
+enum class LineLook { plain, title, warning, typed };
 
 struct ScreenLine {
   std::string text;
@@ -21,7 +21,7 @@ struct ScreenLine {
 struct ScreenContent {
   SessionStatus status;
   std::span<const std::string> said;  ///< what happened and was answered, the newest last
-  std::string question;               ///< what is asked back; empty: nothing is
+  std::string typed;                  ///< the command that is being typed
 };
 
 struct ScreenSize {
@@ -30,8 +30,8 @@ struct ScreenSize {
 };
 
 /// As many lines as the screen has rows, none with more characters than it has columns: the title,
-/// how the session stands, its warnings, the newest of what was said, and last the keys, or what is
-/// asked back in their place. Where rows are few, what was said goes first.
+/// how the session stands, its warnings, the newest of what was said, and last the commands, or
+/// what is typed in their place. Where rows are few, what was said goes first.
 std::vector<ScreenLine> screen_lines(const ScreenContent& content, const ScreenSize& size);
 
 /// A text in lines of at most `columns` characters, broken at spaces where there are any.

@@ -26,6 +26,11 @@ namespace foveola::study {
 namespace {
 
 constexpr short warning_colours = 1;
+/// Marks what is pasted, in terminals that know it: xterm's mode 2004, "bracketed paste".
+constexpr const char* mark_pasted = "\x1b[?2004h";
+constexpr const char* mark_pasted_no_more = "\x1b[?2004l";
+constexpr int paste_begins = KEY_MAX + 1;
+constexpr int paste_ends = KEY_MAX + 2;
 constexpr int escape_delay_ms = 25;  ///< a key that begins with Escape sends its rest sooner
 
 struct CloseFile {
@@ -93,7 +98,7 @@ attr_t attributes_of(LineLook look) {
       return A_REVERSE;
     case LineLook::warning:
       return A_BOLD | static_cast<attr_t>(COLOR_PAIR(warning_colours));
-    case LineLook::question:
+    case LineLook::typed:
       return A_BOLD;
     case LineLook::plain:
       break;
@@ -194,6 +199,9 @@ Terminal::Terminal()
   ::nodelay(stdscr, true);
   ::keypad(stdscr, true);
   ::set_escdelay(escape_delay_ms);
+  ::define_key("\x1b[200~", paste_begins);
+  ::define_key("\x1b[201~", paste_ends);
+  painted_ = mark_pasted;
   ::curs_set(0);
   if (::has_colors()) {
     ::start_color();
@@ -210,6 +218,7 @@ Terminal::~Terminal() {
   }
   ::endwin();
   collect_painted();
+  painted_ += mark_pasted_no_more;
   for (const auto end = std::chrono::steady_clock::now() + patience;
        !painted_.empty() && std::chrono::steady_clock::now() < end;) {
     painted_.erase(0, write_taken(STDOUT_FILENO, painted_, moment));
@@ -226,7 +235,10 @@ std::vector<TypedKey> Terminal::keys() {
   std::vector<TypedKey> typed;
   wint_t code = 0;
   for (int kind = ::get_wch(&code); kind != ERR; kind = ::get_wch(&code)) {
-    if (const std::optional<TypedKey> key = key_of(kind, code)) {
+    if (kind == KEY_CODE_YES && (code == paste_begins || code == paste_ends)) {
+      is_pasting_ = code == paste_begins;
+    } else if (std::optional<TypedKey> key = key_of(kind, code)) {
+      key->is_pasted = is_pasting_;
       typed.push_back(*key);
     }
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/console/key_prompt.h"
+#include "study/console/command_entry.h"
 #include "study/console/screen_layout.h"
 
 namespace foveola::study {
@@ -50,6 +50,7 @@ class Terminal {
   std::unique_ptr<Modes> modes_;  ///< first: restored last
   std::unique_ptr<Screen> screen_;
   ScreenSize size_;
+  bool is_pasting_ = false;
   std::string painted_;  ///< what ncurses wrote and the terminal did not take yet
 };
 

@@ -84,7 +84,10 @@ void PersonSession::carry_out(const Effect& effect) {
     prompt_.awaits_gaze = false;
     attempt_ = nullptr;
   } else if (is<EndSession>(effect) && driver_.seen().is_over()) {
-    console_.say("The session is over. Enter in the window, or quit here, closes it.");
+    const Phase end = driver_.seen().phase;
+    const bool can_be_undone = end == Phase::withdrawn || end == Phase::excluded;
+    console_.say(fmt::format("The session is over. Enter in the window, or quit here, closes it{}.",
+                             can_be_undone ? "; undo takes the end back" : ""));
   }
 }
 

@@ -26,7 +26,10 @@ void PersonSession::answer_console() {
     return;
   }
   for (const std::string& line : console_.take()) {
-    const ConsoleAnswer answer = answer_to(line, driver_.state(), driver_.procedure(), study_.plan);
+    const ConsoleAnswer answer = answer_to(line, {.participant = settings_.participant,
+                                                  .state = driver_.state(),
+                                                  .procedure = driver_.procedure(),
+                                                  .plan = study_.plan});
     if (answer.quits) {
       driver_.interrupt();
     } else if (answer.event && !driver_.feed(*answer.event)) {

@@ -17,7 +17,8 @@
 --            trials; planned_step, design_row, devices, migrated_from; reactions, notes, pauses,
 --            exclusions; the hash chain; film_hash; compressed chunks, and frames-3.
 -- Version 5: each event's trial and attempt, and what was measured in an attempt that it ended, in the
---            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten.
+--            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten;
+--            ends that are undone.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
 PRAGMA user_version = 4; --4
@@ -200,7 +201,8 @@ CREATE TABLE event (
     type IN ('session_started', 'consent_given', 'questionnaire_answered', 'gaze_validated',
              'reaction_pressed', 'object_chosen', 'trial_started', 'first_frame_presented',
              'marked', 'timed_out', 'rated', 'retime_requested', 'pause_requested', 'interrupted',
-             'resumed', 'note_written', 'withdrawn', 'excluded')),
+             'resumed', 'note_written', 'withdrawn', 'excluded')), --4
+             'resumed', 'note_written', 'withdrawn', 'excluded', 'end_undone')), --5
   payload TEXT NOT NULL CHECK (json_type(payload) = 'object'),
   trial INTEGER, --5
   attempt INTEGER CHECK ((attempt IS NULL) = (trial IS NULL)), --5
@@ -450,6 +452,7 @@ BEFORE UPDATE OF id, uuid, participant, kind, seed, design_row, started_utc, pro
 BEGIN SELECT raise(ABORT, 'only a session''s state changes'); END;
 CREATE TRIGGER session_ends_once BEFORE UPDATE ON session
 WHEN OLD.state IN ('completed', 'withdrawn', 'excluded', 'refused')
+  AND NOT (OLD.state IN ('withdrawn', 'excluded') AND NEW.state = 'paused') --5
 BEGIN SELECT raise(ABORT, 'the session is over'); END;
 CREATE TRIGGER session_stays BEFORE DELETE ON session
 BEGIN SELECT raise(ABORT, 'sessions are never removed'); END;

@@ -90,9 +90,10 @@ SessionIndices read_sessions(SQLite::Database& database, WithdrawnSessions withd
   SQLite::Statement rows(
       database,
       "SELECT id, participant, kind, state, design_row,"
-      " coalesce(payload ->> 'reason', '') AS reason"
-      " FROM session LEFT JOIN event ON event.session = session.id AND type = 'excluded'"
-      " ORDER BY id");
+      " coalesce((SELECT payload ->> 'reason' FROM event WHERE event.session = session.id"
+      "  AND type = 'excluded' AND state = 'excluded' ORDER BY sequence DESC LIMIT 1), '') AS "
+      "reason"
+      " FROM session ORDER BY id");
   while (rows.executeStep()) {
     const std::string state = rows.getColumn("state").getString();
     if (state != "withdrawn" || withdrawn == WithdrawnSessions::with_data) {

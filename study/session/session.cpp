@@ -101,14 +101,7 @@ std::vector<Effect> stop_rendering(Phase phase) {
   return is_rendering(phase) ? std::vector<Effect>{StopRendering{}} : std::vector<Effect>{};
 }
 
-Transition end(SessionState state, Phase phase) {
-  std::vector<Effect> effects = stop_rendering(state.phase);
-  effects.emplace_back(EndSession{});
-  state.phase = phase;
-  return {.state = std::move(state), .effects = std::move(effects)};
-}
-
-/// A pause, or the end of the program: the session can go on from here.
+/// A pause, or an end: where the session can go on from is kept.
 Transition leave_off(const Procedure& procedure, SessionState state, Phase phase,
                      const Effect& last) {
   std::vector<Effect> effects = stop_rendering(state.phase);
@@ -140,7 +133,7 @@ bool all_answered(const std::vector<Question>& questions, const std::vector<Answ
   return good_answers == static_cast<std::ptrdiff_t>(answers.size());
 }
 
-/// What each event does in a state that is not over.
+/// What each event does; of those in a state that is over, EndUndone alone.
 class Step {
  public:
   Step(const Procedure& procedure, const SessionState& state)
@@ -170,7 +163,9 @@ class Step {
       }
       SessionState again = state_;
       --again.validations_left;
-      return again.validations_left == 0 ? end(again, Phase::refused) : ask(procedure_, again);
+      return again.validations_left == 0
+                 ? leave_off(procedure_, again, Phase::refused, EndSession{})
+                 : ask(procedure_, again);
     });
   }
 
@@ -260,8 +255,22 @@ class Step {
     return Transition{.state = state_, .effects = {}};
   }
 
-  Result operator()(const Withdrawn& /*event*/) const { return end(state_, Phase::withdrawn); }
-  Result operator()(const Excluded& /*event*/) const { return end(state_, Phase::excluded); }
+  Result operator()(const Withdrawn& /*event*/) const {
+    return leave_off(procedure_, state_, Phase::withdrawn, EndSession{});
+  }
+
+  Result operator()(const Excluded& /*event*/) const {
+    return leave_off(procedure_, state_, Phase::excluded, EndSession{});
+  }
+
+  Result operator()(const EndUndone& /*event*/) const {
+    if (state_.phase != Phase::withdrawn && state_.phase != Phase::excluded) {
+      return std::nullopt;
+    }
+    SessionState paused = state_;
+    paused.phase = Phase::paused;
+    return Transition{.state = paused, .effects = {ShowPause{}}};
+  }
 
  private:
   /// The event is of this phase alone.
@@ -331,7 +340,8 @@ const char* name_of(const Event& event) {
                                 "resumed",
                                 "note_written",
                                 "withdrawn",
-                                "excluded"};
+                                "excluded",
+                                "end_undone"};
   static_assert(names.size() == std::variant_size_v<Event>);
   return names.at(event.index());
 }
@@ -349,7 +359,8 @@ Procedure procedure_of(const Protocol& protocol, const Plan& plan) {
 std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
                                const Event& event) {
   assert(!procedure.agenda.empty() && procedure.marks > 0);
-  return state.is_over() ? std::nullopt : std::visit(Step(procedure, state), event);
+  const bool may_follow = !state.is_over() || std::holds_alternative<EndUndone>(event);
+  return may_follow ? std::visit(Step(procedure, state), event) : std::nullopt;
 }
 
 std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state) {

@@ -93,16 +93,19 @@ struct Withdrawn {};
 struct Excluded {
   std::string reason;
 };
+/// Takes back a withdrawal or an exclusion, as long as nothing has happened since: the session is
+/// then paused.
+struct EndUndone {};
 
 using Event = std::variant<SessionStarted, ConsentGiven, QuestionnaireAnswered, GazeValidated,
                            ReactionPressed, ObjectChosen, TrialStarted, FirstFramePresented, Marked,
                            TimedOut, Rated, RetimeRequested, PauseRequested, Interrupted, Resumed,
-                           NoteWritten, Withdrawn, Excluded>;
+                           NoteWritten, Withdrawn, Excluded, EndUndone>;
 
 /// The name that records use: "session_started", "consent_given", "questionnaire_answered",
 /// "gaze_validated", "reaction_pressed", "object_chosen", "trial_started",
 /// "first_frame_presented", "marked", "timed_out", "rated", "retime_requested", "pause_requested",
-/// "interrupted", "resumed", "note_written", "withdrawn", "excluded".
+/// "interrupted", "resumed", "note_written", "withdrawn", "excluded", "end_undone".
 const char* name_of(const Event& event);
 
 /// When an event happened: some carry their own time.
@@ -141,7 +144,8 @@ struct SessionState {
   std::string object;          ///< name of the object that was chosen last
   Nanoseconds first_frame{0};  ///< when the attempt's first frame was presented
   Nanoseconds last_mark{0};    ///< time of the last mark or time-out, at first the first frame's
-  /// Where a pause or an interruption ends. An attempt that had begun ends with them: then `ready`.
+  /// Where a pause, an interruption or an end that is undone leads back to. An attempt that had
+  /// begun ends with them: then `ready`.
   Phase resumes_at = Phase::created;
 
   bool is_over() const {

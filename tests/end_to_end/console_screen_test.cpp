@@ -25,13 +25,13 @@ TEST_F(StudyRun, IsSeenAndSteeredOnOneScreen) {
   participant_.type("space");
   terminal.wait_for("outline was marked after");
   terminal.wait_for("Space marks material");
-  terminal.type("nit rings\r");
+  terminal.type("The exit was dark\rpeople\r");
+  terminal.wait_for("What is 'people'?");
+  terminal.type("note it rings\r");
   terminal.wait_for("Note: it rings");
-  terminal.type("p");
+  terminal.type("pause\r");
   terminal.wait_for("paused, trial 1 of 1");
-  terminal.type("q");
-  terminal.wait_for("It goes on later with --resume.");
-  terminal.type("\r");
+  terminal.type("quit\r");
   EXPECT_THAT(terminal.all_seen(), HasSubstr("give the same command with --resume"));
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
   EXPECT_THAT(participant_.ask("SELECT text FROM note"), ElementsAre("it rings"));

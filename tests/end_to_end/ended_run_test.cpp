@@ -42,13 +42,24 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
 
   participant_.begin({"--resume"});
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
-  participant_.program().type_line("withdraw");
-  participant_.program().wait_for("stopped taking part");
+  RunningProgram& program = participant_.program();
+  program.type_line("withdraw");
+  program.wait_for("type withdraw CODE");
+  program.type_line("withdraw P11");
+  program.wait_for("type the code P1");
+  program.type_line("withdraw P1");
+  program.wait_for("undo takes the end back");
+  program.type_line("undo");
+  program.wait_for("it is paused");
+  program.type_line("resume");
+  program.wait_for("The session goes on");
+  program.type_line("withdraw P1");
+  program.wait_for("stopped taking part");
   participant_.program().type_line("quit");
   participant_.program().wait_for_end();
-  EXPECT_THAT(
-      participant_.ask("SELECT type FROM event ORDER BY sequence"),
-      ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
+  EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
+              ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn",
+                          "end_undone", "resumed", "withdrawn"));
   EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
 }
 
@@ -89,7 +100,7 @@ TEST_F(StudyRun, TheExperimenterMayExclude) {
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin();
   participant_.wait_for_page();
-  participant_.program().type_line("exclude the tracker failed");
+  participant_.program().type_line("exclude P1 the tracker failed");
   participant_.program().wait_for("The session was excluded: the tracker failed");
   participant_.program().type_line("quit");
   EXPECT_EQ(participant_.program().wait_for_end(), 0);

@@ -11,10 +11,11 @@ using ::testing::IsEmpty;
 class ConsoleAnswers : public ::testing::Test {
  protected:
   ConsoleAnswer answer(const std::string& line) const {
-    return answer_to(
-        line, {.phase = Phase::marking, .step = 1},
-        {.agenda = {ConsentStep{}, TrialStep{.trial = 0}, QuestionnaireStep{"debrief"}}},
-        {{.scene = "hall", .method = "od"}});
+    return answer_to(line, {.participant = "P3",
+                            .state = {.phase = Phase::marking, .step = 1},
+                            .procedure = {.agenda = {ConsentStep{}, TrialStep{.trial = 0},
+                                                     QuestionnaireStep{"debrief"}}},
+                            .plan = {{.scene = "hall", .method = "od"}}});
   }
 
   /// The name of the event that a line asks for, if nothing else came of it.
@@ -30,10 +31,11 @@ TEST_F(ConsoleAnswers, SomeLinesAreEvents) {
   EXPECT_EQ(event_of("pause"), "pause_requested");
   EXPECT_EQ(event_of("resume"), "resumed");
   EXPECT_EQ(event_of("retime"), "retime_requested");
-  EXPECT_EQ(event_of("withdraw"), "withdrawn");
+  EXPECT_EQ(event_of("withdraw P3"), "withdrawn");
+  EXPECT_EQ(event_of("undo"), "end_undone");
   const auto note = answer("note it rings").event;
   EXPECT_EQ(std::get<NoteWritten>(note.value()).text, "it rings");
-  const auto excluded = answer("exclude sees double").event;
+  const auto excluded = answer("exclude P3 sees double").event;
   EXPECT_EQ(std::get<Excluded>(excluded.value()).reason, "sees double");
 }
 
@@ -42,6 +44,15 @@ TEST_F(ConsoleAnswers, SomeAreQuestions) {
   EXPECT_EQ(answer("next").reply, "questionnaire debrief");
   EXPECT_THAT(answer("help").reply, HasSubstr("withdraw"));
   EXPECT_FALSE(answer("state").event);
+}
+
+TEST_F(ConsoleAnswers, WhatEndsASessionNeedsItsParticipantsCode) {
+  for (const char* line : {"withdraw P4", "withdraw p3", "exclude P4 sees double"}) {
+    EXPECT_FALSE(answer(line).event) << line;
+    EXPECT_THAT(answer(line).reply, HasSubstr("type the code P3"));
+  }
+  EXPECT_EQ(answer("withdraw").reply, "'withdraw' is not a whole command; type withdraw CODE");
+  EXPECT_THAT(answer("exclude sees").reply, HasSubstr("type exclude CODE REASON"));
 }
 
 TEST_F(ConsoleAnswers, OneQuits) {

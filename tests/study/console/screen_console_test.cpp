@@ -38,30 +38,50 @@ TEST(ScreenConsole, ShowsTheSessionAndTakesKeys) {
   AtTerminal terminal("xterm", run_until_quit);
   terminal.wait_for("Foveola, participant P42");
   terminal.wait_for("rating");
-  terminal.type("nit rings \xc3\xbc\r");
+  terminal.type("note it rings \xc3\xbc\r");
   terminal.wait_for("asked for: note it rings \xc3\xbc");
-  terminal.type("x\x1b");  // begun, and let go
-  terminal.type("p");
+  terminal.type("exclude P42 dark");
+  terminal.wait_for("> exclude P42 dark_");
+  terminal.type("\x1b");
+  terminal.type("pause\r");
   terminal.wait_for("asked for: pause");
-  terminal.type("?");
-  terminal.wait_for("the timing failed");
-  terminal.type("q");
-  terminal.wait_for("Interrupt the session?");
-  terminal.type("\r");
+  terminal.type("quit\r");
   EXPECT_THAT(terminal.all_seen(), Not(HasSubstr("asked for: exclude")));
+}
+
+// By xterm's manual ("Bracketed Paste Mode"): between ESC [ 200 ~ and ESC [ 201 ~, once ESC [ ?2004
+// h asked for it.
+TEST(ScreenConsole, WhatIsPastedIsANoteAtMost) {
+  const auto paste = [](const std::string& text) { return "\x1b[200~" + text + "\x1b[201~"; };
+  AtTerminal terminal("xterm", run_until_quit);
+  terminal.wait_for("\x1b[?2004h");
+  terminal.wait_for("rating");
+  terminal.type(paste("withdraw P42\r"));
+  terminal.type("\r");
+  terminal.wait_for("only a note may be");
+  terminal.type("withdraw " + paste("P42") + "\r");
+  terminal.type(paste("pause\nquit\n"));
+  terminal.type("\x1b");
+  terminal.type("note " + paste("it\rrings") + "\r");
+  terminal.wait_for("asked for: note it rings");
+  terminal.type("quit\r");
+  const std::string seen = terminal.all_seen();
+  EXPECT_THAT(seen, Not(HasSubstr("asked for: withdraw")));
+  EXPECT_THAT(seen, Not(HasSubstr("asked for: pause")));
+  EXPECT_THAT(seen, HasSubstr("\x1b[?2004l"));
 }
 
 TEST(ScreenConsole, NeitherCtrlSNorCtrlZHoldsItUp) {
   AtTerminal terminal("xterm", run_until_quit);
   terminal.wait_for("rating");
-  terminal.type("\x13\x1ap");
+  terminal.type("\x13\x1apause\r");
   terminal.wait_for("asked for: pause");
 }
 
 TEST(ScreenConsole, LeavesTheTerminalWithAllThatWasSaid) {
   AtTerminal terminal("xterm", run_until_quit);
   terminal.wait_for("rating");
-  terminal.type("pq\r");
+  terminal.type("pause\rquit\r");
   constexpr const char* leaves_alternate_screen = "\x1b[?1049l";
   const std::string seen = terminal.all_seen();
   const std::size_t left = seen.rfind(leaves_alternate_screen);

@@ -48,7 +48,7 @@ TEST_F(ScreenLayout, SaysHowTheSessionStands) {
                           " next key   Space marks outline", " frames     60.0 a second of 60",
                           " gaze       tracked; 100 % valid, the newest 12 ms old",
                           " last mark  none yet", "", "    1.000 s  The first.",
-                          "    2.000 s  The second.", "", StartsWith(" p pause   r retime")));
+                          "    2.000 s  The second.", "", StartsWith(" state  next  note  pause")));
 }
 
 TEST_F(ScreenLayout, WarningsStandAboveWhatWasSaid) {
@@ -77,15 +77,17 @@ TEST_F(ScreenLayout, OfWhatWasSaidTheNewestStays) {
   EXPECT_THAT(screen, Not(Contains(HasSubstr("The first."))));
 }
 
-TEST_F(ScreenLayout, AQuestionStandsInPlaceOfTheKeysInAsManyRowsAsItTakes) {
-  content_.question = "A note for the record: it rings_";
+TEST_F(ScreenLayout, WhatIsTypedStandsInPlaceOfTheCommandsInAsManyRowsAsItTakes) {
+  content_.typed = "note the phone rang";
   std::vector<ScreenLine> screen = screen_lines(content_, {.columns = 20, .rows = 24});
   ASSERT_EQ(screen.size(), 24U);
-  EXPECT_EQ(screen[22].text, " A note for the");
-  EXPECT_EQ(screen[22].look, LineLook::question);
-  EXPECT_EQ(screen[23].text, " record: it rings_");
+  EXPECT_EQ(screen[20].text, " > note the phone");
+  EXPECT_EQ(screen[20].look, LineLook::typed);
+  EXPECT_EQ(screen[21].text, "   rang_   (Enter");
+  EXPECT_EQ(screen[22].text, "   does it, Escape");
+  EXPECT_EQ(screen[23].text, "   clears it)");
   screen = screen_lines(content_, {.columns = 20, .rows = 1});
-  EXPECT_EQ(screen.back().text, " record: it rings_") << "where one types";
+  EXPECT_EQ(screen.back().text, "   clears it)");
 }
 
 TEST_F(ScreenLayout, FillsAnySize) {

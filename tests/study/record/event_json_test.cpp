@@ -35,7 +35,8 @@ std::vector<std::pair<Event, std::string>> one_of_every_kind() {
       {Resumed{}, "{}"},
       {NoteWritten{.text = "coughs"}, R"({"text":"coughs"})"},
       {Withdrawn{}, "{}"},
-      {Excluded{.reason = "asleep"}, R"({"reason":"asleep"})"}};
+      {Excluded{.reason = "asleep"}, R"({"reason":"asleep"})"},
+      {EndUndone{}, "{}"}};
 }
 
 TEST(EventJson, IsWhatTheSchemaSays) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "small_study.h"
 
@@ -111,6 +112,10 @@ TEST_F(Schema, SessionsThatAreOverStayOver) {
     SQLite::Database database(folder_ / state, SQLite::OPEN_READWRITE);
     database.exec(fmt::format("UPDATE session SET state = '{}'", state));
     EXPECT_THROW(database.exec("UPDATE session SET state = 'marking'"), SQLite::Exception) << state;
+    const bool can_be_undone =
+        std::string(state) == "withdrawn" || std::string(state) == "excluded";
+    EXPECT_EQ(database.tryExec("UPDATE session SET state = 'paused'") == SQLITE_OK, can_be_undone)
+        << state;
   }
 }
 

@@ -181,6 +181,19 @@ TEST_F(Records, HoldWhatAParticipantTookBackIfAskedFor) {
                           "P02 background.age 31", "P02 background.cg_experience 4"));
 }
 
+TEST_F(Records, HoldTheReasonOfAnExclusionThatStands) {
+  PlayedSession other_reason = session_of("P01");
+  other_reason.happen(ms(5000), Excluded{.reason = "a slip"});
+  other_reason.happen(ms(5001), EndUndone{});
+  other_reason.happen(ms(5002), Excluded{.reason = "sees double"});
+  PlayedSession undone = session_of("P02");
+  undone.happen(ms(5000), Excluded{.reason = "a slip"});
+  undone.happen(ms(5001), EndUndone{});
+  EXPECT_THAT(read_study(path_).sessions,
+              ElementsAre(FieldsAre("P01", "simulated", "excluded", 7, "sees double"),
+                          FieldsAre("P02", "simulated", "paused", 7, "")));
+}
+
 TEST_F(Records, HoldPracticeCatchTrialsAndEarlierTimings) {
   const fs::path path = folder_ / "thorough.sqlite";
   StudyStore store(path, thorough_protocol());

@@ -241,6 +241,24 @@ TEST_F(Store, AnEndWithinAnAttemptIsItsOutcome) {
   }
 }
 
+TEST_F(Store, ASessionWhoseEndIsUndoneContinues) {
+  for (const Event& end : {Event(Withdrawn{}), Event(Excluded{.reason = "a slip"})}) {
+    const fs::path path = folder_ / name_of(end);
+    StudyStore store(path, small_protocol());
+    PlayedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    session.choose_and_start(ms(20));
+    session.happen(ms(30), end);
+    session.happen(ms(40), EndUndone{});
+    EXPECT_EQ(query(path, "SELECT state FROM session"), "paused");
+    session.happen(ms(50), Resumed{});
+    session.happen(ms(60), TrialStarted{});
+    EXPECT_EQ(query(path, "SELECT group_concat(attempt || outcome) FROM attempt"),
+              fmt::format("1{},2open", name_of(end)));
+    EXPECT_THAT(verify_study(path).faults, testing::IsEmpty());
+  }
+}
+
 TEST_F(Store, InterruptionBetweenTrialsLeavesAttemptsAlone) {
   StudyStore store(path_, small_protocol());
   PlayedSession session(store, facts_of("P01"), small_plan());

@@ -180,6 +180,24 @@ TEST(Session, ElsewhereAPauseLeadsBackToWhereItWas) {
   EXPECT_EQ(last_step({Interrupted{}}, Resumed{}).state, SessionState{});
 }
 
+TEST(Session, AnEndThatIsUndoneIsAPause) {
+  for (const Phase phase :
+       {Phase::consent, Phase::questionnaire, Phase::validation, Phase::reaction,
+        Phase::choosing_object, Phase::ready, Phase::armed, Phase::marking, Phase::rating}) {
+    const std::vector<Event> before = until(phase);
+    const SessionState paused = after(before + PauseRequested{});
+    for (const Event& end : {Event(Withdrawn{}), Event(Excluded{"a slip"})}) {
+      const Transition undone = last_step(before + end, EndUndone{});
+      EXPECT_EQ(undone.state, paused);
+      EXPECT_THAT(names_of(undone.effects), ElementsAre("ShowPause"));
+      EXPECT_EQ(after(before + PauseRequested{} + end + EndUndone{}), paused);
+    }
+    EXPECT_TRUE(is_refused(before, EndUndone{}));
+    EXPECT_TRUE(is_refused(before + Withdrawn{} + EndUndone{}, EndUndone{})) << "twice";
+  }
+  EXPECT_TRUE(is_refused(all_events(), EndUndone{})) << "it is completed";
+}
+
 TEST(Session, TellsWhichTrialItIsIn) {
   const Procedure procedure = whole_procedure();
   EXPECT_EQ(trial_of(procedure, {}), std::nullopt);
