@@ -78,7 +78,8 @@ bool Form::follow(const FormInput& input) {
     return go_back();
   }
   if (is_confirming()) {
-    return confirm(input);
+    is_submitted_ = input == FormInput(FormKey::enter);
+    return is_submitted_;
   }
   if (input == FormInput(FormKey::enter) || input == FormInput(FormKey::tab)) {
     return go_on();
@@ -97,7 +98,12 @@ bool Form::go_on() {
       return true;
     }
   }
-  ++page_;
+  const bool is_last = page_ + 1 == intro_pages_.size() + entries_.size();
+  if (is_last && pages_.confirmation.empty()) {
+    is_submitted_ = true;
+  } else {
+    ++page_;
+  }
   return true;
 }
 
@@ -110,22 +116,8 @@ bool Form::go_back() {
   return true;
 }
 
-bool Form::confirm(const FormInput& input) {
-  const auto* const typed = std::get_if<char32_t>(&input);
-  is_submitted_ =
-      pages_.confirm_with.empty()
-          ? input == FormInput(FormKey::enter)
-          : typed != nullptr && pages_.confirm_with.find(*typed) != std::u32string::npos;
-  return is_submitted_;
-}
-
 const Question* Form::question() const {
   return is_reading() || is_confirming() ? nullptr : &entry().question();
-}
-
-FormInput Form::key_on() const {
-  const bool takes_letters = is_confirming() && !pages_.confirm_with.empty();
-  return takes_letters ? FormInput(pages_.confirm_with.front()) : FormInput(FormKey::enter);
 }
 
 /// Where up chooses something, left goes back.

@@ -13,9 +13,8 @@ struct FormPages {
   std::string title;
   std::vector<std::string> intro;  ///< paragraphs; over as many pages as they take
   std::vector<Question> questions;
-  std::string confirmation;     ///< on the last page; {answers} are filled in
-  std::string confirm_keys;     ///< which keys do what there
-  std::u32string confirm_with;  ///< the letters that hand it in; Enter if there are none
+  std::string confirmation;  ///< on the last page, {answers} filled in; none: there is no such page
+  std::string confirm_keys;  ///< which keys do what there
   bool covers_picture = true;
 };
 
@@ -34,8 +33,6 @@ class Form {
 
   /// The question on this page; none where there is only something to read or to hand in.
   const Question* question() const;
-  /// The key that leaves this page, once its question is answered.
-  FormInput key_on() const;
 
   bool is_submitted() const { return is_submitted_; }
   /// The answers in the questions' order, without those that were left out.
@@ -49,7 +46,6 @@ class Form {
 
   bool go_on();
   bool go_back();
-  bool confirm(const FormInput& input);
   FormKey back_key() const;
 
   ScreenPage reading_screen() const;

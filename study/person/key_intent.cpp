@@ -11,15 +11,6 @@ MaybeIntent intent_if(bool is_meant, KeyIntent intent) {
   return is_meant ? MaybeIntent(intent) : std::nullopt;
 }
 
-MaybeIntent intent_in_confirmation(PersonKey key, Confirmation confirmation) {
-  const bool is_of_timing = confirmation == Confirmation::timing_again;
-  if (key == (is_of_timing ? PersonKey::again : PersonKey::yes)) {
-    return is_of_timing ? KeyIntent::time_again : KeyIntent::stop_taking_part;
-  }
-  return intent_if(key == (is_of_timing ? PersonKey::back : PersonKey::no),
-                   KeyIntent::let_confirmation_go);
-}
-
 /// One key goes on, another one raises a confirmation.
 MaybeIntent intent_of_two(PersonKey key, PersonKey first, KeyIntent intent, PersonKey second,
                           KeyIntent other) {
@@ -28,8 +19,6 @@ MaybeIntent intent_of_two(PersonKey key, PersonKey first, KeyIntent intent, Pers
 
 MaybeIntent intent_in_phase(PersonKey key, Phase phase) {
   switch (phase) {
-    case Phase::consent:
-      return intent_if(key == PersonKey::no, KeyIntent::confirm_going_on);
     case Phase::validation:
       return intent_if(goes_on(key), KeyIntent::begin_validation);
     case Phase::reaction:
@@ -40,20 +29,21 @@ MaybeIntent intent_in_phase(PersonKey key, Phase phase) {
     case Phase::ready:
       return intent_if(key == PersonKey::mark, KeyIntent::start_trial);
     case Phase::marking:
-      return intent_of_two(key, PersonKey::mark, KeyIntent::mark, PersonKey::again,
+      return intent_of_two(key, PersonKey::mark, KeyIntent::mark, PersonKey::back,
                            KeyIntent::confirm_timing);
     case Phase::rating:
-      return intent_of_two(key, PersonKey::confirm, KeyIntent::rate, PersonKey::again,
+      return intent_of_two(key, PersonKey::confirm, KeyIntent::rate, PersonKey::back,
                            KeyIntent::confirm_timing);
     case Phase::paused:
       return goes_on(key) ? MaybeIntent(KeyIntent::resume)
-                          : intent_if(key == PersonKey::back, KeyIntent::confirm_going_on);
+                          : intent_if(key == PersonKey::back, KeyIntent::confirm_stopping);
     case Phase::completed:
     case Phase::withdrawn:
     case Phase::excluded:
     case Phase::refused:
       return intent_if(key == PersonKey::confirm, KeyIntent::leave);
     case Phase::created:
+    case Phase::consent:
     case Phase::questionnaire:
     case Phase::armed:
     case Phase::interrupted:
@@ -64,21 +54,12 @@ MaybeIntent intent_in_phase(PersonKey key, Phase phase) {
 
 }  // namespace
 
-std::optional<KeyIntent> intent_of(PersonKey key, Phase phase,
-                                   const std::optional<Confirmation>& confirmation,
-                                   bool reads_notice) {
-  if (confirmation) {
-    return intent_in_confirmation(key, *confirmation);
-  }
+std::optional<KeyIntent> intent_of(PersonKey key, Phase phase, bool reads_notice) {
   return reads_notice ? intent_if(goes_on(key), KeyIntent::read_on) : intent_in_phase(key, phase);
 }
 
 std::optional<Event> event_of(KeyIntent intent) {
   switch (intent) {
-    case KeyIntent::time_again:
-      return RetimeRequested{};
-    case KeyIntent::stop_taking_part:
-      return Withdrawn{};
     case KeyIntent::start_trial:
       return TrialStarted{};
     case KeyIntent::resume:

@@ -8,18 +8,11 @@
 
 namespace foveola::study {
 
-/// What the participant is asked to confirm.
-enum class Confirmation { timing_again, stopping };
-
 enum class KeyIntent {
   read_on,  ///< the notice was read
-  // They answer a confirmation.
-  time_again,
-  stop_taking_part,
-  let_confirmation_go,
   // They ask for a confirmation.
   confirm_timing,
-  confirm_going_on,
+  confirm_stopping,
   // They answer what the phase waits for.
   begin_validation,
   press,  ///< the key at what appears
@@ -32,11 +25,9 @@ enum class KeyIntent {
   leave,
 };
 
-/// Empty if it means nothing there. A confirmation comes before a notice, a notice before the
-/// phase. Forms take what they need before; PersonKey::pause is left to others.
-std::optional<KeyIntent> intent_of(PersonKey key, Phase phase,
-                                   const std::optional<Confirmation>& confirmation,
-                                   bool reads_notice);
+/// Empty if it means nothing there. A notice comes before the phase; confirmations and forms take
+/// their keys themselves. PersonKey::pause is left to others.
+std::optional<KeyIntent> intent_of(PersonKey key, Phase phase, bool reads_notice);
 
 /// The event of the session that the intent is, if it says all of one.
 std::optional<Event> event_of(KeyIntent intent);

@@ -1,4 +1,4 @@
-// What the participant's next key is for, in the experimenter's words.
+// What the participant's next key is for, as the experimenter reads it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,9 @@
 
 namespace foveola::study {
 
-/// "Space marks outline".
-std::string words_for_next_key(const PromptState& prompt, const SessionContext& context);
+/// The keys that the participant's page names, in the protocol's words; "[Space] outline" where the
+/// picture is marked. now: session clock.
+std::string words_for_next_key(const PromptState& prompt, const SessionContext& context,
+                               Nanoseconds now);
 
 }  // namespace foveola::study

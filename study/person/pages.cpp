@@ -3,11 +3,6 @@
 namespace foveola::study {
 namespace {
 
-ScreenPage page_of_confirmation(Confirmation confirmation, const Texts& texts) {
-  return confirmation == Confirmation::timing_again ? retiming_screen(texts)
-                                                    : notice_screen(Notice::stopping, texts);
-}
-
 ScreenPage page_of_validation(const SessionContext& context) {
   const int attempts = context.protocol.tracker.validation->attempts;
   const bool is_first = context.seen.validations_left == attempts;
@@ -100,7 +95,7 @@ std::optional<ScreenPage> page_of_phase(const PromptState& prompt, const Session
 std::optional<ScreenPage> page_without_progress(const PromptState& prompt,
                                                 const SessionContext& context, Nanoseconds now) {
   if (prompt.confirmation) {
-    return page_of_confirmation(*prompt.confirmation, context.protocol.texts);
+    return prompt.confirmation->screen(context.protocol.texts);
   }
   return prompt.notices.empty() ? page_of_phase(prompt, context, now) : prompt.notices.front();
 }

@@ -13,13 +13,9 @@ enum class PersonKey {
   next,     ///< Tab
   back,     ///< Backspace
   pause,    ///< Escape, or the window's cross
-  yes,
-  no,
-  again,  ///< R: the timing failed
 };
 
-/// What an event means, if it is a key that goes down. Letters go by the keyboard's layout, other
-/// keys by their place.
+/// What an event means, if it is a key that goes down: by its place, the same on every layout.
 std::optional<PersonKey> person_key(const WindowEvent& event);
 
 /// An event that means this.

@@ -67,7 +67,7 @@ void PersonSession::follow(const DurableEvent& durable) {
     eye_.correct(driver_.correction());
   }
   if (!durable.effects.empty()) {
-    set_confirmation(std::nullopt);
+    end_confirmation();
   }
 }
 

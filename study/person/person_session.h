@@ -19,6 +19,7 @@
 #include "study/console/live_figures.h"
 #include "study/driver/clock_watch.h"
 #include "study/driver/session_driver.h"
+#include "study/person/key_intent.h"
 #include "study/person/live_attempt.h"
 #include "study/person/page_watch.h"
 #include "study/person/prompt_state.h"
@@ -113,9 +114,11 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   /// What it shows does not depend on the window that shows it too.
   bool is_in_headset() const { return seat_.display.is_headset(); }
   void pause_or_leave();
+  void answer_confirmation(const FormInput& input);
   void hand_in();
   void act(KeyIntent intent, Nanoseconds time);
-  void set_confirmation(const std::optional<Confirmation>& confirmation);
+  void ask_to_confirm(Confirmed what);
+  void end_confirmation();
   void turn_to_next_object();
   std::size_t object_ahead_now();
   bool is_picture_shown() const;

@@ -8,6 +8,7 @@
 #include "study/console/console_answer.h"
 #include "study/console/console_words.h"
 #include "study/person/form_input.h"
+#include "study/person/person_keys.h"
 #include "study/person/person_session.h"
 #include "study/record/routine_notes.h"
 
@@ -67,18 +68,18 @@ void PersonSession::answer(const WindowEvent& event) {
     return;
   }
   const Phase phase = driver_.state().phase;
-  if (is_form_shown(prompt_, phase)) {
+  if (prompt_.confirmation || is_form_shown(prompt_, phase)) {
     std::optional<FormInput> input = form_input(event);
-    // Who wears a headset has no letters, and maybe two buttons.
-    if (is_in_headset() && input == FormInput(FormKey::enter)) {
-      input = prompt_.form->key_on();
-    } else if (is_in_headset() && key == PersonKey::mark) {
+    // Who wears a headset has maybe two buttons.
+    if (is_in_headset() && key == PersonKey::mark) {
       input = FormKey::step;
     }
-    if (input && prompt_.form->follow(*input)) {
+    if (input && prompt_.confirmation) {
+      answer_confirmation(*input);
+    } else if (input && prompt_.form->follow(*input)) {
       hand_in();
-      return;
     }
+    return;
   }
   if (is_in_headset() && key == PersonKey::mark && phase == Phase::choosing_object) {
     key = PersonKey::next;
@@ -86,7 +87,7 @@ void PersonSession::answer(const WindowEvent& event) {
   if (!key) {
     return;
   }
-  if (const auto intent = intent_of(*key, phase, prompt_.confirmation, !prompt_.notices.empty())) {
+  if (const auto intent = intent_of(*key, phase, !prompt_.notices.empty())) {
     act(*intent, event.time);
   }
 }
@@ -150,15 +151,31 @@ void PersonSession::pause_or_leave() {
   if (driver_.state().is_over()) {
     driver_.leave();
   } else if (prompt_.confirmation) {
-    set_confirmation(std::nullopt);
+    end_confirmation();
   } else {
     driver_.feed(PauseRequested{});
   }
 }
 
+void PersonSession::answer_confirmation(const FormInput& input) {
+  if (input != FormInput(FormKey::enter)) {
+    prompt_.confirmation->follow(input);
+  } else if (const std::optional<Event> event = prompt_.confirmation->chosen()) {
+    driver_.feed(*event);
+  } else {
+    end_confirmation();
+  }
+}
+
 void PersonSession::hand_in() {
-  if (prompt_.form->is_submitted() &&
-      !driver_.feed(event_of_form(prompt_, driver_.state().phase))) {
+  if (!prompt_.form->is_submitted()) {
+    return;
+  }
+  const std::optional<Event> event = event_of_form(prompt_, driver_.state().phase);
+  if (!event) {
+    prompt_.form.emplace(consent_form(study_.protocol.texts));
+    ask_to_confirm(Confirmed::stopping);
+  } else if (!driver_.feed(*event)) {
     throw std::logic_error("the session does not take what a form was filled in with");
   }
 }
@@ -179,14 +196,11 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
       prompt_.notices.pop_front();
       page_watch_.turn_page();
       break;
-    case KeyIntent::let_confirmation_go:
-      set_confirmation(std::nullopt);
-      break;
     case KeyIntent::confirm_timing:
-      set_confirmation(Confirmation::timing_again);
+      ask_to_confirm(Confirmed::timing_again);
       break;
-    case KeyIntent::confirm_going_on:
-      set_confirmation(Confirmation::stopping);
+    case KeyIntent::confirm_stopping:
+      ask_to_confirm(Confirmed::stopping);
       break;
     case KeyIntent::begin_validation:
       eye_.correct(std::nullopt);
@@ -218,8 +232,13 @@ void PersonSession::turn_to_next_object() {
   viewer_.turn_to(objects[(object_ahead_now() + 1) % objects.size()].direction, seat_.clock.now());
 }
 
-void PersonSession::set_confirmation(const std::optional<Confirmation>& confirmation) {
-  prompt_.confirmation = confirmation;
+void PersonSession::ask_to_confirm(Confirmed what) {
+  prompt_.confirmation.emplace(what, study_.protocol.texts);
+  page_watch_.turn_page();
+}
+
+void PersonSession::end_confirmation() {
+  prompt_.confirmation.reset();
   page_watch_.turn_page();
 }
 

@@ -34,7 +34,7 @@ SessionStatus PersonSession::status() const {
           .is_paused = seen.phase == Phase::paused,
           .now = words_for(seen, driver_.procedure(), study_.plan),
           .then = words_for_next(seen, driver_.procedure(), study_.plan),
-          .next_key = words_for_next_key(prompt_, context()),
+          .next_key = words_for_next_key(prompt_, context(), now()),
           .frames = figures_.frames(seat_.display.refresh().rate_hz()),
           .gaze = figures_.gaze(settings_.eye, seat_.clock.now()),
           .last_mark = last_mark_,

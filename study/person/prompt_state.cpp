@@ -107,9 +107,10 @@ bool is_form_shown(const PromptState& prompt, Phase phase) {
   return prompt.form && asks && !prompt.confirmation && prompt.notices.empty();
 }
 
-Event event_of_form(const PromptState& prompt, Phase phase) {
+std::optional<Event> event_of_form(const PromptState& prompt, Phase phase) {
   if (phase == Phase::consent) {
-    return ConsentGiven{};
+    return prompt.form->answers() == consent_answers() ? std::optional<Event>(ConsentGiven{})
+                                                       : std::nullopt;
   }
   if (phase == Phase::rating) {
     return Rated{prompt.form->answers()};

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "renderer/window/view_geometry.h"
+#include "study/person/confirmation.h"
 #include "study/person/form.h"
-#include "study/person/key_intent.h"
 #include "study/person/reaction_presses.h"
 #include "study/person/session_context.h"
 #include "study/stage/gaze_validation_runs.h"
@@ -49,7 +49,7 @@ void begin_validation(PromptState& prompt, const ValidationSettings& settings,
 /// Whether the participant fills in the form in this phase.
 bool is_form_shown(const PromptState& prompt, Phase phase);
 
-/// What the form that was filled in says in this phase.
-Event event_of_form(const PromptState& prompt, Phase phase);
+/// What the form that was filled in says in this phase; empty if no consent was given.
+std::optional<Event> event_of_form(const PromptState& prompt, Phase phase);
 
 }  // namespace foveola::study

@@ -42,7 +42,8 @@ void SimulatedOperator::follow(SeenFrame frame, bool may_answer) {
   }
   const PromptState& prompt = frame.prompt;
   if (prompt.confirmation) {
-    press(*prompt.confirmation == Confirmation::timing_again ? PersonKey::again : PersonKey::yes);
+    press(FormKey::down);
+    press(FormKey::enter);
   } else if (!prompt.notices.empty()) {
     press(PersonKey::confirm);
   } else {
@@ -67,7 +68,7 @@ void SimulatedOperator::fill_in(const std::vector<Answer>& answers) {
       events_.push(press_of(input, now()));
     }
   }
-  events_.push(press_of(form.key_on(), now()));
+  press(FormKey::enter);
 }
 
 void SimulatedOperator::validate_gaze(const Attempt& attempt) {
@@ -127,7 +128,7 @@ void SimulatedOperator::start_trial() {
 
 void SimulatedOperator::ask_for_retime() {
   thought_ = {};  // about the mark before
-  press(PersonKey::again);
+  press(PersonKey::back);
 }
 
 void SimulatedOperator::begin_task(Task task) {

@@ -10,6 +10,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/window/window_event.h"
 #include "study/participant/participant.h"
+#include "study/person/form_input.h"
+#include "study/person/person_keys.h"
 #include "study/person/prompt_state.h"
 #include "study/stage/conduct.h"
 
@@ -75,7 +77,7 @@ class SimulatedOperator final : private ParticipantActions {
     }
     return parts_.participant;
   }
-  void consent() override { fill_in({}); }
+  void consent() override { fill_in(consent_answers()); }
   void hand_in(const Questionnaire& /*form*/, const std::vector<Answer>& answers) override {
     fill_in(answers);
   }
@@ -104,6 +106,7 @@ class SimulatedOperator final : private ParticipantActions {
   Nanoseconds now() const { return parts_.clock.now(); }
   bool is_settled() const;
   void press(PersonKey key) { events_.push(press_of(key, now())); }
+  void press(FormKey key) { events_.push(press_of(FormInput(key), now())); }
   /// Presses the mark's key once it is time to.
   void press_mark_when_due();
   void pass_on_window_events();

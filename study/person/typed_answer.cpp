@@ -19,8 +19,7 @@ bool is_value_of(const Option& option, const Value& value) {
 
 std::vector<FormInput> typed(const Value& value) {
   const auto* const number = std::get_if<double>(&value);
-  const std::string text =
-      number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
+  const std::string text = number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
   std::vector<FormInput> inputs;
   for (const unsigned char character : text) {
     inputs.emplace_back(char32_t{character});

@@ -8,6 +8,9 @@
 namespace foveola::study {
 namespace {
 
+constexpr const char* consent_question = "consent";
+constexpr double agrees = 1.0;
+
 /// Paragraphs are parted by empty lines; within one, a line break is a space.
 std::vector<std::string> paragraphs_of(std::string_view text) {
   std::vector<std::string> paragraphs;
@@ -23,17 +26,24 @@ std::vector<std::string> paragraphs_of(std::string_view text) {
   return paragraphs;
 }
 
-/// The texts of `id`, its title and its keys.
-ScreenPage page_of(const std::string& id, const Texts& texts) {
+/// The texts of `id` and its title, with these keys.
+ScreenPage page_of(const std::string& id, const std::string& keys, const Texts& texts) {
   return {.title = text_of(texts, id + "_title"),
           .paragraphs = paragraphs_of(text_of(texts, id)),
-          .keys = text_of(texts, id + "_keys")};
+          .keys = text_of(texts, keys)};
+}
+
+ScreenPage page_of(const std::string& id, const Texts& texts) {
+  return page_of(id, id + "_keys", texts);
+}
+
+ScreenPage in_band(ScreenPage page) {
+  page.covers_picture = false;
+  return page;
 }
 
 ScreenPage band_of(const std::string& id, const Texts& texts) {
-  ScreenPage band = page_of(id, texts);
-  band.covers_picture = false;
-  return band;
+  return in_band(page_of(id, texts));
 }
 
 const char* id_of(Notice notice) {
@@ -56,8 +66,6 @@ const char* id_of(Notice notice) {
       return "next_scene";
     case Notice::pause:
       return "pause";
-    case Notice::stopping:
-      return "stopping";
     case Notice::withdrawn:
       return "withdrawn";
     case Notice::interrupted:
@@ -88,11 +96,15 @@ std::optional<std::string> id_of(TimedAgain again) {
 Form consent_form(const Texts& texts) {
   return Form({.title = text_of(texts, "consent_title"),
                .intro = paragraphs_of(text_of(texts, "consent")),
-               .confirmation = text_of(texts, "consent_confirm"),
-               .confirm_keys = text_of(texts, "consent_keys"),
-               .confirm_with = U"yY"},
+               .questions = {{.id = consent_question,
+                              .text = text_of(texts, "consent_confirm"),
+                              .kind = QuestionKind::choice,
+                              .options = {{text_of(texts, "consent_yes"), agrees},
+                                          {text_of(texts, "consent_no"), 0.0}}}}},
               texts);
 }
+
+std::vector<Answer> consent_answers() { return {{consent_question, agrees}}; }
 
 Form questionnaire_form(const Questionnaire& questionnaire, const Texts& texts) {
   return Form({.title = questionnaire.title,
@@ -173,6 +185,12 @@ ScreenPage mark_taken_screen(std::size_t taken, std::size_t marks, const Texts& 
 
 ScreenPage look_around_screen(const Texts& texts) { return band_of("look_around", texts); }
 
-ScreenPage retiming_screen(const Texts& texts) { return band_of("retiming", texts); }
+ScreenPage retiming_screen(const Texts& texts) {
+  return in_band(page_of("retiming", "form_choice_keys", texts));
+}
+
+ScreenPage stopping_screen(const Texts& texts) {
+  return page_of("stopping", "form_choice_keys", texts);
+}
 
 }  // namespace foveola::study

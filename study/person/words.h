@@ -14,8 +14,10 @@ namespace foveola::study {
 
 // --- Forms ---
 
-/// Agreed to by the letter Y; N is left to others.
+/// Ends with the question whether one agrees.
 Form consent_form(const Texts& texts);
+/// The answers of who agrees.
+std::vector<Answer> consent_answers();
 
 Form questionnaire_form(const Questionnaire& questionnaire, const Texts& texts);
 
@@ -34,7 +36,6 @@ enum class Notice {
   first_trial,       ///< after the practice trials
   next_scene,
   pause,
-  stopping,  ///< asks whether to stop taking part
   withdrawn,
   interrupted,
   goodbye,
@@ -97,7 +98,9 @@ ScreenPage mark_taken_screen(std::size_t taken, std::size_t marks, const Texts& 
 /// Before the rating.
 ScreenPage look_around_screen(const Texts& texts);
 
-/// Asks whether to time the trial again.
+/// Asks whether to time the trial again; a list of choices belongs to it.
 ScreenPage retiming_screen(const Texts& texts);
+/// Asks whether to stop taking part; a list of choices belongs to it, and it is no band.
+ScreenPage stopping_screen(const Texts& texts);
 
 }  // namespace foveola::study

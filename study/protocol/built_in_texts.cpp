@@ -40,7 +40,8 @@ constexpr std::array built_in{
     BuiltInText{"consent_title", "Consent"},
     BuiltInText{"consent", ""},
     BuiltInText{"consent_confirm", "Do you agree to take part?"},
-    BuiltInText{"consent_keys", "[Y] I agree    [N] I do not agree"},
+    BuiltInText{"consent_yes", "I agree"},
+    BuiltInText{"consent_no", "I do not agree"},
     BuiltInText{"validation_title", "Where you look"},
     BuiltInText{"validation",
                 "Dots will appear one after the other. Look at the middle of each until it goes, "
@@ -101,12 +102,13 @@ constexpr std::array built_in{
     BuiltInText{"mark_taken", "Taken: {mark} of {marks}"},
     BuiltInText{"look_around_title", "Look around"},
     BuiltInText{"look_around", "Now look at the other areas of the picture."},
-    BuiltInText{"look_around_keys", "[Enter] answer    [R] a time went wrong: once more"},
+    BuiltInText{"look_around_keys", "[Enter] answer    [Backspace] a time went wrong: once more"},
     BuiltInText{"rating_confirm", "Your answer: {answers}"},
     BuiltInText{"rating_keys", "[Enter] yes, that is it"},
     BuiltInText{"retiming_title", "Do this part once more?"},
     BuiltInText{"retiming", "It starts again as noise, and you press Space at each moment anew."},
-    BuiltInText{"retiming_keys", "[R] once more    [Backspace] no, go on"},
+    BuiltInText{"retiming_continue", "No, continue"},
+    BuiltInText{"retiming_again", "Once more"},
 
     // At any time, and at the end.
     BuiltInText{"pause_title", "Pause"},
@@ -116,7 +118,8 @@ constexpr std::array built_in{
     BuiltInText{"stopping",
                 "You need not say why. If what was recorded of you shall be deleted, tell the "
                 "experimenter."},
-    BuiltInText{"stopping_keys", "[Y] stop taking part    [N] go on"},
+    BuiltInText{"stopping_continue", "Continue"},
+    BuiltInText{"stopping_stop", "Stop taking part"},
     BuiltInText{"withdrawn_title", "The session has ended"},
     BuiltInText{"withdrawn", "Thank you for your time!"},
     BuiltInText{"withdrawn_keys", ""},
@@ -142,7 +145,6 @@ constexpr std::array in_headset{
         "You may pause at any time, and stop for good without giving a reason: tell the "
         "experimenter."},
     BuiltInText{"welcome_keys", "[go on] begin"},
-    BuiltInText{"consent_keys", "[go on] I agree    If you do not, tell the experimenter."},
     BuiltInText{"validation_keys", "[go on] begin"},
     BuiltInText{"validation_again_keys", "[go on] begin"},
     BuiltInText{"reaction",
@@ -168,10 +170,15 @@ constexpr std::array in_headset{
     BuiltInText{"pause_keys", "[go on]"},
 };
 
+constexpr std::array<std::string_view, 3> retired = {"consent_keys", "retiming_keys",
+                                                     "stopping_keys"};
+
 }  // namespace
 
 std::span<const BuiltInText> built_in_texts() { return built_in; }
 
 std::span<const BuiltInText> built_in_texts_in_headset() { return in_headset; }
+
+std::span<const std::string_view> retired_text_ids() { return retired; }
 
 }  // namespace foveola::study

@@ -17,4 +17,7 @@ std::span<const BuiltInText> built_in_texts();
 /// by the names of the headset's actions.
 std::span<const BuiltInText> built_in_texts_in_headset();
 
+/// The ids of texts that Foveola 0.1.0 showed. Protocols in its records may have them.
+std::span<const std::string_view> retired_text_ids();
+
 }  // namespace foveola::study

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +16,9 @@
 #include "renderer/base/similar_word.h"
 #include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
+#include "renderer/base/utf8.h"
+#include "study/protocol/built_in_texts.h"
+#include "study/protocol/protocol_places.h"
 #include "study/protocol/read_analysis.h"
 #include "study/protocol/read_methods.h"
 #include "study/protocol/read_procedure.h"
@@ -45,6 +51,42 @@ void refuse_old_tables(TomlReader& reader, const toml::table& table) {
   }
 }
 
+/// The first letter alone in brackets, as in "[J] Ja"; empty if there is none.
+std::string letter_key_in(std::string_view words) {
+  for (std::size_t open = words.find('['); open != std::string_view::npos;
+       open = words.find('[', open + 1)) {
+    const std::string_view rest = words.substr(open + 1);
+    const std::string_view name = rest.substr(0, bytes_of_first(rest, 1));
+    const auto first = static_cast<unsigned char>(name.empty() ? ' ' : name.front());
+    constexpr unsigned char first_letter = 0xC3;  // of UTF-8's beyond ASCII
+    constexpr unsigned char symbols = 0xE2;       // arrows among them
+    const bool is_letter = std::isalpha(first) != 0 || (first >= first_letter && first != symbols);
+    if (is_letter && rest.substr(name.size()).starts_with(']')) {
+      return std::string(name);
+    }
+  }
+  return {};
+}
+
+/// Throws Error for words that name a key to which no page answers.
+void require_true_keys(const Protocol& protocol) {
+  const ProtocolPlaces places(protocol);
+  const std::span<const std::string_view> retired = retired_text_ids();
+  for (const auto& [id, words] : protocol.texts) {
+    if (std::find(retired.begin(), retired.end(), id) != retired.end()) {
+      throw Error(places.of("texts." + id),
+                  "is not shown: that page has a list, which arrows and Enter answer",
+                  "leave it out, and give consent_yes, consent_no, retiming_continue, "
+                  "retiming_again, stopping_continue and stopping_stop the study's words");
+    }
+    if (const std::string letter = letter_key_in(words); !letter.empty()) {
+      throw Error(places.of("texts." + id),
+                  fmt::format("names the key [{}], to which no page answers", letter),
+                  "name the keys that the built-in words name (foveola study keys)");
+    }
+  }
+}
+
 fs::path users_protocols() { return data_folder() / "protocols"; }
 
 }  // namespace
@@ -69,7 +111,11 @@ fs::path find_protocol(const std::string& name_or_path) {
                            fmt::format("give a .toml file or one of {}", fmt::join(names, ", "))));
 }
 
-Protocol load_protocol(const fs::path& path) { return read_protocol(read_toml_file(path), path); }
+Protocol load_protocol(const fs::path& path) {
+  Protocol protocol = read_protocol(read_toml_file(path), path);
+  require_true_keys(protocol);
+  return protocol;
+}
 
 Protocol read_protocol(const std::string& text, const fs::path& path, TomlKeys* keys) {
   Protocol protocol;

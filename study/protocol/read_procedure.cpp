@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "study/protocol/built_in_texts.h"
 #include "study/protocol/read_questions.h"
 #include "study/protocol/read_settings.h"
 #include "study/protocol/texts.h"
@@ -44,6 +45,11 @@ Texts read_words(TomlReader reader) {
     if (reader.has(id)) {
       require_known_names(reader, id, text);
       texts[id] = text;
+    }
+  }
+  for (const std::string_view id : retired_text_ids()) {
+    if (reader.has(id)) {
+      reader.read(id, texts[std::string(id)]);
     }
   }
   reader.reject_unknown_keys();

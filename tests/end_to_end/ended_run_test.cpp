@@ -24,9 +24,11 @@ TEST_F(StudyRun, AParticipantMayStop) {
   participant_.answer_page("Return");  // choosing
   participant_.answer_page("Escape");  // ready
   participant_.answer_page("BackSpace");
-  participant_.answer_page("n");  // no, go on
+  participant_.wait_for_page();
+  participant_.type_all({"y", "j", "BackSpace", "Return"});  // no, continue
   participant_.answer_page("BackSpace");
-  participant_.answer_page("y");
+  participant_.wait_for_page();
+  participant_.type_all({"Down", "Return"});
   end_by_enter();
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("withdrawn"));
 }

@@ -63,7 +63,7 @@ class RunWithNeighbours : public StudyRun {
   /// From a page of `moments` to the next.
   void go_on_from(const std::string& page) {
     if (page == "consent") {
-      participant_.type_all({"Return", "y"});
+      participant_.type_all({"Return", "Down", "Return"});
       participant_.answer_page("Return");  // choosing
       participant_.answer_page("space");   // ready
       EXPECT_EQ(participant_.wait_for_page(), "marking");

@@ -92,7 +92,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.begin({"--tracker", profile, "--receipt", receipt});
   participant_.answer_page("Return");  // welcome
   participant_.wait_for_page();        // consent
-  participant_.type_all({"Return", "y"});
+  participant_.type_all({"Return", "Down", "Return"});
   participant_.wait_for_page();  // background
   participant_.type_all({"3", "4", "Return", "2", "Return", "Return"});
   participant_.answer_page("Return");  // before the targets
@@ -114,8 +114,9 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.wait_for_page();        // choosing: the lamp is ahead, Tab goes round to the wall
   participant_.type_all({"Tab", "Return"});
   time_trial();
-  participant_.type("r");  // the timing went wrong
-  participant_.answer_page("r");
+  participant_.type("BackSpace");  // the timing went wrong
+  participant_.wait_for_page();
+  participant_.type_all({"Down", "Return"});
   const std::vector<KeyPress> first = time_trial();
   rate("4");
 

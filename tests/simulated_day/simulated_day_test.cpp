@@ -169,8 +169,9 @@ class SimulatedDay : public StudyRun {
     start_trial();
     mark();
     mark();
-    participant_.type("r");
-    participant_.answer_page("r");
+    participant_.type("BackSpace");
+    participant_.wait_for_page();
+    participant_.type_all({"Down", "Return"});
     whole_trials(2);
     end_by_enter();
   }

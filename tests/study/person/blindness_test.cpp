@@ -80,7 +80,7 @@ class Reader {
           form.follow(input);
         }
       }
-      ASSERT_TRUE(form.follow(form.key_on()));
+      ASSERT_TRUE(form.follow(FormKey::enter));
     }
   }
 
@@ -139,8 +139,8 @@ std::vector<std::string> lines_with(const std::string& method) {
     for (const std::size_t step : {0U, 1U, 2U}) {
       PromptSession session = session_with(method, static_cast<Phase>(phase), step);
       read_phase(reader, session);
-      for (const Confirmation confirmation : {Confirmation::timing_again, Confirmation::stopping}) {
-        session.prompt.confirmation = confirmation;
+      for (const Confirmed what : {Confirmed::timing_again, Confirmed::stopping}) {
+        session.prompt.confirmation.emplace(what, session.protocol.texts);
         reader.read(session);
       }
     }

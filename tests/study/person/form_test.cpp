@@ -131,16 +131,15 @@ TEST(FormTest, KeysThatMeanNothingAreLeftToOthers) {
   EXPECT_FALSE(type(form, U"q"));
 }
 
-TEST(FormTest, ALetterCanBeAskedForInsteadOfEnter) {
-  Form form({.title = "Consent", .intro = {"Read this."}, .confirm_with = U"jJ"}, {});
-  EXPECT_THAT(form.screen().paragraphs, ElementsAre("Read this."));
-  EXPECT_FALSE(type(form, U"j"));  // not read yet
-  press(form, {FormKey::enter});
-  EXPECT_FALSE(press(form, {FormKey::enter}));
-  EXPECT_FALSE(type(form, U"n"));
-  EXPECT_FALSE(form.is_submitted());
-  EXPECT_TRUE(type(form, U"J"));
+TEST(FormTest, WithoutALastPageTheLastAnswerHandsItIn) {
+  Form form({.intro = {"Read this."}, .questions = {test::gender()}}, {});
+  press(form, {FormKey::enter, FormKey::enter});
+  EXPECT_FALSE(form.is_submitted()) << "without an answer";
+  EXPECT_FALSE(form.screen().fields[0].fault.empty());
+  press(form, {FormKey::down, FormKey::enter});
   EXPECT_TRUE(form.is_submitted());
+  EXPECT_THAT(form.answers(), ElementsAre(Answer{"gender", 5.0}));
+  EXPECT_THAT(form.screen().fields, SizeIs(1)) << "no other page comes up";
 }
 
 TEST(FormTest, WordsComeFromTheProtocol) {

@@ -10,8 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr PersonKey all_keys[] = {PersonKey::mark, PersonKey::confirm, PersonKey::next,
-                                  PersonKey::back, PersonKey::pause,   PersonKey::yes,
-                                  PersonKey::no,   PersonKey::again};
+                                  PersonKey::back, PersonKey::pause};
 constexpr Phase all_phases[] = {
     Phase::created,   Phase::consent,         Phase::questionnaire, Phase::validation,
     Phase::reaction,  Phase::choosing_object, Phase::ready,         Phase::armed,
@@ -21,11 +20,10 @@ constexpr Phase all_phases[] = {
 using Meanings = std::map<PersonKey, KeyIntent>;
 
 /// Every key that means something there.
-Meanings meanings(Phase phase, const std::optional<Confirmation>& confirmation = {},
-                  bool reads_notice = false) {
+Meanings meanings(Phase phase, bool reads_notice = false) {
   Meanings meanings;
   for (const PersonKey key : all_keys) {
-    if (const auto intent = intent_of(key, phase, confirmation, reads_notice)) {
+    if (const auto intent = intent_of(key, phase, reads_notice)) {
       meanings.emplace(key, *intent);
     }
   }
@@ -34,7 +32,6 @@ Meanings meanings(Phase phase, const std::optional<Confirmation>& confirmation =
 
 TEST(KeyIntent, EachPhaseHasItsKeys) {
   const std::map<Phase, Meanings> expected = {
-      {Phase::consent, {{PersonKey::no, KeyIntent::confirm_going_on}}},
       {Phase::validation,
        {{PersonKey::mark, KeyIntent::begin_validation},
         {PersonKey::confirm, KeyIntent::begin_validation}}},
@@ -43,13 +40,13 @@ TEST(KeyIntent, EachPhaseHasItsKeys) {
        {{PersonKey::next, KeyIntent::next_object}, {PersonKey::confirm, KeyIntent::choose_object}}},
       {Phase::ready, {{PersonKey::mark, KeyIntent::start_trial}}},
       {Phase::marking,
-       {{PersonKey::mark, KeyIntent::mark}, {PersonKey::again, KeyIntent::confirm_timing}}},
+       {{PersonKey::mark, KeyIntent::mark}, {PersonKey::back, KeyIntent::confirm_timing}}},
       {Phase::rating,
-       {{PersonKey::confirm, KeyIntent::rate}, {PersonKey::again, KeyIntent::confirm_timing}}},
+       {{PersonKey::confirm, KeyIntent::rate}, {PersonKey::back, KeyIntent::confirm_timing}}},
       {Phase::paused,
        {{PersonKey::mark, KeyIntent::resume},
         {PersonKey::confirm, KeyIntent::resume},
-        {PersonKey::back, KeyIntent::confirm_going_on}}},
+        {PersonKey::back, KeyIntent::confirm_stopping}}},
       {Phase::completed, {{PersonKey::confirm, KeyIntent::leave}}},
       {Phase::withdrawn, {{PersonKey::confirm, KeyIntent::leave}}},
       {Phase::excluded, {{PersonKey::confirm, KeyIntent::leave}}},
@@ -65,18 +62,7 @@ TEST(KeyIntent, ANoticeIsReadBeforeAllElse) {
   const Meanings reads = {{PersonKey::mark, KeyIntent::read_on},
                           {PersonKey::confirm, KeyIntent::read_on}};
   for (const Phase phase : all_phases) {
-    EXPECT_EQ(meanings(phase, {}, true), reads) << name_of(phase);
-  }
-}
-
-TEST(KeyIntent, AConfirmationIsConfirmedOrLetGoAndNothingElse) {
-  for (const bool reads_notice : {false, true}) {
-    EXPECT_EQ(meanings(Phase::marking, Confirmation::timing_again, reads_notice),
-              (Meanings{{PersonKey::again, KeyIntent::time_again},
-                        {PersonKey::back, KeyIntent::let_confirmation_go}}));
-    EXPECT_EQ(meanings(Phase::paused, Confirmation::stopping, reads_notice),
-              (Meanings{{PersonKey::yes, KeyIntent::stop_taking_part},
-                        {PersonKey::no, KeyIntent::let_confirmation_go}}));
+    EXPECT_EQ(meanings(phase, true), reads) << name_of(phase);
   }
 }
 

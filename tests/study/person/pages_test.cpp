@@ -30,9 +30,9 @@ TEST(PagesTest, AConfirmationIsBeforeNoticesAndThoseAreBeforeThePhase) {
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::pause, texts)));
   session.follow(SessionStarted{});
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::welcome, texts)));
-  session.prompt.confirmation = Confirmation::stopping;
-  EXPECT_EQ(title(session), title_of(notice_screen(Notice::stopping, texts)));
-  session.prompt.confirmation = Confirmation::timing_again;
+  session.prompt.confirmation.emplace(Confirmed::stopping, texts);
+  EXPECT_EQ(title(session), title_of(stopping_screen(texts)));
+  session.prompt.confirmation.emplace(Confirmed::timing_again, texts);
   EXPECT_EQ(title(session), title_of(retiming_screen(texts)));
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "study/person/confirmation.h"
 #include "study/person/words.h"
 #include "tests/renderer/window/screen_capture.h"
 #include "tests/renderer/window/screen_letters.h"
@@ -26,8 +27,7 @@ std::vector<NamedScreen> pages_of_form(const std::string& name, Form form) {
     test::press(form, {FormKey::right, FormKey::down});
     test::type(form, U"20");
     pages.push_back({fmt::format("{}-{:02}", name, pages.size()), form.screen()});
-    const bool goes_on = test::press(form, {FormKey::enter});
-    EXPECT_TRUE(goes_on || test::type(form, U"y")) << name;
+    EXPECT_TRUE(test::press(form, {FormKey::enter})) << name;
   }
   return pages;
 }
@@ -66,7 +66,8 @@ std::vector<NamedScreen> screens_of_a_session(bool in_headset) {
       {"no-gaze", no_gaze_screen(texts)},
       {"mark-taken", mark_taken_screen(1, protocol.marks.size(), texts)},
       {"look-around", look_around_screen(texts)},
-      {"retiming", retiming_screen(texts)}};
+      {"retiming", Confirmation(Confirmed::timing_again, texts).screen(texts)},
+      {"stopping", Confirmation(Confirmed::stopping, texts).screen(texts)}};
   for (int notice = 0; notice <= static_cast<int>(Notice::goodbye); ++notice) {
     screens.push_back(
         {fmt::format("notice-{:02}", notice), notice_screen(static_cast<Notice>(notice), texts)});

@@ -53,7 +53,7 @@ TEST(PromptStateTest, AFormWaitsForConfirmationsAndNotices) {
   session.prepare(AskQuestionnaire{"background"});
   ASSERT_TRUE(is_form_shown(session.prompt, Phase::questionnaire));
   EXPECT_FALSE(is_form_shown(session.prompt, Phase::paused));
-  session.prompt.confirmation = Confirmation::stopping;
+  session.prompt.confirmation.emplace(Confirmed::stopping, session.protocol.texts);
   EXPECT_FALSE(is_form_shown(session.prompt, Phase::questionnaire));
   session.prompt.confirmation.reset();
   session.follow(SessionStarted{});
@@ -65,11 +65,24 @@ TEST(PromptStateTest, WhatAFormSaysDependsOnWhatWasAsked) {
   session.prepare(AskQuestionnaire{"background"});
   test::type(*session.prompt.form, U"20");
   test::press(*session.prompt.form, {FormKey::enter, FormKey::enter});
-  const Event answered = event_of_form(session.prompt, Phase::questionnaire);
+  const Event answered = event_of_form(session.prompt, Phase::questionnaire).value();
   EXPECT_EQ(std::get<QuestionnaireAnswered>(answered).questionnaire, "background");
   EXPECT_EQ(std::get<QuestionnaireAnswered>(answered).answers.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ConsentGiven>(event_of_form(session.prompt, Phase::consent)));
-  EXPECT_TRUE(std::holds_alternative<Rated>(event_of_form(session.prompt, Phase::rating)));
+  EXPECT_TRUE(std::holds_alternative<Rated>(event_of_form(session.prompt, Phase::rating).value()));
+}
+
+TEST(PromptStateTest, OnlyWhoAgreesGivesConsent) {
+  PromptSession session;
+  for (const auto& [choice, agrees] : {std::pair{U'1', true}, std::pair{U'2', false}}) {
+    session.prepare(AskForConsent{});
+    Form& form = *session.prompt.form;
+    test::press(form, {FormKey::enter});
+    form.follow(choice);
+    test::press(form, {FormKey::enter});
+    ASSERT_TRUE(form.is_submitted());
+    const std::optional<Event> event = event_of_form(session.prompt, Phase::consent);
+    EXPECT_EQ(event && std::holds_alternative<ConsentGiven>(*event), agrees);
+  }
 }
 
 TEST(PromptStateTest, TheReactionTestIsExplainedOnce) {

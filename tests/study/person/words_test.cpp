@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "study/person/confirmation.h"
 #include "study/protocol/built_in_texts.h"
 #include "tests/study/person/typing.h"
 
@@ -14,14 +15,12 @@ using ::testing::AnyOf;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Not;
 
-constexpr Notice notices[] = {Notice::welcome,          Notice::loading,    Notice::validation,
-                              Notice::validation_again, Notice::refused,    Notice::practice,
-                              Notice::first_trial,      Notice::next_scene, Notice::pause,
-                              Notice::stopping,         Notice::withdrawn,  Notice::interrupted,
-                              Notice::goodbye};
+constexpr Notice notices[] = {Notice::welcome,          Notice::loading,     Notice::validation,
+                              Notice::validation_again, Notice::refused,     Notice::practice,
+                              Notice::first_trial,      Notice::next_scene,  Notice::pause,
+                              Notice::withdrawn,        Notice::interrupted, Notice::goodbye};
 
 const std::vector<MarkEntry> two_marks = {
     {.id = "outline", .instruction = "You see its outline."},
@@ -37,7 +36,8 @@ std::vector<ScreenPage> plain_screens(const Texts& texts) {
                                      no_gaze_screen(texts),
                                      mark_taken_screen(1, 2, texts),
                                      look_around_screen(texts),
-                                     retiming_screen(texts)};
+                                     Confirmation(Confirmed::timing_again, texts).screen(texts),
+                                     Confirmation(Confirmed::stopping, texts).screen(texts)};
   screens.push_back(ready_screen(two_marks, {.object = {.name = "Lamp"}}, texts));
   for (const TimedAgain again : {TimedAgain::no, TimedAgain::asked_for,
                                  TimedAgain::object_out_of_view, TimedAgain::gaze_elsewhere}) {
@@ -110,6 +110,9 @@ TEST(WordsTest, EveryTextIsShownSomewhere) {
     }
     for (const ScreenField& field : screen.fields) {
       shown += field.fault + '\n';
+      for (const std::string& label : field.labels) {
+        shown += label + '\n';
+      }
     }
   };
   for (const ScreenPage& screen : plain_screens(texts)) {
@@ -127,7 +130,7 @@ TEST(WordsTest, EveryTextIsShownSomewhere) {
     }
     show(form.screen());
   };
-  walk(consent_form(texts), U"", U"y");
+  walk(consent_form(texts), U"", U"1");
   walk(rating_form({test::experience()}, texts), U"", U"3");
   walk(questionnaire_form(
            {.title = "t", .intro = "i", .questions = {test::experience(), test::gender()}}, texts),
@@ -146,7 +149,6 @@ TEST(WordsTest, EveryTextIsShownSomewhere) {
   }
 }
 
-// But for the letters of what is only asked once somebody at the keyboard wants it.
 TEST(WordsTest, InAHeadsetNoKeysAreNamed) {
   const Texts texts = texts_in_headset({});
   std::vector<ScreenPage> screens = plain_screens(texts);
@@ -214,15 +216,18 @@ TEST(WordsTest, OnlyTheSignalOfTheReactionTestIsBright) {
   EXPECT_FALSE(reaction_early_screen({}).is_signal);
 }
 
-TEST(WordsTest, ConsentIsReadAndThenAgreedTo) {
-  Form form = consent_form({{"consent", "It is about pictures."}});
-  EXPECT_THAT(form.screen().paragraphs, ElementsAre("It is about pictures."));
-  press(form, {FormKey::enter, FormKey::enter});
-  EXPECT_FALSE(form.is_submitted());
-  EXPECT_FALSE(type(form, U"n"));
-  EXPECT_TRUE(type(form, U"Y"));
-  EXPECT_TRUE(form.is_submitted());
-  EXPECT_THAT(form.answers(), IsEmpty());
+TEST(WordsTest, ConsentIsReadAndThenAgreedToOrNot) {
+  for (const FormKey choice : {FormKey::down, FormKey::up}) {
+    Form form = consent_form({{"consent", "It is about pictures."}});
+    EXPECT_THAT(form.screen().paragraphs, ElementsAre("It is about pictures."));
+    press(form, {FormKey::enter, FormKey::enter, FormKey::enter});
+    EXPECT_FALSE(form.is_submitted()) << "a held Enter agrees to nothing";
+    EXPECT_FALSE(type(form, U"yYnNjJ"));
+    press(form, {choice, FormKey::enter});
+    EXPECT_TRUE(form.is_submitted());
+    EXPECT_EQ(form.answers() == consent_answers(), choice == FormKey::down)
+        << "the first of the two is to agree";
+  }
 }
 
 }  // namespace

@@ -13,6 +13,21 @@ namespace {
 
 using ProtocolFile = ProtocolFolder;
 
+TEST(ProtocolText, KeysThatAreNoLettersMayBeNamed) {
+  test::TemporaryFolder folder;
+  const std::string text =
+      minimal + "[texts]\nready_keys = \"[←] [1] [Leertaste] [⏎] [] [mark]\"\n";
+  EXPECT_NO_THROW(load_protocol(folder.write("p.toml", text)));
+}
+
+// Records of 0.1.0 have them.
+TEST(ProtocolText, OfARecordNamesTheKeysThatItsProgramHad) {
+  const std::string consent = "[J] Ja    [N] Nein";
+  const Protocol protocol =
+      read_protocol(minimal + "[texts]\nconsent_keys = \"" + consent + "\"\n", "p.toml");
+  EXPECT_EQ(protocol.texts.at("consent_keys"), consent);
+}
+
 TEST_F(ProtocolFile, NeedsOnlyANameATitleScenesAndMethods) {
   const Protocol protocol = load(minimal);
   EXPECT_EQ(protocol.name, "small");
