@@ -24,6 +24,7 @@ struct ScreenField {
   std::vector<std::string> labels;
   std::optional<std::size_t> chosen;  ///< index of the chosen option or point
   std::string typed;                  ///< what was typed into a line or a text field
+  std::string note;                   ///< on what was typed; empty if there is nothing to say
   std::string fault;                  ///< why it is no answer; empty if there is nothing to say
   bool has_focus = false;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/base/utf8.h"
@@ -292,9 +293,12 @@ void add_field(ScreenColumn& column, const ScreenField& field) {
   const float answer_top_px = column.bottom_px();
   add_answer(column, field);
   put_frame(column, field, answer_top_px);
-  if (!field.fault.empty()) {
-    column.leave(0.5F);
-    column.write(field.fault, TextFace::body, Ink::fault);
+  for (const auto& [words, ink] :
+       {std::pair(&field.note, Ink::text), std::pair(&field.fault, Ink::fault)}) {
+    if (!words->empty()) {
+      column.leave(0.5F);
+      column.write(*words, TextFace::body, ink);
+    }
   }
   if (field.has_focus && !column.focus()) {
     column.put_focus({0.0F, top_px}, {column.width_px(), column.bottom_px() - top_px});

@@ -117,6 +117,7 @@ Characters characters_of(const ScreenPage& page) {
   for (const ScreenField& field : page.fields) {
     add(field.question);
     add(field.typed);
+    add(field.note);
     add(field.fault);
     std::for_each(field.labels.begin(), field.labels.end(), add);
   }

@@ -93,7 +93,7 @@ bool Form::follow(const FormInput& input) {
 
 bool Form::go_on() {
   if (!is_reading()) {
-    fault_ = fault_of(entry().question(), entry().value(), texts_);
+    fault_ = entry().fault(texts_);
     if (!fault_.empty()) {
       return true;
     }

@@ -1,13 +1,13 @@
 #include "study/person/question_entry.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "renderer/base/utf8.h"
+#include "study/person/typed_number.h"
 
 namespace foveola::study {
 namespace {
@@ -85,15 +85,6 @@ bool is_of_a_number(char32_t typed) {
   return (typed >= '0' && typed <= '9') || typed == '-' || typed == '.' || typed == ',';
 }
 
-/// Half of the world writes a comma in its numbers.
-std::optional<double> number_of(std::string typed) {
-  std::replace(typed.begin(), typed.end(), ',', '.');
-  double number = 0.0;
-  const char* const end = typed.data() + typed.size();
-  const auto [rest, fault] = std::from_chars(typed.data(), end, number);
-  return fault == std::errc() && rest == end ? std::optional(number) : std::nullopt;
-}
-
 }  // namespace
 
 QuestionEntry::QuestionEntry(Question question)
@@ -128,8 +119,8 @@ bool QuestionEntry::follow(const FormInput& input) {
 
 /// From the lowest number, or the highest one, if there is none yet.
 bool QuestionEntry::count(double by) {
-  const std::optional<double> number = number_of(typed_);
-  const double next = number ? *number + by : (by > 0.0 ? question_.minimum : question_.maximum);
+  const std::optional<double> from = number();
+  const double next = from ? *from + by : (by > 0.0 ? question_.minimum : question_.maximum);
   typed_ = fmt::format("{}", std::clamp(next, question_.minimum, question_.maximum));
   is_counted_ = true;
   return true;
@@ -137,8 +128,7 @@ bool QuestionEntry::count(double by) {
 
 bool QuestionEntry::step() {
   if (kind_ == ScreenField::Kind::line) {
-    const std::optional<double> number = number_of(typed_);
-    if (number && *number >= question_.maximum) {
+    if (const std::optional<double> from = number(); from && *from >= question_.maximum) {
       typed_.clear();
     }
     return count(1.0);
@@ -196,12 +186,31 @@ bool QuestionEntry::erase() {
   return true;
 }
 
+std::optional<double> QuestionEntry::number() const {
+  const std::vector<double> readings = readings_of(typed_);
+  return readings.size() == 1 ? std::optional(readings.front()) : std::nullopt;
+}
+
 ScreenField QuestionEntry::field() const {
+  const std::string shown = shown_value();
   return {.kind = kind_,
           .question = question_.text,
           .labels = labels_,
           .chosen = chosen_,
-          .typed = typed_};
+          .typed = typed_,
+          .note = chosen_ || shown == typed_ ? "" : "= " + shown};
+}
+
+std::string QuestionEntry::fault(const Texts& texts) const {
+  const std::vector<double> readings =
+      kind_ == ScreenField::Kind::line ? readings_of(typed_) : std::vector<double>{};
+  if (readings.size() < 2) {
+    return fault_of(question_, value(), texts);
+  }
+  const char mark = typed_[typed_.find_first_of(".,")];
+  return filled(text_of(texts, "fault_ambiguous"), {{"typed", typed_},
+                                                    {"decimal", unambiguous(readings[0], mark)},
+                                                    {"whole", unambiguous(readings[1])}});
 }
 
 std::variant<double, std::string> QuestionEntry::value() const {
@@ -216,8 +225,8 @@ std::variant<double, std::string> QuestionEntry::value() const {
     return option.label;
   }
   if (kind_ == ScreenField::Kind::line) {
-    if (const std::optional<double> number = number_of(typed_)) {
-      return *number;
+    if (const std::optional<double> typed = number()) {
+      return *typed;
     }
   }
   return typed_;
@@ -227,7 +236,9 @@ bool QuestionEntry::is_empty() const { return !chosen_ && typed_.empty(); }
 
 std::string QuestionEntry::shown_value() const {
   if (!chosen_) {
-    return typed_;
+    const std::variant<double, std::string> typed = value();
+    const auto* const read = std::get_if<double>(&typed);
+    return read != nullptr ? fmt::format("{}", *read) : typed_;
   }
   return kind_ == ScreenField::Kind::choice
              ? question_.options[*chosen_].label

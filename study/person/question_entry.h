@@ -21,14 +21,19 @@ class QuestionEntry {
   /// characters and erase; elsewhere, characters and erase. Step is right, or down, and goes round.
   bool follow(const FormInput& input);
 
-  /// The field without words on what is wrong and without focus.
+  /// The field without words on what is wrong and without focus. A number that was typed in another
+  /// way than it is shown has a note.
   ScreenField field() const;
 
-  /// A number where one is asked for and typed. An empty text if there is no answer yet.
+  /// A number where one is asked for and typed, if it has one reading. An empty text if there is no
+  /// answer yet.
   std::variant<double, std::string> value() const;
   bool is_empty() const;
 
-  /// The answer as the screen shows it.
+  /// Why the value is no answer, in the protocol's words; empty if it is one.
+  std::string fault(const Texts& texts) const;
+
+  /// The answer as the screen shows it: a number as it was read.
   std::string shown_value() const;
 
   const Question& question() const { return question_; }
@@ -44,6 +49,8 @@ class QuestionEntry {
   bool choose_by(char32_t typed);
   bool type(char32_t typed);
   bool erase();
+  /// The number that was typed; empty if there is none, or several that are meant.
+  std::optional<double> number() const;
 
   Question question_;
   ScreenField::Kind kind_;

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "study/person/question_entry.h"
+#include "study/person/typed_number.h"
 
 namespace foveola::study {
 namespace {
@@ -19,7 +18,7 @@ bool is_value_of(const Option& option, const Value& value) {
 
 std::vector<FormInput> typed(const Value& value) {
   const auto* const number = std::get_if<double>(&value);
-  const std::string text = number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
+  const std::string text = number != nullptr ? unambiguous(*number) : std::get<std::string>(value);
   std::vector<FormInput> inputs;
   for (const unsigned char character : text) {
     inputs.emplace_back(char32_t{character});

@@ -22,6 +22,7 @@ constexpr std::array built_in{
     BuiltInText{"form_back_left", "[←] back"},
     BuiltInText{"fault_missing", "Please answer this question."},
     BuiltInText{"fault_not_a_number", "Please type a number."},
+    BuiltInText{"fault_ambiguous", "Please type {decimal} or {whole}: {typed} may be either."},
     BuiltInText{"fault_not_whole", "Please give a whole number."},
     BuiltInText{"fault_out_of_range", "Please give a number from {minimum} to {maximum}."},
     BuiltInText{"fault_no_option", "Please choose one of the options."},

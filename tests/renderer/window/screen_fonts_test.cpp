@@ -23,11 +23,12 @@ TEST(LetterFonts, KnowsTheCharactersOfAText) {
 }
 
 TEST(LetterFonts, APageIsReadWhole) {
-  const ScreenPage page{.title = "a",
-                        .paragraphs = {"b", "c"},
-                        .fields = {{.question = "d", .labels = {"e"}, .typed = "f", .fault = "g"}},
-                        .keys = "h"};
-  EXPECT_EQ(characters_of(page), characters_of("abcdefgh"));
+  const ScreenPage page{
+      .title = "a",
+      .paragraphs = {"b", "c"},
+      .fields = {{.question = "d", .labels = {"e"}, .typed = "f", .note = "i", .fault = "g"}},
+      .keys = "h"};
+  EXPECT_EQ(characters_of(page), characters_of("abcdefghi"));
 }
 
 TEST(LetterFonts, WhatNoFontHasIsNamed) {

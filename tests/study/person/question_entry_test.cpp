@@ -129,6 +129,37 @@ TEST(QuestionEntryTest, ANumberIsTyped) {
   EXPECT_THAT(entry.value(), VariantWith<std::string>("42,5-"));
 }
 
+Question income() {
+  return {.id = "income", .kind = QuestionKind::number, .minimum = 0.0, .maximum = 1e6};
+}
+
+TEST(QuestionEntryTest, ANumberIsShownAsItIsRead) {
+  QuestionEntry entry(income());
+  type(entry, U"1.500");
+  EXPECT_EQ(entry.field().note, "") << "it may be either";
+  type(entry, U",50");
+  EXPECT_EQ(entry.field().note, "= 1500.5");
+  EXPECT_EQ(entry.shown_value(), "1500.5");
+  EXPECT_THAT(entry.value(), VariantWith<double>(1500.5));
+  QuestionEntry plain(income());
+  type(plain, U"1500");
+  EXPECT_EQ(plain.field().note, "");
+}
+
+TEST(QuestionEntryTest, ANumberThatMayBeEitherIsAskedFor) {
+  for (const std::u32string typed : {U"1,500", U"1.500"}) {
+    QuestionEntry entry(income());
+    type(entry, typed);
+    EXPECT_FALSE(std::holds_alternative<double>(entry.value()));
+    const std::string mark(1, static_cast<char>(typed[1]));
+    EXPECT_EQ(entry.fault({}),
+              "Please type 1" + mark + "5 or 1500: 1" + mark + "500 may be either.");
+    press(entry, {FormKey::erase, FormKey::erase});
+    EXPECT_EQ(entry.fault({}), "");
+    EXPECT_THAT(entry.value(), VariantWith<double>(1.5));
+  }
+}
+
 TEST(QuestionEntryTest, NumbersDoNotGoOnForever) {
   QuestionEntry entry(test::age());
   EXPECT_FALSE(type(entry, std::u32string(40, U'1')));

@@ -48,5 +48,12 @@ TEST(TypedAnswer, WhatIsNotAnsweredIsLeftOut) {
   EXPECT_THAT(typed_into_a_form({test::comments()}, {}), IsEmpty());
 }
 
+TEST(TypedAnswer, ANumberHasOneReading) {
+  Question number = many_points();
+  number.kind = QuestionKind::number;
+  const std::vector<Answer> answers = {{"percent", 1.125}};
+  EXPECT_EQ(typed_into_a_form({number}, answers), answers);
+}
+
 }  // namespace
 }  // namespace foveola::study

@@ -137,6 +137,7 @@ TEST(WordsTest, EveryTextIsShownSomewhere) {
        U"", U"1");
   walk(questionnaire_form({.title = "t", .questions = {test::age()}}, texts), U"1", U"20");
   walk(questionnaire_form({.title = "t", .questions = {test::age()}}, texts), U"--", U"20");
+  walk(questionnaire_form({.title = "t", .questions = {test::age()}}, texts), U"1,500", U"20");
   walk(questionnaire_form({.title = "t", .questions = {test::comments()}}, texts), U"", U"");
   Question many = test::experience();
   many.maximum = 100.0;
