@@ -369,6 +369,24 @@ double XUser::brightness_at(const std::string& title, int x, int y) {
          (3.0 * 255.0);
 }
 
+void XUser::focus(const std::string& title) {
+  XSetInputFocus(connection_->display, connection_->wait_for(title), RevertToPointerRoot,
+                 CurrentTime);
+  XFlush(connection_->display);
+}
+
+void XUser::focus_elsewhere() {
+  const char* const title = "Another program's window";
+  Display* const display = connection_->display;
+  if (connection_->find(title) == 0) {
+    const ::Window other =
+        XCreateSimpleWindow(display, DefaultRootWindow(display), 900, 700, 100, 100, 0, 0, 0);
+    XStoreName(display, other, title);
+    XMapWindow(display, other);
+  }
+  focus(title);
+}
+
 void XUser::ask_to_close(const std::string& title) {
   Display* const display = connection_->display;
   XEvent event{};

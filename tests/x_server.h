@@ -86,6 +86,10 @@ class XUser {
   /// How bright the window's pixel is that the user sees there, from its top left corner: the mean
   /// of its components, from 0 to 1.
   double brightness_at(const std::string& title, int x, int y);
+  /// Types into the window from now on, as after a click into it.
+  void focus(const std::string& title);
+  /// The same into a window of another program.
+  void focus_elsewhere();
   /// As a window manager asks when its cross is clicked.
   void ask_to_close(const std::string& title);
   /// As a window manager says of a minimised window.

@@ -103,8 +103,11 @@ struct Window::Callbacks {
     of(window).push(WindowHidden{.is_hidden = iconified == GLFW_TRUE});
   }
   static void focused(GLFWwindow* window, int has_focus) {
-    if (has_focus == GLFW_TRUE) {
-      of(window).tell_of_pointer();
+    Window& self = of(window);
+    self.has_focus_ = has_focus == GLFW_TRUE;
+    self.push(WindowFocused{.has_focus = self.has_focus_});
+    if (self.has_focus_) {
+      self.tell_of_pointer();
     }
   }
   static void close(GLFWwindow* window) {
@@ -151,6 +154,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   glfwSetWindowIconifyCallback(window_, Callbacks::hidden);
   glfwSetWindowFocusCallback(window_, Callbacks::focused);
   glfwSetWindowCloseCallback(window_, Callbacks::close);
+  has_focus_ = glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE;
   glfwGetWindowPos(window_, &restored_position_.x, &restored_position_.y);
   for (GLFWmonitor* const known : glfw_monitors()) {
     known_monitors_[known] = glfwGetMonitorName(known);

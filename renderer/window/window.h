@@ -64,6 +64,8 @@ class Window {
   void toggle_full_screen();
   /// What the times of its keys are; it does not change.
   KeyTimeSource key_time_source() const { return key_times_->source(); }
+  /// Whether keys come to it.
+  bool has_focus() const { return has_focus_; }
 
   // --- The thread that draws ---
 
@@ -99,6 +101,7 @@ class Window {
   IVec2 restored_size_;
   GamepadSticks sticks_;  ///< as they were last reported
   std::map<GLFWmonitor*, std::string> known_monitors_;
+  std::atomic<bool> has_focus_ = false;
   std::atomic<bool> finished_ = false;
   std::atomic<int> toggles_ = 0;
 };

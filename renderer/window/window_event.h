@@ -48,6 +48,10 @@ struct WindowResized {
 struct WindowHidden {
   bool is_hidden = false;
 };
+/// Whether keys come to the window, or go to another.
+struct WindowFocused {
+  bool has_focus = false;
+};
 struct MonitorLost {
   std::string name;
 };
@@ -76,7 +80,8 @@ const char* words_for(HeadsetChange change);
 struct WindowEvent {
   Nanoseconds time{0};
   std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, WheelTurned, GamepadMoved,
-               WindowResized, WindowHidden, MonitorLost, MonitorFound, CloseWanted, HeadsetChanged>
+               WindowResized, WindowHidden, WindowFocused, MonitorLost, MonitorFound, CloseWanted,
+               HeadsetChanged>
       what;
 };
 

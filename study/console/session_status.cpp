@@ -47,6 +47,8 @@ std::string in_large_letters(const std::string& eye) {
 
 const char* name_of(WarningKind kind) {
   switch (kind) {
+    case WarningKind::no_focus:
+      return "no_focus";
     case WarningKind::awaits_gaze:
       return "awaits_gaze";
     case WarningKind::no_gaze:

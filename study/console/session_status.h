@@ -26,7 +26,7 @@ struct GazeStatus {
   std::optional<double> age_s;  ///< of the newest valid sample; empty: there was none
 };
 
-enum class WarningKind { awaits_gaze, no_gaze, late_frames, slow_drawing };
+enum class WarningKind { no_focus, awaits_gaze, no_gaze, late_frames, slow_drawing };
 
 /// As machines read it: "late_frames".
 const char* name_of(WarningKind kind);

@@ -36,6 +36,7 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownS
       prompt_{.reaction = ReactionPresses(Pcg32(derive_seed(
                   settings.seed, SeedPurpose::waiting, {settings.position.state.presses_left})))},
       viewer_(seat.pointer, seat.head),
+      has_focus_(seat.has_focus),
       driver_({.protocol = study.protocol,
                .plan = study.plan,
                .position = settings.position,

@@ -31,6 +31,11 @@
 
 namespace foveola::study {
 
+inline constexpr const char* no_focus_line =
+    "The participant's window does not have the keyboard: keys go elsewhere. Click into the "
+    "window; "
+    "then the participant continues.";
+
 struct PersonSessionSettings {
   std::string participant;  ///< the code
   const char* eye = "";     ///< whose the gaze is: eye_of()
@@ -58,6 +63,7 @@ struct Seat {
   EyeTracker& tracker;
   PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the pointer is
   HeadTracker* head = nullptr;           ///< none: keys, mouse and gamepad turn the head
+  bool has_focus = true;                 ///< whether keys come to the window at the beginning
   /// Who takes part in a person's place, and whose `events` then are.
   SimulatedOperator* simulated_operator = nullptr;
   /// The computer's clocks, read before each frame.
@@ -109,6 +115,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void answer(const WindowEvent& event);
   void answer_window_itself(const WindowEvent& event);
   void follow_size(const WindowResized& size);
+  void follow_focus(bool has_focus);
   void follow_headset(HeadsetChange change);
   void pause_if_due();
   /// What it shows does not depend on the window that shows it too.
@@ -164,7 +171,8 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
   std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
   bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
-  bool is_pause_due_ = false;        ///< what is seen is not what should be
+  bool has_focus_;                   ///< otherwise the participant's keys go elsewhere
+  bool is_pause_due_ = false;        ///< what is seen or pressed is not what should be
   std::optional<SlowDrawing> slow_drawing_;  ///< once it was found in an attempt
   LiveFigures figures_;
   std::string last_mark_;  ///< in words; empty before the first

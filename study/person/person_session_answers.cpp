@@ -33,6 +33,8 @@ void PersonSession::answer_console() {
                                                   .plan = study_.plan});
     if (answer.quits) {
       driver_.interrupt();
+    } else if (answer.event && std::holds_alternative<Resumed>(*answer.event) && !has_focus_) {
+      console_.say(fmt::format("not possible now: {}", no_focus_line));
     } else if (answer.event && !driver_.feed(*answer.event)) {
       console_.say(fmt::format("not possible now: {}",
                                words_for(driver_.state(), driver_.procedure(), study_.plan)));
@@ -101,12 +103,27 @@ void PersonSession::answer_window_itself(const WindowEvent& event) {
     seat_.display.hide(hidden->is_hidden);
     driver_.feed(
         NoteWritten{hidden->is_hidden ? "the window is hidden" : "the window is seen again"});
+    is_pause_due_ = is_pause_due_ || hidden->is_hidden;
+  } else if (const auto* focused = std::get_if<WindowFocused>(&event.what)) {
+    follow_focus(focused->has_focus);
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
     driver_.feed(NoteWritten{"lost the monitor " + lost->name});
-    pause_or_leave();
+    is_pause_due_ = true;
   } else if (const auto* headset = std::get_if<HeadsetChanged>(&event.what)) {
     follow_headset(headset->change);
   }
+}
+
+/// Marks must not run out of time while keys go elsewhere. Controllers and simulated participants
+/// need no window's focus.
+void PersonSession::follow_focus(bool has_focus) {
+  const bool needs_focus = !is_in_headset() && seat_.simulated_operator == nullptr;
+  if (!needs_focus || has_focus == std::exchange(has_focus_, has_focus)) {
+    return;
+  }
+  driver_.feed(NoteWritten{has_focus ? "the window has the keyboard again"
+                                     : "the window lost the keyboard: keys go elsewhere"});
+  is_pause_due_ = is_pause_due_ || !has_focus;
 }
 
 /// Whatever is seen through it then, no time is taken of it.

@@ -43,6 +43,9 @@ SessionStatus PersonSession::status() const {
 
 std::vector<StatusWarning> PersonSession::warnings() const {
   std::vector<StatusWarning> all;
+  if (!has_focus_) {
+    all.push_back({WarningKind::no_focus, no_focus_line});
+  }
   const std::string tracker = eye_.status();
   if (prompt_.awaits_gaze) {
     all.push_back(

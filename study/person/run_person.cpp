@@ -145,7 +145,8 @@ class PersonRun {
                                                   .display = display,
                                                   .tracker = *gaze.tracker,
                                                   .pointer = gaze.pointer,
-                                                  .head = head()},
+                                                  .head = head(),
+                                                  .has_focus = worn_ || window.has_focus()},
                                                  *console, recorder)
                                        .run(stop);
     console.reset();  // What comes now stands below what was said.

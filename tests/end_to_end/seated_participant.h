@@ -66,6 +66,10 @@ class SeatedParticipant {
   void type_all(const std::vector<std::string>& keys);
   /// Moves the pointer to a place in the window, from its top left corner.
   void point_at(int x, int y);
+  /// Keys go to another program's window, or to the participant's again.
+  void focus_elsewhere() { user_->focus_elsewhere(); }
+  void focus_window() { user_->focus("Foveola"); }
+  void minimise() { user_->say_minimised("Foveola", true); }
 
   /// Presses `key` once the next page stands.
   void answer_page(const std::string& key);

@@ -1,5 +1,6 @@
 #include "renderer/window/window.h"
 
+#include <algorithm>
 #include <functional>
 #include <thread>
 
@@ -125,6 +126,21 @@ TEST_F(WindowTest, SaysWhereThePointerRestsAfterItsSizeChanged) {
   ASSERT_TRUE(pointer);
   EXPECT_TRUE(pointer->is_inside);
   EXPECT_EQ(pointer->position, DVec2(300, 200));
+}
+
+TEST_F(WindowTest, SaysWhetherKeysComeToIt) {
+  const auto focused = [](bool has_focus) {
+    return [has_focus](const WindowEvent& event) {
+      const auto* focus = std::get_if<WindowFocused>(&event.what);
+      return focus != nullptr && focus->has_focus == has_focus;
+    };
+  };
+  EXPECT_TRUE(window_.has_focus());
+  events_while([](test::XUser& user) { user.focus_elsewhere(); }, focused(false));
+  EXPECT_FALSE(window_.has_focus());
+  const auto events = events_while([](test::XUser& user) { user.focus(title); }, focused(true));
+  EXPECT_TRUE(window_.has_focus());
+  EXPECT_FALSE(std::any_of(events.begin(), events.end(), focused(false)));
 }
 
 TEST_F(WindowTest, KeysComeWithTheTimeAtWhichTheyMoved) {

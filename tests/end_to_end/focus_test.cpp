@@ -1,0 +1,59 @@
+// Windows that lose the keyboard, or are no longer seen, in a person's session.
+#include <chrono>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "study/record/maintenance.h"
+#include "tests/end_to_end/study_run.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using namespace std::chrono_literals;
+
+TEST_F(StudyRun, KeysThatGoElsewhereCostNoMark) {
+  participant_.write_protocol(one_trial_keys, "[timing]\nmark_timeout_s = 6\nrating_s = 0.2\n");
+  participant_.begin();
+  RunningProgram& program = participant_.program();
+  participant_.answer_page("Return");  // welcome
+  participant_.answer_page("Return");  // choosing
+  participant_.answer_page("space");   // ready
+  EXPECT_EQ(participant_.wait_for_page(), "marking");
+  participant_.focus_elsewhere();
+  program.wait_for("Note: the window lost the keyboard");
+  EXPECT_EQ(participant_.wait_for_page(), "paused");
+  program.wait_for("window does not have the keyboard");
+  participant_.type("space");
+  std::this_thread::sleep_for(7s);  // longer than a mark may take
+  program.type_line("resume");
+  program.wait_for("not possible now: The participant's window does not have the keyboard");
+  participant_.focus_window();
+  program.wait_for("Note: the window has the keyboard again");
+  participant_.type("Return");
+  time_trial();
+  rate("3");
+  end_by_enter();
+
+  EXPECT_THAT(participant_.ask("SELECT attempt, outcome FROM attempt ORDER BY attempt"),
+              ElementsAre("1|paused", "2|rated"));
+  EXPECT_THAT(participant_.ask("SELECT * FROM mark WHERE censored = 1"), IsEmpty());
+  EXPECT_THAT(study::verify_study(participant_.database()).faults, IsEmpty());
+}
+
+TEST_F(StudyRun, AWindowThatIsNotSeenPauses) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  participant_.wait_for_page();
+  participant_.minimise();
+  participant_.program().wait_for("Note: the window is hidden");
+  participant_.program().wait_for("The session pauses.");
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+}
+
+}  // namespace
+}  // namespace foveola::test
