@@ -75,6 +75,9 @@ struct Happened {
   std::string operator()(const EndUndone& /*event*/) const {
     return "The session's end is undone; it is paused.";
   }
+  std::string operator()(const ConsentAsked& /*event*/) const {
+    return "The consent's text has changed: it is asked for anew.";
+  }
 };
 
 std::string words_for_trial(std::size_t index, const Plan& plan) {
@@ -132,7 +135,9 @@ std::string words_for(const SessionState& state, const Procedure& procedure, con
   if (state.is_over() || state.step >= procedure.agenda.size()) {
     return phase;
   }
-  const std::string step = words_for_step(procedure.agenda[state.step], plan);
+  const std::string step = state.phase == Phase::consent
+                               ? "consent"
+                               : words_for_step(procedure.agenda[state.step], plan);
   std::string words = phase.empty() ? step : phase + ", " + step;
   if (trial_of(procedure, state)) {
     words += fmt::format(", timing {}, attempt {}", state.timing, state.attempt);

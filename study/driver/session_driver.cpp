@@ -48,6 +48,10 @@ void SessionDriver::begin() {
       feed(Interrupted{});  // it died before it could say so
     }
     write_notes();
+    const std::string& agreed_to = session_.position.consent_sha256;
+    if (!agreed_to.empty() && agreed_to != consent_to(session_.protocol).text_sha256) {
+      feed(ConsentAsked{});
+    }
     feed(Resumed{});
   }
   if (state().phase == Phase::created) {

@@ -16,6 +16,8 @@ SessionPosition position_after(const Procedure& procedure, const std::vector<Log
         position.time = std::max(position.time, logged.time);
         if (const auto* validated = std::get_if<GazeValidated>(&logged.event)) {
           position.correction = correction_after(*validated);
+        } else if (const auto* consent = std::get_if<ConsentGiven>(&logged.event)) {
+          position.consent_sha256 = consent->text_sha256;
         }
       });
   return position;

@@ -13,7 +13,8 @@ struct SessionPosition {
   SessionState state;
   Nanoseconds time{0};  ///< session clock: time of the last event
   std::optional<GazeCorrection>
-      correction;  ///< what the gaze goes through since the last validation
+      correction;              ///< what the gaze goes through since the last validation
+  std::string consent_sha256;  ///< of the text that was agreed to last; empty: none, or unknown
 };
 
 /// What `events` lead to. whose: names the session in errors. Throws Error if one of the events

@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "study/protocol/protocol.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
 
-/// As plain text; empty if the session with these events has no consent. It has the participant's
-/// code and no name.
-std::optional<std::string> consent_receipt(const Protocol& protocol, const std::string& participant,
+/// As plain text, with each consent of a session's log and the text that was agreed to; empty if
+/// there is none. It has the participant's code and no name. begun_with: the text of the protocol
+/// that the study was begun with. Throws Error if a protocol's text is not TOML.
+std::optional<std::string> consent_receipt(const std::string& begun_with,
+                                           const std::string& participant,
                                            const std::vector<LoggedEvent>& events);
 
 }  // namespace foveola::study

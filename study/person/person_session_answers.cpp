@@ -188,7 +188,7 @@ void PersonSession::hand_in() {
   if (!prompt_.form->is_submitted()) {
     return;
   }
-  const std::optional<Event> event = event_of_form(prompt_, driver_.state().phase);
+  const std::optional<Event> event = event_of_form(prompt_, driver_.state().phase, study_.protocol);
   if (!event) {
     prompt_.form.emplace(consent_form(study_.protocol.texts));
     ask_to_confirm(Confirmed::stopping);

@@ -107,9 +107,10 @@ bool is_form_shown(const PromptState& prompt, Phase phase) {
   return prompt.form && asks && !prompt.confirmation && prompt.notices.empty();
 }
 
-std::optional<Event> event_of_form(const PromptState& prompt, Phase phase) {
+std::optional<Event> event_of_form(const PromptState& prompt, Phase phase,
+                                   const Protocol& protocol) {
   if (phase == Phase::consent) {
-    return prompt.form->answers() == consent_answers() ? std::optional<Event>(ConsentGiven{})
+    return prompt.form->answers() == consent_answers() ? std::optional<Event>(consent_to(protocol))
                                                        : std::nullopt;
   }
   if (phase == Phase::rating) {

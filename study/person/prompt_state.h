@@ -50,6 +50,7 @@ void begin_validation(PromptState& prompt, const ValidationSettings& settings,
 bool is_form_shown(const PromptState& prompt, Phase phase);
 
 /// What the form that was filled in says in this phase; empty if no consent was given.
-std::optional<Event> event_of_form(const PromptState& prompt, Phase phase);
+std::optional<Event> event_of_form(const PromptState& prompt, Phase phase,
+                                   const Protocol& protocol);
 
 }  // namespace foveola::study

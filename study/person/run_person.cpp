@@ -324,14 +324,14 @@ std::string how_to_go_on(const RunSettings& settings, const StudyStore& store) {
                            settings.participant, settings.database.string());
 }
 
-void write_receipt(const RunSettings& settings, const Protocol& protocol, const StudyStore& store) {
+void write_receipt(const RunSettings& settings, const StudyStore& store) {
   if (!settings.receipt) {
     return;
   }
   for (const KnownSession& session : store.sessions()) {
     if (session.participant == settings.participant) {
-      if (const auto receipt =
-              consent_receipt(protocol, settings.participant, store.events_of(session.id))) {
+      if (const auto receipt = consent_receipt(store.protocol_text(), settings.participant,
+                                               store.events_of(session.id))) {
         write_file(*settings.receipt, *receipt, FileAccess::own);
       }
     }
@@ -409,7 +409,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
       throw Error(fmt::format("the session of {} was cut off", settings.participant), fault.what(),
                   how_to_go_on(settings, store));
     }
-    write_receipt(settings, protocol, store);
+    write_receipt(settings, store);
     report.copy = copy_if_asked(store, settings);
     report.backup = back_up(store, settings);
   });

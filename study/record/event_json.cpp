@@ -49,6 +49,18 @@ Nanoseconds nanoseconds_from(const Json& json) {
 
 // Each event's values as JSON, and back.
 
+Json values_of(const ConsentGiven& event) {
+  return event.text_sha256.empty()
+             ? Json::object()
+             : Json{{"text_sha256", event.text_sha256}, {"language", event.language}};
+}
+void read_values(const Json& json, ConsentGiven& event) {
+  if (!json.empty()) {
+    event.text_sha256 = json.at("text_sha256");
+    event.language = json.at("language");
+  }
+}
+
 Json values_of(const QuestionnaireAnswered& event) {
   return {{"questionnaire", event.questionnaire}, {"answers", json_of(event.answers)}};
 }

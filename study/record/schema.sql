@@ -18,7 +18,7 @@
 --            exclusions; the hash chain; film_hash; compressed chunks, and frames-3.
 -- Version 5: each event's trial and attempt, and what was measured in an attempt that it ended, in the
 --            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten;
---            ends that are undone.
+--            ends that are undone, the text of a consent, and consent that is asked for anew.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
 PRAGMA user_version = 4; --4
@@ -202,7 +202,8 @@ CREATE TABLE event (
              'reaction_pressed', 'object_chosen', 'trial_started', 'first_frame_presented',
              'marked', 'timed_out', 'rated', 'retime_requested', 'pause_requested', 'interrupted',
              'resumed', 'note_written', 'withdrawn', 'excluded')), --4
-             'resumed', 'note_written', 'withdrawn', 'excluded', 'end_undone')), --5
+             'resumed', 'note_written', 'withdrawn', 'excluded', 'end_undone', --5
+             'consent_asked')), --5
   payload TEXT NOT NULL CHECK (json_type(payload) = 'object'),
   trial INTEGER, --5
   attempt INTEGER CHECK ((attempt IS NULL) = (trial IS NULL)), --5

@@ -254,6 +254,14 @@ StudyStore::~StudyStore() {
 
 const fs::path& StudyStore::record_file() const { return implementation_->record_file; }
 
+std::string StudyStore::protocol_text() const {
+  std::string text;
+  with_clear_errors(implementation_->path, [&] {
+    text = implementation_->database.execAndGet("SELECT protocol_text FROM study").getString();
+  });
+  return text;
+}
+
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
 bool StudyStore::has_participant(const std::string& code) const {

@@ -95,6 +95,9 @@ class StudyStore {
   /// The study's file; once that was lost, the file in which the record was saved.
   const std::filesystem::path& record_file() const;
 
+  /// The text of the protocol that the study was begun with.
+  std::string protocol_text() const;
+
   /// What the protocol differs in from the one that the study was begun with; empty if it is that.
   const std::optional<Amendment>& amendment() const;
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
+
+#include "renderer/base/digest.h"
+#include "study/protocol/texts.h"
 
 namespace foveola::study {
 namespace {
@@ -144,7 +148,14 @@ class Step {
   }
 
   Result operator()(const ConsentGiven& /*event*/) const {
-    return in(Phase::consent, [&] { return next_step(procedure_, state_); });
+    return in(Phase::consent, [&] {
+      if (state_.after_consent == Phase::created) {
+        return next_step(procedure_, state_);
+      }
+      SessionState after = state_;
+      after.phase = std::exchange(after.after_consent, Phase::created);
+      return ask(procedure_, after);
+    });
   }
 
   Result operator()(const QuestionnaireAnswered& event) const {
@@ -272,6 +283,20 @@ class Step {
     return Transition{.state = paused, .effects = {ShowPause{}}};
   }
 
+  Result operator()(const ConsentAsked& /*event*/) const {
+    const auto begin = procedure_.agenda.begin();
+    const auto here = begin + static_cast<std::ptrdiff_t>(state_.step);
+    const bool was_given = std::any_of(begin, here, [](const AgendaStep& step) {
+      return std::holds_alternative<ConsentStep>(step);
+    });
+    if (!is_left_off(state_.phase) || !was_given || state_.resumes_at == Phase::consent) {
+      return std::nullopt;
+    }
+    SessionState asked = state_;
+    asked.after_consent = std::exchange(asked.resumes_at, Phase::consent);
+    return Transition{.state = asked, .effects = {}};
+  }
+
  private:
   /// The event is of this phase alone.
   template <typename Work>
@@ -341,9 +366,14 @@ const char* name_of(const Event& event) {
                                 "note_written",
                                 "withdrawn",
                                 "excluded",
-                                "end_undone"};
+                                "end_undone",
+                                "consent_asked"};
   static_assert(names.size() == std::variant_size_v<Event>);
   return names.at(event.index());
+}
+
+ConsentGiven consent_to(const Protocol& protocol) {
+  return {.text_sha256 = sha256(text_of(protocol.texts, "consent")), .language = protocol.language};
 }
 
 std::optional<GazeCorrection> correction_after(const GazeValidated& validation) {
@@ -365,7 +395,7 @@ std::optional<Transition> step(const Procedure& procedure, const SessionState& s
 
 std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state) {
   const Phase phase = is_left_off(state.phase) ? state.resumes_at : state.phase;
-  if (phase == Phase::created || state.is_over()) {
+  if (phase == Phase::created || phase == Phase::consent || state.is_over()) {
     return std::nullopt;
   }
   const auto* trial = std::get_if<TrialStep>(&procedure.agenda[state.step]);

@@ -43,7 +43,12 @@ struct GazeRun {
 
 // What can happen. Times are of the session's clock.
 struct SessionStarted {};
-struct ConsentGiven {};
+struct ConsentGiven {
+  std::string text_sha256;  ///< of the text that was agreed to; empty in records that do not say it
+  std::string language;     ///< BCP 47 tag of the text
+};
+/// Consent to the protocol's text.
+ConsentGiven consent_to(const Protocol& protocol);
 struct QuestionnaireAnswered {
   std::string questionnaire;
   std::vector<Answer> answers;
@@ -96,16 +101,19 @@ struct Excluded {
 /// Takes back a withdrawal or an exclusion, as long as nothing has happened since: the session is
 /// then paused.
 struct EndUndone {};
+/// Consent is asked for anew once the session is resumed, since its text has changed.
+struct ConsentAsked {};
 
 using Event = std::variant<SessionStarted, ConsentGiven, QuestionnaireAnswered, GazeValidated,
                            ReactionPressed, ObjectChosen, TrialStarted, FirstFramePresented, Marked,
                            TimedOut, Rated, RetimeRequested, PauseRequested, Interrupted, Resumed,
-                           NoteWritten, Withdrawn, Excluded, EndUndone>;
+                           NoteWritten, Withdrawn, Excluded, EndUndone, ConsentAsked>;
 
 /// The name that records use: "session_started", "consent_given", "questionnaire_answered",
 /// "gaze_validated", "reaction_pressed", "object_chosen", "trial_started",
 /// "first_frame_presented", "marked", "timed_out", "rated", "retime_requested", "pause_requested",
-/// "interrupted", "resumed", "note_written", "withdrawn", "excluded", "end_undone".
+/// "interrupted", "resumed", "note_written", "withdrawn", "excluded", "end_undone",
+/// "consent_asked".
 const char* name_of(const Event& event);
 
 /// When an event happened: some carry their own time.
@@ -147,6 +155,8 @@ struct SessionState {
   /// Where a pause, an interruption or an end that is undone leads back to. An attempt that had
   /// begun ends with them: then `ready`.
   Phase resumes_at = Phase::created;
+  /// Where consent leads to that is asked for anew.
+  Phase after_consent = Phase::created;
 
   bool is_over() const {
     return phase == Phase::completed || phase == Phase::withdrawn || phase == Phase::excluded ||

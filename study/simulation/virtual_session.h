@@ -63,7 +63,7 @@ class VirtualSession final : private ClockPort,
   std::optional<Nanoseconds> next_press() const override { return pressed_; }
 
   Participant& participant() override { return participant_; }
-  void consent() override { driver_.feed(ConsentGiven{}); }
+  void consent() override { driver_.feed(consent_to(setting_.protocol)); }
   void hand_in(const Questionnaire& form, const std::vector<Answer>& answers) override;
   void validate_gaze(const Attempt& attempt) override;
   void react(std::uint32_t conduct) override;

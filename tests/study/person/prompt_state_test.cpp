@@ -65,10 +65,12 @@ TEST(PromptStateTest, WhatAFormSaysDependsOnWhatWasAsked) {
   session.prepare(AskQuestionnaire{"background"});
   test::type(*session.prompt.form, U"20");
   test::press(*session.prompt.form, {FormKey::enter, FormKey::enter});
-  const Event answered = event_of_form(session.prompt, Phase::questionnaire).value();
+  const Event answered =
+      event_of_form(session.prompt, Phase::questionnaire, session.protocol).value();
   EXPECT_EQ(std::get<QuestionnaireAnswered>(answered).questionnaire, "background");
   EXPECT_EQ(std::get<QuestionnaireAnswered>(answered).answers.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<Rated>(event_of_form(session.prompt, Phase::rating).value()));
+  EXPECT_TRUE(std::holds_alternative<Rated>(
+      event_of_form(session.prompt, Phase::rating, session.protocol).value()));
 }
 
 TEST(PromptStateTest, OnlyWhoAgreesGivesConsent) {
@@ -80,7 +82,8 @@ TEST(PromptStateTest, OnlyWhoAgreesGivesConsent) {
     form.follow(choice);
     test::press(form, {FormKey::enter});
     ASSERT_TRUE(form.is_submitted());
-    const std::optional<Event> event = event_of_form(session.prompt, Phase::consent);
+    const std::optional<Event> event =
+        event_of_form(session.prompt, Phase::consent, session.protocol);
     EXPECT_EQ(event && std::holds_alternative<ConsentGiven>(*event), agrees);
   }
 }

@@ -15,7 +15,8 @@ namespace {
 std::vector<std::pair<Event, std::string>> one_of_every_kind() {
   return {
       {SessionStarted{}, "{}"},
-      {ConsentGiven{}, "{}"},
+      {ConsentGiven{.text_sha256 = "ab", .language = "fi"},
+       R"({"text_sha256":"ab","language":"fi"})"},
       {QuestionnaireAnswered{.questionnaire = "ssq",
                              .answers = {{.question = "a", .value = 0.1},
                                          {.question = "b", .value = "two\nlines, \"so\""}}},
@@ -36,7 +37,8 @@ std::vector<std::pair<Event, std::string>> one_of_every_kind() {
       {NoteWritten{.text = "coughs"}, R"({"text":"coughs"})"},
       {Withdrawn{}, "{}"},
       {Excluded{.reason = "asleep"}, R"({"reason":"asleep"})"},
-      {EndUndone{}, "{}"}};
+      {EndUndone{}, "{}"},
+      {ConsentAsked{}, "{}"}};
 }
 
 TEST(EventJson, IsWhatTheSchemaSays) {
@@ -56,6 +58,13 @@ TEST(EventJson, GivesEveryEventBack) {
   const Event answered = event_from("questionnaire_answered", events[2].second);
   EXPECT_EQ(std::get<QuestionnaireAnswered>(answered).answers,
             std::get<QuestionnaireAnswered>(events[2].first).answers);
+}
+
+// Of 0.1.0, which knew no text of it.
+TEST(EventJson, AConsentMaySayNothing) {
+  const Event consent = event_from("consent_given", "{}");
+  EXPECT_EQ(std::get<ConsentGiven>(consent).text_sha256, "");
+  EXPECT_EQ(payload_of(consent), "{}");
 }
 
 TEST(EventJson, GivesAValidationBackToTheBit) {

@@ -41,7 +41,8 @@ std::vector<Event> every_event() {
                                NoteWritten{"a note"},
                                Withdrawn{},
                                Excluded{"a reason"},
-                               EndUndone{}};
+                               EndUndone{},
+                               ConsentAsked{}};
   for (const int time : {9, 10, 11}) {
     events.emplace_back(Marked{at(time)});
     events.emplace_back(TimedOut{at(time)});
@@ -63,8 +64,8 @@ struct Watched {
   auto key() const {
     return std::tuple(state.phase, state.step, state.validations_left, state.presses_left,
                       state.attempt, state.timing, state.mark, state.object, state.first_frame,
-                      state.last_mark, state.resumes_at, renders, marks, rated, forms, consented,
-                      passed, presses);
+                      state.last_mark, state.resumes_at, state.after_consent, renders, marks, rated,
+                      forms, consented, passed, presses);
   }
 };
 bool operator<(const Watched& a, const Watched& b) { return a.key() < b.key(); }
@@ -165,7 +166,8 @@ bool belongs_to(const Event& event, Phase phase) {
        {consent, questionnaire, validation, reaction, choosing_object, ready, armed, marking,
         rating}},
       {"resumed", {paused, interrupted}},
-      {"end_undone", {withdrawn, excluded}}};
+      {"end_undone", {withdrawn, excluded}},
+      {"consent_asked", {paused, interrupted}}};
   const auto found = phases.find(name_of(event));
   return is_always_allowed(event) || (found != phases.end() && found->second.contains(phase));
 }
@@ -177,6 +179,9 @@ bool is_wrong(const Event& event, const SessionState& state) {
   }
   if (const auto* chosen = std::get_if<ObjectChosen>(&event)) {
     return chosen->object.empty();
+  }
+  if (std::holds_alternative<ConsentAsked>(event)) {
+    return state.step == 0 || state.resumes_at == Phase::consent;
   }
   if (const auto* marked = std::get_if<Marked>(&event)) {
     return marked->time < state.last_mark;

@@ -198,6 +198,25 @@ TEST(Session, AnEndThatIsUndoneIsAPause) {
   EXPECT_TRUE(is_refused(all_events(), EndUndone{})) << "it is completed";
 }
 
+TEST(Session, ConsentIsAskedAnewAndLeadsBackToWhereItWas) {
+  for (const Phase phase : {Phase::questionnaire, Phase::validation, Phase::reaction,
+                            Phase::choosing_object, Phase::ready}) {
+    const std::vector<Event> before = until(phase);
+    const std::vector<Event> asked = before + Interrupted{} + ConsentAsked{} + Resumed{};
+    EXPECT_EQ(after(asked).phase, Phase::consent);
+    EXPECT_EQ(trial_of(whole_procedure(), after(asked)), std::nullopt);
+    EXPECT_THAT(names_of(last_step(before + Interrupted{} + ConsentAsked{}, Resumed{}).effects),
+                ElementsAre("AskForConsent"));
+    EXPECT_EQ(last_step(asked, ConsentGiven{}).state, after(before));
+    EXPECT_EQ(last_step(asked + PauseRequested{} + Resumed{}, ConsentGiven{}).state, after(before));
+    EXPECT_EQ(after(asked + Withdrawn{}).phase, Phase::withdrawn);
+    EXPECT_TRUE(is_refused(before, ConsentAsked{})) << "nobody would read it";
+    EXPECT_TRUE(is_refused(asked + Interrupted{}, ConsentAsked{})) << "it is asked already";
+  }
+  EXPECT_TRUE(is_refused(until(Phase::consent) + Interrupted{}, ConsentAsked{}))
+      << "none was given yet";
+}
+
 TEST(Session, TellsWhichTrialItIsIn) {
   const Procedure procedure = whole_procedure();
   EXPECT_EQ(trial_of(procedure, {}), std::nullopt);
