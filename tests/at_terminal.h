@@ -24,6 +24,9 @@ class AtTerminal {
   /// std::runtime_error, with all that was seen, if they never are.
   void wait_for(const std::string& words);
 
+  /// All that was read so far.
+  const std::string& seen() const { return seen_; }
+
   /// All that was written and painted until the process has ended.
   std::string all_seen();
 

@@ -18,7 +18,9 @@
 #include "renderer/commands/live_display.h"
 #include "renderer/commands/live_window.h"
 #include "study/console/console_words.h"
+#include "study/console/line_reader.h"
 #include "study/console/open_console.h"
+#include "study/console/terminal.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/consent_receipt.h"
 #include "study/person/missing_letters.h"
@@ -130,6 +132,9 @@ class PersonRun {
         devices_json(display, shown_on.headset(), window.key_time_source(),
                      preflight(stages, workers, clock, events, display, gaze, stop));
     say_if_keys_are_late(window.key_time_source(), *console_);
+    if (!settings_.json && Terminal::is_there()) {
+      wait_for_confirmation(display, stop);
+    }
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
     const std::unique_ptr<StageReloader> reloader = reloader_of(stages);
@@ -191,6 +196,17 @@ class PersonRun {
       require_gate(checks);
     }
     return preflight_json(found, checks);
+  }
+
+  /// The experimenter's screen covers what was said so far.
+  void wait_for_confirmation(SessionDisplay& display, const std::stop_token& stop) {
+    console_->say("Press Enter here to begin. Ctrl+C ends the program, and nothing is begun.");
+    for (LineReader reader(STDIN_FILENO); reader.take().empty();) {
+      if (stop.stop_requested()) {
+        throw Error("preflight", "was stopped", "nothing was begun or recorded");
+      }
+      display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
+    }
   }
 
   /// Null: keys turn it.

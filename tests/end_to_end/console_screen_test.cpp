@@ -7,12 +7,20 @@
 namespace foveola::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 TEST_F(StudyRun, IsSeenAndSteeredOnOneScreen) {
   participant_.write_protocol(one_trial_keys, short_look);
   AtTerminal terminal("xterm", participant_.at_terminal());
+  terminal.wait_for("Press Enter here to begin");
+  EXPECT_THAT(terminal.seen(), AllOf(HasSubstr("disk"), Not(HasSubstr("next key"))))
+      << "the table stands alone";
+  EXPECT_THAT(participant_.ask("SELECT * FROM session"), IsEmpty()) << "nothing has begun";
+  terminal.type("\r");
   terminal.wait_for("Foveola, participant P1");
   participant_.point_at(320, 240);
   terminal.wait_for("[Enter] begin");

@@ -79,6 +79,8 @@ TEST_F(CutOffRun, AClosedTerminalInterruptsIt) {
 TEST_F(CutOffRun, ATerminalThatIsClosedTakesNothingAlong) {
   participant_.write_protocol(one_trial_keys, short_look);
   AtTerminal terminal("xterm", participant_.at_terminal());
+  terminal.wait_for("Press Enter here to begin");
+  terminal.type("\r");
   terminal.wait_for("next key");
   const int status = terminal.close_and_wait();
   ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
