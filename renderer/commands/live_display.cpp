@@ -2,14 +2,16 @@
 
 #include <utility>
 
+#include "renderer/base/error.h"
 #include "renderer/headset/headset_display.h"
+#include "renderer/window/placed_eye_tracker.h"
 #include "renderer/window/window_presenter.h"
 
 namespace foveola {
 
 LiveDisplay::LiveDisplay(Window& window, WindowEvents& events, const DisplayProfile& profile,
                          const IVec2& framebuffer, const Clock& clock)
-    : profile_(profile), picture_px_(framebuffer), window_px_(framebuffer) {
+    : window_(&window), profile_(profile), picture_px_(framebuffer), window_px_(framebuffer) {
   if (profile.kind != DisplayKind::openxr) {
     presenter_ = std::make_unique<WindowPresenter>(window, clock);
     return;
@@ -28,7 +30,19 @@ WindowEyeTracker open_eye_tracker_of(LiveDisplay& display, const TrackerProfile&
     return {.tracker =
                 std::make_unique<HeadsetEyes>(headset.motion(), headset.facts().has_eye_tracker)};
   }
-  return open_window_eye_tracker(profile, screen_of(display.profile()), clock);
+  WindowEyeTracker eye = open_window_eye_tracker(profile, screen_of(display.profile()), clock);
+  const bool watches_monitor =
+      profile.source == TrackerSource::hid || profile.source == TrackerSource::open_gaze;
+  if (watches_monitor && display.profile().kind == DisplayKind::monitor) {
+    if (!display.place()) {
+      throw Error("tracker '" + profile.name + "'",
+                  "watches one of several monitors, and the window fills none of them",
+                  "fill the one that it watches, by --full-screen and --monitor");
+    }
+    eye.tracker = std::make_unique<PlacedEyeTracker>(std::move(eye.tracker), display.profile(),
+                                                     [&display] { return display.place(); });
+  }
+  return eye;
 }
 
 }  // namespace foveola

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/headset/headset_presenter.h"
@@ -21,12 +22,15 @@ class LiveDisplay {
   HeadsetPresenter* headset() { return headset_; }
   /// With what a headset tells of itself.
   const DisplayProfile& profile() const { return profile_; }
+  /// As Window::place.
+  std::optional<WindowPlace> place() const { return window_->place(); }
   /// The size of the picture, in pixels: the window's, or that for one eye.
   const IVec2& picture_px() const { return picture_px_; }
   /// The window's size to begin with, in pixels.
   const IVec2& window_px() const { return window_px_; }
 
  private:
+  const Window* window_;
   std::unique_ptr<Presenter> presenter_;
   HeadsetPresenter* headset_ = nullptr;
   DisplayProfile profile_;
@@ -35,7 +39,8 @@ class LiveDisplay {
 };
 
 /// The tracker of whoever looks at `display`, which must outlive it. Throws Error as
-/// open_window_eye_tracker, and if it is a headset's and there is no headset.
+/// open_window_eye_tracker, if it is a headset's and there is no headset, and if it watches a
+/// monitor and nobody knows which one.
 WindowEyeTracker open_eye_tracker_of(LiveDisplay& display, const TrackerProfile& profile,
                                      const Clock& clock);
 

@@ -86,9 +86,12 @@ std::optional<Number> number(const OpenGazeElement& element, std::string_view ke
   if (text == nullptr) {
     return std::nullopt;
   }
+  // Some programs write their numbers as the computer's language does.
+  std::string decimal = *text;
+  std::replace(decimal.begin(), decimal.end(), ',', '.');
   Number value{};
-  const char* const end = text->data() + text->size();
-  const auto [stop, failure] = std::from_chars(text->data(), end, value);
+  const char* const end = decimal.data() + decimal.size();
+  const auto [stop, failure] = std::from_chars(decimal.data(), end, value);
   if (failure != std::errc() || stop != end || !(value >= minimum && value <= maximum)) {
     return std::nullopt;
   }
@@ -105,7 +108,7 @@ std::optional<PointOfGaze> point_of(const OpenGazeElement& element, const std::s
   const auto x = number(element, eye + "POGX", -farthest, farthest);
   const auto y = number(element, eye + "POGY", -farthest, farthest);
   if (*validity != "1" || !x || !y) {
-    return PointOfGaze{};
+    return PointOfGaze{.is_unreadable = *validity == "1"};
   }
   return PointOfGaze{.fraction = {*x, *y}, .valid = true};
 }
@@ -147,7 +150,7 @@ std::optional<OpenGazeElement> parse_open_gaze(std::string_view line) {
 std::vector<OpenGazeElement> OpenGazeStream::take(std::string_view bytes) {
   std::vector<OpenGazeElement> elements;
   for (;;) {
-    const std::size_t end = bytes.find('\n');
+    const std::size_t end = bytes.find_first_of("\r\n");
     append(bytes.substr(0, end));
     if (end == std::string_view::npos) {
       return elements;

@@ -41,7 +41,7 @@ struct OpenGazeElement {
 /// comes twice, there are control characters, or anything else.
 std::optional<OpenGazeElement> parse_open_gaze(std::string_view line);
 
-/// Puts lines together from bytes that arrive in any portions.
+/// Puts lines, which end in CR, LF or both, together from bytes that arrive in any portions.
 class OpenGazeStream {
  public:
   /// Longer lines are garbage, of which no more than this is kept.
@@ -65,9 +65,11 @@ class OpenGazeStream {
 struct PointOfGaze {
   DVec2 fraction{0.0, 0.0};
   bool valid = false;
+  bool is_unreadable = false;  ///< the tracker calls it valid, and its coordinates are no numbers
 };
 
-/// The numbers of a record that are used here; empty are those that it has not, or not as numbers.
+/// The numbers of a record that are used here, with a decimal point or comma; empty are those that
+/// it has not, or not as numbers.
 struct OpenGazeRecord {
   std::optional<std::int64_t> count;      ///< CNT: one more for each of the tracker's samples
   std::optional<double> time_s;           ///< TIME, by the tracker's clock, in [0, 1e9]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,12 +47,20 @@ OpenGazeDecoder::OpenGazeDecoder(const OpenGazeSettings& settings, OpenGazeCount
 
 std::vector<GazeSample> OpenGazeDecoder::decode(std::string_view bytes, Nanoseconds arrival) {
   std::vector<GazeSample> samples;
-  for (const OpenGazeElement& element : stream_.take(bytes)) {
-    if (element.kind == OpenGazeKind::record) {
-      const OpenGazeRecord record = record_from(element);
-      count(record);
-      samples.push_back(sample_from(record, arrival));
+  for (OpenGazeElement& element : stream_.take(bytes)) {
+    if (element.kind != OpenGazeKind::record) {
+      continue;
     }
+    const OpenGazeRecord record = record_from(element);
+    // Without a counter and a time, it may be of an eye that rests.
+    const bool is_known = record.count || record.time_s;
+    if (is_known && element.attributes == last_attributes_) {
+      ++counters_.repeats;
+      continue;
+    }
+    last_attributes_ = std::move(element.attributes);
+    count(record);
+    samples.push_back(sample_from(record, arrival));
   }
   return samples;
 }
@@ -77,6 +86,7 @@ GazeSample OpenGazeDecoder::sample_from(const OpenGazeRecord& record, Nanosecond
 
 void OpenGazeDecoder::count(const OpenGazeRecord& record) {
   ++counters_.records;
+  counters_.unreadable += combined_gaze(record).is_unreadable ? 1 : 0;
   if (record.count && last_count_ && *record.count - 1 > *last_count_) {
     ++counters_.gaps;
   }
@@ -94,9 +104,17 @@ void OpenGazeTracker::poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived
 }
 
 std::string OpenGazeTracker::status() const {
-  return counters().is_connected ? ""
-                                 : fmt::format("nothing speaks the Open Gaze API at {}:{}",
-                                               settings_.address.host, settings_.address.port);
+  const OpenGazeCounters so_far = counters();
+  const std::string place = fmt::format("{}:{}", settings_.address.host, settings_.address.port);
+  if (!so_far.is_connected) {
+    return "nothing speaks the Open Gaze API at " + place;
+  }
+  if (so_far.records == 0 && so_far.garbage > 0) {
+    return place + " sends lines that are not of the Open Gaze API";
+  }
+  return so_far.records > 0 && so_far.unreadable == so_far.records
+             ? place + " sends points of gaze that are not numbers"
+             : "";
 }
 
 OpenGazeCounters OpenGazeTracker::counters() const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -36,6 +38,8 @@ struct OpenGazeSettings {
 struct OpenGazeCounters {
   std::uint64_t records = 0;
   std::uint64_t garbage = 0;     ///< lines that are no elements
+  std::uint64_t repeats = 0;     ///< records that came once more: they are no samples
+  std::uint64_t unreadable = 0;  ///< records whose points are no numbers
   std::uint64_t gaps = 0;        ///< jumps of the tracker's counter: some samples never came
   std::uint64_t reconnects = 0;  ///< connections that were made after the first
   bool is_connected = false;
@@ -64,6 +68,7 @@ class OpenGazeDecoder {
   ClockAlignment alignment_;
   OpenGazeCounters counters_;
   std::optional<std::int64_t> last_count_;
+  std::map<std::string, std::string, std::less<>> last_attributes_;  ///< the last record's
 };
 
 /// Listens in a thread of its own from its beginning to its end, and while there is no connection

@@ -93,7 +93,9 @@ struct Window::Callbacks {
   static void wheel(GLFWwindow* window, double /*right*/, double away) {
     of(window).push(WheelTurned{.away = away});
   }
+  static void moved(GLFWwindow* window, int /*x*/, int /*y*/) { of(window).find_place(); }
   static void resized(GLFWwindow* window, int width, int height) {
+    of(window).find_place();
     WindowResized resized{.framebuffer = {width, height}};
     glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
     of(window).push(resized);
@@ -150,6 +152,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   glfwSetCursorEnterCallback(window_, Callbacks::pointer_entered);
   glfwSetMouseButtonCallback(window_, Callbacks::mouse_button);
   glfwSetScrollCallback(window_, Callbacks::wheel);
+  glfwSetWindowPosCallback(window_, Callbacks::moved);
   glfwSetFramebufferSizeCallback(window_, Callbacks::resized);
   glfwSetWindowIconifyCallback(window_, Callbacks::hidden);
   glfwSetWindowFocusCallback(window_, Callbacks::focused);
@@ -159,6 +162,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   for (GLFWmonitor* const known : glfw_monitors()) {
     known_monitors_[known] = glfwGetMonitorName(known);
   }
+  find_place();
   tell_of_pointer();
 }
 
@@ -256,6 +260,7 @@ void Window::tell_of_monitors() {
   if (now != known_monitors_) {
     known_monitors_ = std::move(now);
     stay_on_a_monitor();
+    find_place();
   }
 }
 
@@ -302,6 +307,32 @@ GLFWmonitor* Window::monitor_below() const {
     }
   }
   return nullptr;
+}
+
+std::optional<WindowPlace> Window::place() const {
+  const std::lock_guard lock(mutex_);
+  return place_;
+}
+
+void Window::find_place() {
+  std::optional<WindowPlace> place;
+  if (GLFWmonitor* const monitor = monitor_below(); monitor != nullptr) {
+    IVec2 corner(0);
+    IVec2 position(0);
+    IVec2 size(0);
+    glfwGetMonitorPos(monitor, &corner.x, &corner.y);
+    glfwGetWindowPos(window_, &position.x, &position.y);
+    glfwGetWindowSize(window_, &size.x, &size.y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    const IVec2 monitor_px(mode->width, mode->height);
+    if (glfw_monitors().size() == 1 || (position == corner && size == monitor_px)) {
+      place = WindowPlace{
+          .monitor_px = monitor_px,
+          .middle_px = DVec2(position - corner) + 0.5 * (DVec2(size) - DVec2(monitor_px))};
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  place_ = place;
 }
 
 /// GLFW puts a window whose monitor is lost into the desktop's corner, and only a window manager

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -29,6 +30,12 @@ struct WindowSettings {
   std::optional<int> monitor;  ///< full screen on this one, as monitors() numbers them
   /// What a user can do if the display goes away, which ends the program (see LostDisplay).
   std::string remedy_of_lost_display = "start it again where there is one";
+};
+
+/// Where the window is on the monitor that it shows on.
+struct WindowPlace {
+  IVec2 monitor_px{0};
+  DVec2 middle_px{0.0};  ///< of the window, right of and below the monitor's middle
 };
 
 struct MonitorInfo {
@@ -66,6 +73,9 @@ class Window {
   KeyTimeSource key_time_source() const { return key_times_->source(); }
   /// Whether keys come to it.
   bool has_focus() const { return has_focus_; }
+  /// Empty if it is on no monitor, or on one of several without filling it: then nobody knows which
+  /// one an eye tracker watches.
+  std::optional<WindowPlace> place() const;
 
   // --- The thread that draws ---
 
@@ -89,6 +99,7 @@ class Window {
   void leave_full_screen();
   void enter_full_screen(GLFWmonitor* monitor);
   GLFWmonitor* monitor_below() const;
+  void find_place();
   void stay_on_a_monitor();
 
   std::unique_ptr<Library> library_;
@@ -101,6 +112,8 @@ class Window {
   IVec2 restored_size_;
   GamepadSticks sticks_;  ///< as they were last reported
   std::map<GLFWmonitor*, std::string> known_monitors_;
+  mutable std::mutex mutex_;  ///< guards the place
+  std::optional<WindowPlace> place_;
   std::atomic<bool> has_focus_ = false;
   std::atomic<bool> finished_ = false;
   std::atomic<int> toggles_ = 0;

@@ -303,6 +303,13 @@ std::string preflight_banner(const Preflight& preflight, bool is_pilot) {
   if (std::string(eye_of(preflight.tracker.source)) != "tracked") {
     lines.push_back(eye_line(preflight.tracker));
   }
+  if (std::string(eye_of(preflight.tracker.source)) == "tracked" && preflight.gaze.samples == 0) {
+    lines.push_back(
+        upper_case(fmt::format("the eye tracker {} does not answer", preflight.tracker.name)));
+    if (!preflight.gaze.status.empty()) {
+      lines.push_back(preflight.gaze.status);
+    }
+  }
   if (has_headset_stand_in) {
     lines.push_back(upper_case(
         fmt::format("this window stands in for the headset {}", preflight.display.name)));

@@ -37,7 +37,8 @@ void CoverableTracker::serve(const std::stop_token& stop) {
   server_.receive_until("\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n");
   while (!stop.stop_requested()) {
     if (!is_covered_) {
-      server_.send("<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"1\" />\r\n");
+      // The middle of a window of 640 x 480 in the corner of a screen of 1280 x 1024.
+      server_.send("<REC BPOGX=\"0.25\" BPOGY=\"0.234375\" BPOGV=\"1\" />\r\n");
     }
     std::this_thread::sleep_for(period);
   }

@@ -9,8 +9,8 @@
 
 namespace foveola::test {
 
-/// Sees an eye that looks straight ahead, 60 times a second, for whoever is connected; several
-/// programs may come one after another.
+/// Sees an eye that looks straight ahead in a SeatedParticipant's window, 60 times a second, for
+/// whoever is connected; several programs may come one after another.
 class CoverableTracker {
  public:
   CoverableTracker();

@@ -68,7 +68,7 @@ TEST(OpenGazeRecords, KeepsTheAttributesOfOtherElements) {
 }
 
 TEST(OpenGazeRecords, NumbersThatAreNoneMakeAPointInvalid) {
-  for (const char* const x : {"", "nan", "inf", "-inf", "abc", "0,5", "0.5 ", " 0.5", "1e999",
+  for (const char* const x : {"", "nan", "inf", "-inf", "abc", "0,5,5", "0.5 ", " 0.5", "1e999",
                               "0.5.5", "+0.5", "0x1p-1", "101", "1e300"}) {
     const OpenGazeRecord record =
         record_with(std::string("BPOGX=\"") + x + "\" BPOGY=\"0.5\" BPOGV=\"1\"");

@@ -95,6 +95,38 @@ TEST(OpenGazeDecoder, TheTrackersTimeTakesTheWaitingOut) {
   EXPECT_EQ(time(100.032, 5035), milliseconds(5012));
 }
 
+// As some programs write them, to whom it may come twice, with commas, and in lines that end in CR.
+TEST(OpenGazeDecoder, ARecordThatComesTwiceIsOneSample) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square});
+  std::size_t samples = 0;
+  for (int count = 1; count <= 60; ++count) {
+    const std::string once = record(0.5, 0.5, count);
+    samples += decoder.decode(once, seconds(count)).size();
+    samples += decoder.decode(once, seconds(count)).size();
+  }
+  EXPECT_EQ(samples, 60U);
+  EXPECT_EQ(decoder.counters().repeats, 60U);
+  EXPECT_EQ(decoder.counters().records, 60U);
+  const std::string rests = "<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"1\" />\n";
+  EXPECT_EQ(decoder.decode(rests + rests, seconds(61)).size(), 2U) << "an eye that rests";
+}
+
+TEST(OpenGazeDecoder, DecimalCommasAndLinesThatEndInCrAreRead) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square});
+  const auto samples = decoder.decode(
+      "<REC CNT=\"1\" TIME=\"1,5\" BPOGX=\"1,0\" BPOGY=\"0,5\" BPOGV=\"1\" />\r"
+      "<REC CNT=\"2\" TIME=\"1,6\" BPOGX=\"0,0\" BPOGY=\"0,5\" BPOGV=\"1\" />\r",
+      seconds(1));
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_TRUE(samples[0].valid && samples[1].valid);
+  EXPECT_TRUE(is_near(samples[0].direction, {1.0F, 0.0F, -1.0F}));
+  EXPECT_TRUE(is_near(samples[1].direction, {-1.0F, 0.0F, -1.0F}));
+  EXPECT_EQ(decoder.counters().garbage, 0U);
+  EXPECT_EQ(decoder.counters().unreadable, 0U);
+  decoder.decode("<REC CNT=\"3\" BPOGX=\"1.000,5\" BPOGY=\"0.5\" BPOGV=\"1\" />\r", seconds(2));
+  EXPECT_EQ(decoder.counters().unreadable, 1U);
+}
+
 TEST(OpenGazeDecoder, CountsWhatComes) {
   OpenGazeDecoder decoder({.screen = square},
                           {.records = 10, .garbage = 20, .gaps = 30, .reconnects = 40});

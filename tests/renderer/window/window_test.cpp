@@ -235,6 +235,21 @@ TEST_F(WindowTest, ThePointerAndItsButtonCome) {
   EXPECT_EQ(presses, 1);
 }
 
+TEST_F(WindowTest, SaysWhereItIsOnTheOnlyMonitor) {
+  test::XUser user(server_.display());
+  const auto expect_place = [&] {
+    const test::XUser::Place at = user.place_of(title);
+    const auto place = window_.place();
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->monitor_px, IVec2(1280, 1024));
+    EXPECT_EQ(place->middle_px,
+              DVec2(at.x + at.width / 2.0 - 640.0, at.y + at.height / 2.0 - 512.0));
+  };
+  expect_place();
+  events_while([](test::XUser& hands) { hands.resize(title, 640, 200); }, has_size({640, 200}));
+  expect_place();
+}
+
 TEST_F(WindowTest, SizesCome) {
   const auto is_the_new_one = [](const WindowEvent& event) {
     const auto* size = std::get_if<WindowResized>(&event.what);

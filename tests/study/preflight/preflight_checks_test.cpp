@@ -145,6 +145,15 @@ TEST(PreflightBanner, SaysWhoseEyeItIsInLargeLetters) {
   EXPECT_THAT(preflight_banner(preflight, false), HasSubstr("POINTER STANDS FOR THE EYE"));
 }
 
+TEST(PreflightBanner, ATrackerThatDoesNotAnswerIsNamed) {
+  Preflight preflight = good_preflight();
+  preflight.tracker.name = "camera";
+  preflight.gaze = {.duration_s = 8.0, .status = "nothing speaks the Open Gaze API at here:1"};
+  EXPECT_THAT(preflight_banner(preflight, false),
+              ::testing::AllOf(HasSubstr("THE EYE TRACKER CAMERA DOES NOT ANSWER"),
+                               HasSubstr("nothing speaks the Open Gaze API at here:1")));
+}
+
 TEST(PreflightBanner, OffersAMonitorForAHeadsetThatIsNotThere) {
   Preflight preflight = good_preflight();
   preflight.display.kind = DisplayKind::headset;
