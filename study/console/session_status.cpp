@@ -49,6 +49,8 @@ const char* name_of(WarningKind kind) {
   switch (kind) {
     case WarningKind::no_focus:
       return "no_focus";
+    case WarningKind::no_key:
+      return "no_key";
     case WarningKind::awaits_gaze:
       return "awaits_gaze";
     case WarningKind::no_gaze:
@@ -94,6 +96,17 @@ std::optional<StatusWarning> warning_of(const FrameStatus& frames) {
       fmt::format("{} of this trial's {} frames missed their refresh. The machine is too slow for "
                   "this window, or busy with something else: pause, and look what else runs.",
                   frames.late, frames.frames)};
+}
+
+std::optional<StatusWarning> warning_of(Nanoseconds since_last_key) {
+  constexpr std::chrono::minutes longest(3);
+  if (since_last_key < longest) {
+    return std::nullopt;
+  }
+  return StatusWarning{
+      WarningKind::no_key,
+      fmt::format("The participant has not pressed a key for {} minutes. Ask whether all is well.",
+                  std::chrono::duration_cast<std::chrono::minutes>(since_last_key).count())};
 }
 
 std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,

@@ -26,7 +26,7 @@ struct GazeStatus {
   std::optional<double> age_s;  ///< of the newest valid sample; empty: there was none
 };
 
-enum class WarningKind { no_focus, awaits_gaze, no_gaze, late_frames, slow_drawing };
+enum class WarningKind { no_focus, no_key, awaits_gaze, no_gaze, late_frames, slow_drawing };
 
 /// As machines read it: "late_frames".
 const char* name_of(WarningKind kind);
@@ -56,6 +56,9 @@ std::string words_for(const GazeStatus& gaze);
 
 /// Warns if more frames of the attempt are late than the analysis lets pass without a flag.
 std::optional<StatusWarning> warning_of(const FrameStatus& frames);
+
+/// Warns if the participant, whose answer is waited for, has not pressed a key for minutes.
+std::optional<StatusWarning> warning_of(Nanoseconds since_last_key);
 
 /// The warnings of kinds that were not there before.
 std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,

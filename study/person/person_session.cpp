@@ -36,6 +36,7 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownS
       prompt_{.reaction = ReactionPresses(Pcg32(derive_seed(
                   settings.seed, SeedPurpose::waiting, {settings.position.state.presses_left})))},
       viewer_(seat.pointer, seat.head),
+      last_key_(settings.position.time),
       has_focus_(seat.has_focus),
       driver_({.protocol = study.protocol,
                .plan = study.plan,
@@ -62,6 +63,9 @@ void PersonSession::follow(const DurableEvent& durable) {
   if (std::holds_alternative<Marked>(durable.event) ||
       std::holds_alternative<TimedOut>(durable.event)) {
     last_mark_ = words;
+  }
+  if (std::holds_alternative<Resumed>(durable.event)) {
+    last_key_ = now();
   }
   study::follow(prompt_, durable.event, context());
   if (std::holds_alternative<GazeValidated>(durable.event)) {

@@ -171,6 +171,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
   std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
   bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
+  Nanoseconds last_key_;             ///< session clock; at first the session's beginning
   bool has_focus_;                   ///< otherwise the participant's keys go elsewhere
   bool is_pause_due_ = false;        ///< what is seen or pressed is not what should be
   std::optional<SlowDrawing> slow_drawing_;  ///< once it was found in an attempt

@@ -62,6 +62,9 @@ void PersonSession::answer(const WindowEvent& event) {
   answer_window_itself(event);
   viewer_.follow(event, is_picture_shown());
   std::optional<PersonKey> key = person_key(event);
+  if (key || form_input(event)) {
+    last_key_ = now();
+  }
   if (key == PersonKey::pause) {
     pause_or_leave();
     return;

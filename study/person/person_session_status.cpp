@@ -1,4 +1,6 @@
 // How the session stands, as the experimenter sees it.
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "study/console/console_words.h"
@@ -45,6 +47,11 @@ std::vector<StatusWarning> PersonSession::warnings() const {
   std::vector<StatusWarning> all;
   if (!has_focus_) {
     all.push_back({WarningKind::no_focus, no_focus_line});
+  }
+  const Phase phase = driver_.seen().phase;
+  const bool is_waited_for = phase != Phase::paused && !driver_.seen().is_over();
+  if (std::optional<StatusWarning> idle = warning_of(now() - last_key_); idle && is_waited_for) {
+    all.push_back(std::move(*idle));
   }
   const std::string tracker = eye_.status();
   if (prompt_.awaits_gaze) {

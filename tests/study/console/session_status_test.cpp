@@ -54,6 +54,13 @@ TEST(SessionStatus, AWarningArisesOnceWhateverItsFigures) {
   EXPECT_EQ(new_ones.front().text, "none");
 }
 
+TEST(SessionStatus, WhoPressesNoKeyForMinutesIsNamed) {
+  using std::chrono::seconds;
+  EXPECT_FALSE(warning_of(seconds(179)));
+  EXPECT_EQ(warning_of(seconds(180))->kind, WarningKind::no_key);
+  EXPECT_THAT(warning_of(seconds(7 * 60 + 59))->text, HasSubstr("for 7 minutes"));
+}
+
 TEST(SessionStatus, MachinesReadAllOfIt) {
   const nlohmann::ordered_json json =
       json_of(SessionStatus{.participant = "P1",
@@ -72,10 +79,11 @@ TEST(SessionStatus, MachinesReadAllOfIt) {
 
 TEST(SessionStatus, WarningsHaveNamesOfTheirOwn) {
   EXPECT_THAT(
-      (std::vector<std::string>{name_of(WarningKind::no_focus), name_of(WarningKind::awaits_gaze),
-                                name_of(WarningKind::no_gaze), name_of(WarningKind::late_frames),
+      (std::vector<std::string>{name_of(WarningKind::no_focus), name_of(WarningKind::no_key),
+                                name_of(WarningKind::awaits_gaze), name_of(WarningKind::no_gaze),
+                                name_of(WarningKind::late_frames),
                                 name_of(WarningKind::slow_drawing)}),
-      ElementsAre("no_focus", "awaits_gaze", "no_gaze", "late_frames", "slow_drawing"));
+      ElementsAre("no_focus", "no_key", "awaits_gaze", "no_gaze", "late_frames", "slow_drawing"));
 }
 
 }  // namespace
