@@ -58,9 +58,11 @@ const char* name_of(WarningKind kind) {
     case WarningKind::late_frames:
       return "late_frames";
     case WarningKind::slow_drawing:
+      return "slow_drawing";
+    case WarningKind::slow_record:
       break;
   }
-  return "slow_drawing";
+  return "slow_record";
 }
 
 std::string words_for(const FrameStatus& frames) {

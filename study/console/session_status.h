@@ -26,7 +26,15 @@ struct GazeStatus {
   std::optional<double> age_s;  ///< of the newest valid sample; empty: there was none
 };
 
-enum class WarningKind { no_focus, no_key, awaits_gaze, no_gaze, late_frames, slow_drawing };
+enum class WarningKind {
+  no_focus,
+  no_key,
+  awaits_gaze,
+  no_gaze,
+  late_frames,
+  slow_drawing,
+  slow_record
+};
 
 /// As machines read it: "late_frames".
 const char* name_of(WarningKind kind);

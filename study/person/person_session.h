@@ -174,7 +174,8 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Nanoseconds last_key_;             ///< session clock; at first the session's beginning
   bool has_focus_;                   ///< otherwise the participant's keys go elsewhere
   bool is_pause_due_ = false;        ///< what is seen or pressed is not what should be
-  std::optional<SlowDrawing> slow_drawing_;  ///< once it was found in an attempt
+  std::optional<Nanoseconds> waits_for_disk_since_;  ///< session clock, while an event does
+  std::optional<SlowDrawing> slow_drawing_;          ///< once it was found in an attempt
   LiveFigures figures_;
   std::string last_mark_;  ///< in words; empty before the first
   std::optional<Nanoseconds> status_shown_;

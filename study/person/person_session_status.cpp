@@ -22,6 +22,9 @@ void PersonSession::count_frame(Nanoseconds shown) {
 }
 
 void PersonSession::show_status() {
+  waits_for_disk_since_ = driver_.has_effects_to_come()
+                              ? std::optional(waits_for_disk_since_.value_or(now()))
+                              : std::nullopt;
   constexpr Nanoseconds interval = std::chrono::milliseconds(250);
   if (!status_shown_ || now() - *status_shown_ >= interval) {
     status_shown_ = now();
@@ -76,6 +79,12 @@ std::vector<StatusWarning> PersonSession::warnings() const {
   }
   if (slow_drawing_) {
     all.push_back({WarningKind::slow_drawing, slow_drawing_line(*slow_drawing_)});
+  }
+  constexpr Nanoseconds longest_commit = std::chrono::seconds(2);
+  if (waits_for_disk_since_ && now() - *waits_for_disk_since_ > longest_commit) {
+    all.push_back({WarningKind::slow_record,
+                   "The study's file takes nothing: another program has locked it, or the disk is "
+                   "slow. The session waits for up to a minute; close that program."});
   }
   return all;
 }

@@ -26,6 +26,8 @@ namespace foveola::study {
 namespace {
 
 constexpr int busy_timeout_ms = 5000;
+/// A session's record waits longer for another program's lock: an error would end the session.
+constexpr int writer_timeout_ms = 60'000;
 
 Error error_of(const fs::path& path, const SQLite::Exception& fault) {
   const auto error = [&](const std::string& what, const std::string& remedy) {
@@ -282,7 +284,7 @@ void require_writable_file(const fs::path& path) {
 SQLite::Database open_study_to_write(const fs::path& path) {
   require_writable_file(path);
   require_own_journal(path);
-  SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
+  SQLite::Database database(path, SQLite::OPEN_READWRITE, writer_timeout_ms);
   // What is removed leaves zeros: see unused_bytes_fault().
   database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
   const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
@@ -216,6 +217,23 @@ TEST_F(RunWithNeighbours, WhatOtherProgramsReadIsNotLostByAKill) {
     std::cout << page << ": " << times << " kills\n";
   }
   std::cout << reads << " reads by others, " << acknowledged.size() << " events acknowledged\n";
+}
+
+TEST_F(RunWithNeighbours, AnothersLockIsWaitedForAndSaid) {
+  begin(1);
+  sqlite3* other = nullptr;
+  ASSERT_EQ(sqlite3_open(study().c_str(), &other), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+  participant_.type_all({"Return", "Down", "Return"});
+  participant_.program().wait_for("another program has locked it");
+  std::this_thread::sleep_for(std::chrono::seconds(5));  // SQLite's programs wait for as long
+  EXPECT_EQ(sqlite3_exec(other, "COMMIT", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(other);
+  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  note("after");
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  EXPECT_THAT(study::verify_study(study()).faults, IsEmpty());
 }
 
 TEST_F(RunWithNeighbours, ASessionWhoseLogIsTakenAwayEndsAndIsSaved) {

@@ -78,12 +78,13 @@ TEST(SessionStatus, MachinesReadAllOfIt) {
 }
 
 TEST(SessionStatus, WarningsHaveNamesOfTheirOwn) {
-  EXPECT_THAT(
-      (std::vector<std::string>{name_of(WarningKind::no_focus), name_of(WarningKind::no_key),
-                                name_of(WarningKind::awaits_gaze), name_of(WarningKind::no_gaze),
-                                name_of(WarningKind::late_frames),
-                                name_of(WarningKind::slow_drawing)}),
-      ElementsAre("no_focus", "no_key", "awaits_gaze", "no_gaze", "late_frames", "slow_drawing"));
+  EXPECT_THAT((std::vector<std::string>{
+                  name_of(WarningKind::no_focus), name_of(WarningKind::no_key),
+                  name_of(WarningKind::awaits_gaze), name_of(WarningKind::no_gaze),
+                  name_of(WarningKind::late_frames), name_of(WarningKind::slow_drawing),
+                  name_of(WarningKind::slow_record)}),
+              ElementsAre("no_focus", "no_key", "awaits_gaze", "no_gaze", "late_frames",
+                          "slow_drawing", "slow_record"));
 }
 
 }  // namespace
