@@ -257,6 +257,13 @@ void fold_in_log(const fs::path& path) {
   }
 }
 
+void end_log(SQLite::Database& database) {
+  constexpr int moment_ms = 1000;
+  database.setBusyTimeout(moment_ms);
+  database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+  database.tryExec("PRAGMA journal_mode = DELETE");
+}
+
 void copy_checked(SQLite::Database& database, const fs::path& path) {
   const TemporaryDatabase temporary(path);
   copy_into(temporary, database, path);
@@ -284,7 +291,7 @@ void require_writable_file(const fs::path& path) {
 SQLite::Database open_study_to_write(const fs::path& path) {
   require_writable_file(path);
   require_own_journal(path);
-  SQLite::Database database(path, SQLite::OPEN_READWRITE, writer_timeout_ms);
+  SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
   // What is removed leaves zeros: see unused_bytes_fault().
   database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
   const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
@@ -292,6 +299,7 @@ SQLite::Database open_study_to_write(const fs::path& path) {
     throw Error(path.string(), "its folder does not support a write-ahead log",
                 "keep studies on a local disk");
   }
+  database.setBusyTimeout(writer_timeout_ms);
   return database;
 }
 

@@ -36,6 +36,10 @@ void require_study(const std::filesystem::path& path);
 /// Whether a write-ahead log lies beside the file at `path`, by its own name.
 bool has_log(const std::filesystem::path& path);
 
+/// Folds the log of a connection that open_study_to_write() opened into the file, which then has
+/// none, and stays as it is where another connection holds that up.
+void end_log(SQLite::Database& database);
+
 /// The file at `path`, which exists, unchecked, to read only. Nothing beside it is made, even in a
 /// folder that cannot be written, and no journal that lies beside it is played into it. Throws
 /// Error or what SQLite throws.

@@ -36,6 +36,10 @@ class Header {
   bool is_kept_up() const { return number_at(24, 4) == number_at(92, 4); }
   /// The first of the free pages that list the others; 0 if there is none.
   std::uintmax_t first_free_page() const { return number_at(32, 4); }
+  bool is_of_a_log() const {
+    constexpr std::uintmax_t log_version = 2;
+    return number_at(18, 1) == log_version;
+  }
   bool is_reserve_empty() const {
     return std::all_of(bytes_.begin() + 72, bytes_.begin() + 92,
                        [](char byte) { return byte == 0; });
@@ -195,6 +199,10 @@ std::optional<std::string> statistics_fault(SQLite::Database& study) {
              ? std::optional("its table sqlite_stat1 holds what ANALYZE does not write: " +
                              odd.getColumn(0).getString())
              : std::nullopt;
+}
+
+bool is_written_with_log(SQLite::Database& study) {
+  return Header(OpenFile::database(study)).is_of_a_log();
 }
 
 std::optional<std::string> size_fault(SQLite::Database& database) {

@@ -38,6 +38,9 @@ std::optional<std::string> size_fault(SQLite::Database& database);
 /// stands between the rows of a page is not seen: SQLite leaves there what was.
 std::optional<std::string> unused_bytes_fault(SQLite::Database& database);
 
+/// Whether the file's header says that a write-ahead log belongs to it, as while a session runs.
+bool is_written_with_log(SQLite::Database& study);
+
 /// Throws Error, which names the file by `path`, if there is a size_fault().
 void require_whole_pages(SQLite::Database& database, const std::filesystem::path& path);
 

@@ -248,7 +248,7 @@ StudyStore::StudyStore(const fs::path& path, const Protocol& protocol, OtherProt
 StudyStore::~StudyStore() {
   // If this fails, the log stays beside the file, and whoever opens the study next reads both.
   if (!implementation_->loss) {
-    implementation_->database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+    end_log(implementation_->database);
   }
 }
 

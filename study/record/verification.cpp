@@ -103,6 +103,13 @@ void check_journal(const fs::path& file, Verification& found) {
 
 /// What a copy of the file alone would lack. A program that writes the study has such a log.
 void check_log(SQLite::Database& study, const fs::path& file, Verification& found) {
+  if (!has_log(file) && schema_version_of(study) >= 5 && is_written_with_log(study)) {
+    found.warnings.push_back(
+        {"", fmt::format("was written with a log, {}-wal, which is not beside it: a copy that was "
+                         "made while a session ran lacks what the log held; copy both, or use "
+                         "foveola study backup",
+                         file.filename().string())});
+  }
   if (has_log(file) && !is_controlled(file) && has_commits_in_log(study)) {
     found.warnings.push_back(
         {"", fmt::format("its log, {}-wal, holds commits that are not in the file yet: keep and "

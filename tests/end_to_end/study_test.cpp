@@ -58,7 +58,7 @@ TEST(Study, GoesFromAProtocolToAReport) {
                    "--participants", "2", "--seed", "5", "--json"});
   ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
 
-  EXPECT_EQ(value_of(database, "PRAGMA journal_mode"), "wal");
+  EXPECT_EQ(value_of(database, "PRAGMA journal_mode"), "delete");
   EXPECT_EQ(value_of(database, "PRAGMA integrity_check"), "ok");
   const study::StudyRecords records = study::read_study(database);
   ASSERT_EQ(records.sessions.size(), 2U);

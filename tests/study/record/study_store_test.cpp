@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
+#include "study/record/study_records.h"
 #include "study_file.h"
 
 namespace foveola::study {
@@ -18,7 +19,7 @@ class Store : public StudyFile {
   std::vector<std::string> column(const std::string& sql) { return query_column(path_, sql); }
 };
 
-TEST_F(Store, LeavesOneFileInWalMode) {
+TEST_F(Store, LeavesOneWholeFile) {
   {
     StudyStore store(path_, small_protocol());
     PlayedSession(store, facts_of("P01"), small_plan()).begin();
@@ -26,8 +27,34 @@ TEST_F(Store, LeavesOneFileInWalMode) {
   }
   const auto content = folder_.content();
   ASSERT_THAT(content, testing::SizeIs(1));
-  // The SQLite file format, section 1.3: 2 at offsets 18 and 19 is WAL.
-  EXPECT_EQ(content.at("study.sqlite").substr(18, 2), "\x02\x02");
+  // The SQLite file format, section 1.3: 2 at offsets 18 and 19 is WAL, 1 is not.
+  EXPECT_EQ(content.at("study.sqlite").substr(18, 2), "\x01\x01");
+}
+
+TEST_F(Store, ACopyWithoutItsLogIsWarnedOf) {
+  const fs::path copy = folder_ / "copy.sqlite";
+  {
+    StudyStore store(path_, small_protocol());
+    PlayedSession(store, facts_of("P01"), small_plan()).begin();
+    fs::copy_file(path_, copy);
+  }
+  EXPECT_THAT(verify_study(copy).warnings,
+              ElementsAre(FieldsAre("", HasSubstr("copy.sqlite-wal, which is not beside it"))));
+  EXPECT_THAT(verify_study(path_).warnings, IsEmpty());
+}
+
+TEST_F(Store, WhoReadsItDoesNotMakeItsEndFail) {
+  std::optional<SQLite::Database> reader;
+  {
+    StudyStore store(path_, small_protocol());
+    PlayedSession(store, facts_of("P01"), small_plan()).begin();
+    reader.emplace(path_, SQLite::OPEN_READONLY);
+    reader->exec("BEGIN");
+    EXPECT_EQ(reader->execAndGet("SELECT count(*) FROM session").getInt(), 1);
+  }
+  EXPECT_EQ(read_study(path_).sessions.size(), 1U);
+  reader.reset();
+  EXPECT_THAT(verify_study(path_).faults, IsEmpty());
 }
 
 TEST_F(Store, KeepsTheProtocolToTheLetter) {
@@ -255,7 +282,7 @@ TEST_F(Store, ASessionWhoseEndIsUndoneContinues) {
     session.happen(ms(60), TrialStarted{});
     EXPECT_EQ(query(path, "SELECT group_concat(attempt || outcome) FROM attempt"),
               fmt::format("1{},2open", name_of(end)));
-    EXPECT_THAT(verify_study(path).faults, testing::IsEmpty());
+    EXPECT_THAT(verify_study(path).faults, IsEmpty());
   }
 }
 
