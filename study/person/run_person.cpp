@@ -1,6 +1,7 @@
 #include "study/person/run_person.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <memory>
 #include <random>
@@ -82,6 +83,13 @@ SessionState once_resumed(SessionState state) {
   return state;
 }
 
+/// Codes are of ASCII.
+std::string in_small_letters(std::string code) {
+  std::transform(code.begin(), code.end(), code.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return code;
+}
+
 /// The session counts with its pictures or without: it goes on to its backup.
 void say_if_pictures_are_lost(SessionDisplay& display, Console& console) {
   try {
@@ -132,6 +140,7 @@ class PersonRun {
         devices_json(display, shown_on.headset(), window.key_time_source(),
                      preflight(stages, workers, clock, events, display, gaze, stop));
     say_if_keys_are_late(window.key_time_source(), *console_);
+    say_if_code_is_alike();
     if (!settings_.json && Terminal::is_there()) {
       wait_for_confirmation(display, stop);
     }
@@ -196,6 +205,19 @@ class PersonRun {
       require_gate(checks);
     }
     return preflight_json(found, checks);
+  }
+
+  /// Codes that differ in small and capital letters only are easily taken for one another.
+  void say_if_code_is_alike() {
+    for (const KnownSession& session : store_.sessions()) {
+      const std::string& known = session.participant;
+      if (known != settings_.participant &&
+          in_small_letters(known) == in_small_letters(settings_.participant)) {
+        console_->say(
+            fmt::format("WARNING: {} is another participant than {}, who is in this study.",
+                        settings_.participant, known));
+      }
+    }
   }
 
   /// The experimenter's screen covers what was said so far.

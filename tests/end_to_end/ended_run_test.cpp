@@ -111,6 +111,20 @@ TEST_F(StudyRun, TheExperimenterMayExclude) {
               ElementsAre("session_started|-", "excluded|the tracker failed"));
 }
 
+TEST_F(StudyRun, CodesThatDifferInCapitalLettersOnlyAreWarnedOf) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  for (const char* code : {"P1", "p1"}) {
+    participant_.seat(code);
+    participant_.begin();
+    participant_.wait_for_page();
+    participant_.program().type_line("quit");
+    EXPECT_EQ(participant_.program().wait_for_end(), 0);
+    EXPECT_EQ(participant_.program().said().find("p1 is another participant than P1") !=
+                  std::string::npos,
+              std::string(code) == "p1");
+  }
+}
+
 TEST_F(StudyRun, TakesNobodysEyeForAPersons) {
   participant_.write_protocol(one_trial_keys, short_look);
   const std::string simulated =

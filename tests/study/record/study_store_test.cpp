@@ -1,6 +1,9 @@
 #include "study/record/study_store.h"
 
+#include <optional>
+
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
