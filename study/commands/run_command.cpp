@@ -41,6 +41,7 @@ struct RunArguments {
   int threads = 0;
   bool resumes = false;
   bool despite_changes = false;
+  bool is_blind = false;
   bool takes_amendment = false;
   std::string screens;
   std::string receipt;
@@ -87,6 +88,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
                        .window = parse_size("--window", arguments.window),
                        .threads = arguments.threads,
                        .resumes = arguments.resumes,
+                       .is_blind = arguments.is_blind,
                        .despite_changes = arguments.despite_changes,
                        .other_protocol = arguments.takes_amendment
                                              ? OtherProtocol::take_as_amendment
@@ -118,7 +120,9 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
                                          {"copy", report.copy.string()}}));
     return;
   }
-  print_text("{}", session_summary(arguments.database, arguments.participant));
+  if (!report.is_blind || report.phase != Phase::interrupted) {
+    print_text("{}", session_summary(arguments.database, arguments.participant));
+  }
   print_text("{}: {} {}; backup {}{}\n", arguments.database, arguments.participant,
              name_of(report.phase), report.backup.string(),
              report.copy.empty() ? "" : fmt::format("; copy {}", report.copy.string()));
@@ -185,6 +189,9 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                     "Accept a protocol whose words or time-outs have changed since the study "
                     "began; the session's "
                     "record will say so");
+  command->add_flag("--blind", arguments->is_blind,
+                    "Hide the methods from the experimenter until the session is over; the "
+                    "session's record will say so");
   mark_output(
       command->add_option("--screens", arguments->screens,
                           "A folder that gets a picture of every page the participant comes to"));

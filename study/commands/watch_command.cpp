@@ -16,6 +16,7 @@
 #include "study/console/line_console.h"
 #include "study/record/event_log.h"
 #include "study/record/recorded_session.h"
+#include "study/record/session_devices.h"
 #include "study/record/study_records.h"
 
 namespace foveola::study {
@@ -49,6 +50,8 @@ class Watch {
   /// What is new. Returns whether the session can still go on.
   bool tell() {
     const RecordedSession session = read_session(arguments_.database, participant_);
+    const Plan told_plan =
+        is_experimenter_blind(session.known.devices) ? without_methods(session.plan) : session.plan;
     SessionState state;
     std::size_t count = 0;
     for_each_step(
@@ -61,8 +64,8 @@ class Watch {
         });
     if (count > told_ && !arguments_.json) {
       say(printable(fmt::format("           now {}; then {}",
-                                words_for(state, session.procedure, session.plan),
-                                words_for_next(state, session.procedure, session.plan))));
+                                words_for(state, session.procedure, told_plan),
+                                words_for_next(state, session.procedure, told_plan))));
     }
     told_ = count;
     return !state.is_over();

@@ -145,6 +145,14 @@ std::string words_for(const SessionState& state, const Procedure& procedure, con
   return words;
 }
 
+Plan without_methods(Plan plan) {
+  for (PlannedTrial& trial : plan) {
+    trial.method = "a hidden method";
+    trial.kind = trial.kind == TrialKind::catch_trial ? TrialKind::test : trial.kind;
+  }
+  return plan;
+}
+
 std::string words_for_next(const SessionState& state, const Procedure& procedure,
                            const Plan& plan) {
   const std::size_t next = state.step + 1;

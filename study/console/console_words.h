@@ -16,6 +16,9 @@ std::string words_for(const Event& event, const SessionState& after, const Proto
 /// "marking, trial 3 of 15: arcade with fv, timing 1, attempt 1".
 std::string words_for(const SessionState& state, const Procedure& procedure, const Plan& plan);
 
+/// The plan as an experimenter may know it who is blind to the methods. Catch trials are as others.
+Plan without_methods(Plan plan);
+
 /// What comes after the step that the session is in.
 std::string words_for_next(const SessionState& state, const Procedure& procedure, const Plan& plan);
 

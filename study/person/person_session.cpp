@@ -28,6 +28,7 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownS
     : settings_(settings),
       study_(study),
       seat_(seat),
+      told_plan_(settings.is_experimenter_blind ? without_methods(study.plan) : study.plan),
       console_(console),
       recorder_(recorder),
       zero_(seat.clock.now() - settings.position.time),

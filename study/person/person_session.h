@@ -40,8 +40,9 @@ struct PersonSessionSettings {
   std::string participant;  ///< the code
   const char* eye = "";     ///< whose the gaze is: eye_of()
   SessionSeed seed;
-  SessionPosition position;        ///< where the session goes on
-  std::vector<std::string> notes;  ///< written when the session begins or goes on
+  SessionPosition position;            ///< where the session goes on
+  std::vector<std::string> notes;      ///< written when the session begins or goes on
+  bool is_experimenter_blind = false;  ///< the console names no methods
   /// Each page and picture that the participant comes to is written there, as a file.
   std::optional<std::filesystem::path> screens;
 };
@@ -153,6 +154,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   PersonSessionSettings settings_;
   ShownStudy study_;
   Seat seat_;
+  Plan told_plan_;  ///< as the experimenter may know it
   Console& console_;
   SessionRecorder& recorder_;
   Nanoseconds zero_;  ///< the clock's time at which the session's is 0

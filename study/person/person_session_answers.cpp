@@ -30,14 +30,14 @@ void PersonSession::answer_console() {
     const ConsoleAnswer answer = answer_to(line, {.participant = settings_.participant,
                                                   .state = driver_.state(),
                                                   .procedure = driver_.procedure(),
-                                                  .plan = study_.plan});
+                                                  .plan = told_plan_});
     if (answer.quits) {
       driver_.interrupt();
     } else if (answer.event && std::holds_alternative<Resumed>(*answer.event) && !has_focus_) {
       console_.say(fmt::format("not possible now: {}", no_focus_line));
     } else if (answer.event && !driver_.feed(*answer.event)) {
       console_.say(fmt::format("not possible now: {}",
-                               words_for(driver_.state(), driver_.procedure(), study_.plan)));
+                               words_for(driver_.state(), driver_.procedure(), told_plan_)));
     } else if (!answer.reply.empty()) {
       console_.say(answer.reply);
     }

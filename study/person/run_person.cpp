@@ -171,6 +171,10 @@ class PersonRun {
   /// Whether there is a session in the record.
   bool has_begun() const { return row_ != 0; }
 
+  bool is_blind() const {
+    return settings_.is_blind || (so_far_ && is_experimenter_blind(so_far_->session.devices));
+  }
+
  private:
   /// Says what was found. Throws Error if the protocol asks for more; a rehearsal goes on whatever
   /// is found.
@@ -241,6 +245,9 @@ class PersonRun {
         {"tracker", tracker_json(tracker_.name, protocol_.tracker.filter)},
         {"keys", {{"time_source", name_of(key_times)}}},
         {"preflight", preflight}};
+    if (is_blind()) {
+      json["experimenter_is_blind"] = true;
+    }
     if (headset != nullptr) {
       json["headset"] = headset_json(headset->facts());
     }
@@ -283,8 +290,11 @@ class PersonRun {
                        .devices = devices,
                        .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
-    console_->say(fmt::format("Participant {}, row {} of the design, seed {}, {} trials.",
-                              facts.participant, facts.design_row, facts.seed, plan_.size()));
+    const std::string order =
+        is_blind() ? ""
+                   : fmt::format(" row {} of the design, seed {},", facts.design_row, facts.seed);
+    console_->say(
+        fmt::format("Participant {},{} {} trials.", facts.participant, order, plan_.size()));
     row_ = store_.begin_session(facts, plan_);
     return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, notes_of_eye());
   }
@@ -306,8 +316,9 @@ class PersonRun {
     const SessionState state = once_resumed(so_far_->position.state);
     console_->say(fmt::format("Participant {} goes on after {:.0f} s.", known.participant,
                               seconds(so_far_->position.time)));
-    console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, plan_),
-                              words_for_next(state, procedure, plan_)));
+    const Plan told = is_blind() ? without_methods(plan_) : plan_;
+    console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, told),
+                              words_for_next(state, procedure, told)));
     row_ = known.id;
     std::vector<std::string> notes = notes_of_eye();
     notes.push_back(note_of_devices(devices));
@@ -331,6 +342,7 @@ class PersonRun {
             .seed = seed,
             .position = position,
             .notes = std::move(notes),
+            .is_experimenter_blind = is_blind(),
             .screens = settings_.screens};
   }
 
@@ -447,6 +459,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
       throw Error(fmt::format("the session of {} was cut off", settings.participant), fault.what(),
                   how_to_go_on(settings, store));
     }
+    report.is_blind = run.is_blind();
     write_receipt(settings, store);
     report.copy = copy_if_asked(store, settings);
     report.backup = back_up(store, settings);

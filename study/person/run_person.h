@@ -28,6 +28,7 @@ struct RunSettings {
   std::optional<int> monitor;    ///< fills this monitor
   int threads = 0;               ///< 0: one for every core
   bool resumes = false;          ///< goes on with the participant's unfinished session
+  bool is_blind = false;         ///< the experimenter does not read the methods before its end
   bool despite_changes = false;  ///< even if the program or the scenes have changed since
   OtherProtocol other_protocol =
       OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
@@ -43,6 +44,7 @@ struct RunSettings {
 
 struct RunReport {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
+  bool is_blind = false;         ///< by the settings, or since the session began
   std::filesystem::path backup;
   std::filesystem::path copy;  ///< in the backup_folder; empty if there is none
 };

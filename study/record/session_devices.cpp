@@ -69,6 +69,10 @@ std::string tracker_in(const std::string& devices) {
   return profile.is_string() ? profile.get<std::string>() : "";
 }
 
+bool is_experimenter_blind(const std::string& devices) {
+  return member(json_in(devices), "experimenter_is_blind") == true;
+}
+
 BuildInfo with_renderer_in(const std::string& devices, BuildInfo build) {
   const nlohmann::ordered_json renderer = member(json_in(devices), "renderer");
   for (const auto& [key, text] : renderer_fields) {

@@ -17,6 +17,9 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices);
 /// The name of the eye tracker's profile in it; empty if it says none.
 std::string tracker_in(const std::string& devices);
 
+/// Whether the session's experimenter must not know the methods before its end.
+bool is_experimenter_blind(const std::string& devices);
+
 /// `build` with what `devices` says of what traced the rays and by which instructions; empty where
 /// it says nothing.
 BuildInfo with_renderer_in(const std::string& devices, BuildInfo build);

@@ -1,4 +1,6 @@
 // Another terminal follows a session that goes on.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "study/record/maintenance.h"
@@ -34,6 +36,33 @@ TEST_F(StudyRun, IsWatchedFromAnotherTerminal) {
   EXPECT_THAT(machine.said(), AllOf(HasSubstr("\"event\":\"object_chosen\""),
                                     HasSubstr("\"phase\":\"completed\"")));
   EXPECT_TRUE(study::verify_study(participant_.database()).faults.empty());
+}
+
+TEST_F(StudyRun, WhoIsBlindReadsNoMethodUntilTheSessionIsOver) {
+  participant_.write_protocol("methods = [\"od\", \"fv\"]\nphases = [\"trials\"]\n", short_look);
+  participant_.begin({"--blind"});
+  RunningProgram watcher({"study", "watch", participant_.database().string()});
+  watcher.wait_for("hall with a hidden method");
+  participant_.answer_page("Return");  // welcome
+  participant_.wait_for_page();
+  participant_.program().type_line("state");
+  participant_.program().wait_for("hall with a hidden method");
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+
+  participant_.begin({"--resume"});
+  participant_.program().type_line("next");
+  participant_.program().wait_for("trial 2 of 2: hall with a hidden method");
+  for (RunningProgram* program : {&watcher, &participant_.program()}) {
+    const std::string said = program->said();
+    const std::size_t begin = std::min(said.find("Session time 0"), said.size());
+    EXPECT_EQ(said.find("with od", program == &watcher ? 0 : begin), std::string::npos) << said;
+  }
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  EXPECT_THAT(
+      participant_.ask("SELECT json_extract(devices, '$.experimenter_is_blind') FROM session"),
+      testing::ElementsAre("1"));
 }
 
 TEST_F(StudyRun, ThereIsNothingToWatchBeforeASession) {

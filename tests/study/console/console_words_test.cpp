@@ -36,6 +36,19 @@ TEST(ConsoleWords, SayWhereTheSessionIs) {
   EXPECT_EQ(words_for({.phase = Phase::completed, .step = 4}, procedure, plan), "completed");
 }
 
+TEST(ConsoleWords, WhoIsBlindReadsNoMethod) {
+  const Plan told = without_methods(plan);
+  for (const std::size_t step : {1U, 2U}) {
+    const SessionState state{.phase = Phase::marking, .step = step};
+    const std::string words =
+        words_for(state, procedure, told) + words_for_next({.step = step - 1}, procedure, told);
+    for (const char* method : {"od", "fv", "catch"}) {
+      EXPECT_EQ(words.find(std::string(" ") + method), std::string::npos) << words;
+      EXPECT_EQ(words.find(std::string("(") + method), std::string::npos) << words;
+    }
+  }
+}
+
 TEST(ConsoleWords, SayWhatComes) {
   EXPECT_EQ(words_for_next({.phase = Phase::consent}, procedure, plan),
             "trial 1 of 2: hall with od");
