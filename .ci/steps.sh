@@ -1,23 +1,33 @@
 # Sourced by run and long: steps, whose minutes are printed at the end and kept in a file.
-minutes_csv=$PWD/build/ci_minutes.csv # kind (step, skipped or case), name, seconds
+minutes_csv=$PWD/build/ci_minutes.csv # kind (step, skipped or case), name, seconds, those of processors
 mkdir -p build
-echo kind,name,seconds >"$minutes_csv"
+echo kind,name,seconds,processor_seconds >"$minutes_csv"
 
 print_minutes() {
   awk -F'","|",|,"' '
-    $1 == "step" {printf "CI: %3d:%02d min %s\n", $3 / 60, $3 % 60, $2}
+    $1 == "step" {printf "CI: %3d:%02d min, %5.1f of processors: %s\n", $3 / 60, $3 % 60, $4 / 60, $2}
     $1 == "skipped" {printf "CI:    skipped %s\n", $2}' "$minutes_csv"
   printf 'CI: %3d:%02d min in all\n' $((SECONDS / 60)) $((SECONDS % 60))
 }
 trap print_minutes EXIT
 
+# Sets processor_s: what the programs that this shell has waited for took, in the kernel too.
+take_processor_s() {
+  local stat
+  read -ra stat </proc/$BASHPID/stat
+  processor_s=$(((stat[15] + stat[16]) / 100))
+}
+
 # step NAME COMMAND...
 step() {
-  local name=$1 began=$SECONDS
+  local name=$1 began=$SECONDS processor_s began_s
   shift
   printf 'CI: %s\n' "$name"
+  take_processor_s
+  began_s=$processor_s
   "$@"
-  printf 'step,"%s",%d\n' "$name" $((SECONDS - began)) >>"$minutes_csv"
+  take_processor_s
+  printf 'step,"%s",%d,%d\n' "$name" $((SECONDS - began)) $((processor_s - began_s)) >>"$minutes_csv"
 }
 
 # skip_step NAME REASON
