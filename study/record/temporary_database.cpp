@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <random>
 #include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "renderer/base/clock.h"
@@ -35,49 +35,78 @@ std::string prefix_of_temporaries(const fs::path& final_path) {
 
 constexpr const char* temporary_suffix = ".partial";
 
-/// The process whose temporary has this name, as new_temporary() gives it; 0 for any other name.
-pid_t process_of(const std::string& file_name) {
+/// The name of the temporary that a file belongs to, itself or as SQLite's log or journal of it;
+/// empty for a file of any other kind.
+std::string temporary_of(const std::string& file_name) {
+  constexpr std::size_t digits = 16;
   const std::size_t end = file_name.rfind(temporary_suffix);
-  const std::size_t point = end == std::string::npos ? end : file_name.rfind('.', end - 1);
-  if (!file_name.starts_with('.') || point == std::string::npos) {
-    return 0;
-  }
-  pid_t process = 0;
-  const char* const past = file_name.data() + end;
-  const auto [dash, failure] = std::from_chars(file_name.data() + point + 1, past, process);
-  constexpr std::ptrdiff_t dash_and_digits = 17;
-  return failure == std::errc() && *dash == '-' && past - dash == dash_and_digits ? process : 0;
+  const std::size_t random = end - digits;
+  const bool has_shape = file_name.starts_with('.') && end != std::string::npos && end > digits &&
+                         file_name[random - 1] == '.' &&
+                         file_name.find_first_not_of("0123456789abcdef", random) == end;
+  return has_shape ? file_name.substr(0, end + std::strlen(temporary_suffix)) : "";
 }
 
-/// Removes what killed programs of this machine have left in a folder.
+/// A descriptor with the lock of a temporary, which its program keeps; -1 if the file is not there,
+/// or no lock is to be had. `waiting`: 0, or LOCK_NB not to wait for it.
+int lock(const fs::path& temporary, int waiting) {
+  const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | waiting) != 0) {
+    ::close(descriptor);
+    return -1;
+  }
+  return descriptor;
+}
+
+/// Removes what killed programs have left in a folder, on whatever machine they ran.
 void remove_leftovers(const fs::path& folder) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const pid_t process = process_of(entry.path().filename().string());
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
+    const std::string temporary = temporary_of(entry.path().filename().string());
+    if (temporary.empty()) {
+      continue;
+    }
+    const fs::path path = folder / temporary;
+    const int descriptor = lock(path, LOCK_NB);
+    if (descriptor >= 0 || !fs::exists(fs::symlink_status(path, ignored))) {
       fs::remove(entry.path(), ignored);
+    }
+    if (descriptor >= 0) {
+      ::close(descriptor);
     }
   }
 }
 
 fs::path new_temporary(const fs::path& final_path) {
   std::random_device random;  // of the operating system
-  return folder_of(final_path) / fmt::format("{}{}-{:08x}{:08x}{}",
-                                             prefix_of_temporaries(final_path), ::getpid(),
+  return folder_of(final_path) / fmt::format("{}{:08x}{:08x}{}", prefix_of_temporaries(final_path),
                                              random(), random(), temporary_suffix);
 }
 
 }  // namespace
 
-TemporaryDatabase::TemporaryDatabase(const fs::path& final_path)
-    : final_path_(final_path), path_(new_temporary(final_path)) {
+TemporaryDatabase::TemporaryDatabase(const fs::path& final_path) : final_path_(final_path) {
   remove_leftovers(folder_of(final_path));
-  if (!make_new_file(path_, FileAccess::own)) {
-    throw cannot_be_made(final_path);
+  // Until it is locked, another program may take it for a leftover.
+  while (true) {
+    path_ = new_temporary(final_path);
+    if (!make_new_file(path_, FileAccess::own)) {
+      throw cannot_be_made(final_path);
+    }
+    lock_ = lock(path_, 0);
+    if (fs::exists(path_)) {
+      return;
+    }
+    ::close(lock_);
   }
 }
 
-TemporaryDatabase::~TemporaryDatabase() { remove(); }
+TemporaryDatabase::~TemporaryDatabase() {
+  remove();
+  if (lock_ >= 0) {
+    ::close(lock_);
+  }
+}
 
 void TemporaryDatabase::replace_final() const {
   take_access(path_, final_path_);

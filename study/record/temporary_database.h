@@ -7,8 +7,8 @@
 namespace foveola::study {
 
 /// An empty, private file for a database beside its final path, on the same file system. What lies
-/// there at the end of the scope goes, and what killed programs of this machine have left goes at
-/// the beginning.
+/// there at the end of the scope goes, and what killed programs have left goes at the beginning:
+/// a program that runs has its own locked (flock), on whatever machine it is.
 class TemporaryDatabase {
  public:
   /// Throws Error if it cannot be made.
@@ -34,6 +34,7 @@ class TemporaryDatabase {
 
   std::filesystem::path final_path_;
   std::filesystem::path path_;
+  int lock_ = -1;  ///< A descriptor; -1 where the file system has no locks.
 };
 
 /// Whether a file of this name is one that a killed program may have left of `final_path`.

@@ -3,14 +3,12 @@
 #include <fstream>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "study/record/study_records.h"
+#include "study/record/temporary_database.h"
 #include "study_file.h"
 
 namespace foveola::study {
@@ -322,16 +320,22 @@ TEST(Database, NewStudyNeverTakesTheNameOfAnother) {
 
 TEST(Database, HalfMadeStudyOfAKilledProgramIsNoObstacle) {
   const TemporaryFolder folder;
-  const pid_t killed = ::fork();
-  if (killed == 0) {
-    ::_exit(0);
-  }
-  ::waitpid(killed, nullptr, 0);
-  write_bytes(folder / fmt::format(".study.sqlite.{}-0123456789abcdef.partial-wal", killed),
-              "half");
+  const fs::path half = folder / ".study.sqlite.0123456789abcdef.partial";
+  write_bytes(half, "half");
+  write_bytes(half.string() + "-wal", "half");
   create_study(folder / "study.sqlite", small_protocol());
   EXPECT_EQ(folder.content().size(), 1U);
   EXPECT_TRUE(read_study(folder / "study.sqlite").sessions.empty());
+}
+
+// Another machine's process has a number that means nothing here.
+TEST(Database, WhatARunningProgramMakesStays) {
+  const TemporaryFolder folder;
+  const TemporaryDatabase another(folder / "other.sqlite");
+  write_bytes(another.path().string() + "-journal", "in use");
+  write_bytes(folder / ".notes.partial", "of another kind");
+  create_study(folder / "study.sqlite", small_protocol());
+  EXPECT_EQ(folder.content().size(), 4U);
 }
 
 TEST(Database, FullDiskIsNamed) {
