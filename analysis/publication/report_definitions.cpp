@@ -57,10 +57,9 @@ std::string definitions_section(const StudyTables& tables) {
       "mean is given, and errors are clustered by participant, t with one degree of freedom fewer "
       "than participants. Ratings: a cumulative link mixed model with the same random effects, "
       "with P by the likelihood ratio and the interval by the profile likelihood, whose signed "
-      "root "
-      "is held against t with the degrees of freedom of a balanced linear model of the latent "
-      "variable, and scaled by the ratio of that model’s standard error to Wald’s; or signed "
-      "ranks. "
+      "root is held against t with the degrees of freedom of a balanced linear model of the "
+      "latent variable, and scaled by the ratio of that model’s standard error to Wald’s; or "
+      "signed ranks. "
       "Without censoring and gaps the mixed model is of closed form; all else is fitted by R.");
   define("Pairs",
          "The trials of both methods in one scene by one participant. Each comparison uses "

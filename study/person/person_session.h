@@ -32,9 +32,8 @@
 namespace foveola::study {
 
 inline constexpr const char* no_focus_line =
-    "The participant's window does not have the keyboard: keys go elsewhere. Click into the "
-    "window; "
-    "then the participant continues.";
+    "The participant's window does not have the keyboard: keys go elsewhere. Click into "
+    "the window; then the participant continues.";
 
 struct PersonSessionSettings {
   std::string participant;  ///< the code

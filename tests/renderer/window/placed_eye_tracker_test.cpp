@@ -10,20 +10,20 @@ namespace foveola {
 namespace {
 
 /// 0.25 mm a pixel, seen from half a metre.
-const DisplayProfile monitor{.kind = DisplayKind::monitor,
-                             .width_px = 1920,
-                             .height_px = 1080,
-                             .horizontal_fov_deg = 2.0 * degrees(std::atan(0.24 / 0.5)),
-                             .vertical_fov_deg = 2.0 * degrees(std::atan(0.135 / 0.5)),
-                             .width_m = 0.48,
-                             .height_m = 0.27,
-                             .viewing_distance_m = 0.5};
+const DisplayProfile watched_monitor{.kind = DisplayKind::monitor,
+                                     .width_px = 1920,
+                                     .height_px = 1080,
+                                     .horizontal_fov_deg = 2.0 * degrees(std::atan(0.24 / 0.5)),
+                                     .vertical_fov_deg = 2.0 * degrees(std::atan(0.135 / 0.5)),
+                                     .width_m = 0.48,
+                                     .height_m = 0.27,
+                                     .viewing_distance_m = 0.5};
 
 /// What a tracker tells of an eye that looks at a fraction of the monitor, seen in the window.
 GazeSample seen(const DVec2& fraction, const std::optional<WindowPlace>& place) {
   PlacedEyeTracker eye(
-      std::make_unique<FixedEyeTracker>(direction_at(screen_of(monitor), fraction)), monitor,
-      [&] { return place; });
+      std::make_unique<FixedEyeTracker>(direction_at(screen_of(watched_monitor), fraction)),
+      watched_monitor, [&] { return place; });
   std::vector<GazeSample> arrived = {{.direction = Vec3(1.0F, 0.0F, 0.0F), .valid = true}};
   eye.poll(Nanoseconds(1), arrived);
   EXPECT_EQ(arrived.size(), 2U);

@@ -75,7 +75,8 @@ TEST_F(DamagedStudy, IsMovedAsideWithItsLogAndItsJournal) {
 TEST_F(DamagedStudy, LeavesNoLogThatChangesTheCopy) {
   {
     SQLite::Database killed(path_, SQLite::OPEN_READWRITE);
-    killed.exec("PRAGMA wal_autocheckpoint = 0; DROP TRIGGER event_is_fixed");
+    killed.exec(
+        "PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0; DROP TRIGGER event_is_fixed");
     killed.exec("UPDATE event SET utc = 'now'");
     fs::copy_file(path_.string() + "-wal", folder_ / "log");
   }
