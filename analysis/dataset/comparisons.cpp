@@ -40,7 +40,7 @@ MethodComparison start_comparison(const Dataset& set, const study::AnalysisPlan&
                                   std::size_t measure, std::size_t method, std::size_t reference) {
   MethodComparison comparison;
   comparison.measure = set.measures[measure].id();
-  comparison.is_time = set.measures[measure].kind == MeasureKind::time;
+  comparison.is_time = set.measures[measure].is_time();
   comparison.method = set.methods[method];
   comparison.reference = set.methods[reference];
   if (const auto margin = plan.equivalence_margins.find(comparison.measure);
@@ -284,7 +284,7 @@ OmnibusTest test_all(const Dataset& set, std::size_t index, const ParticipantVal
   test.measure = measure.id();
   test.censored = set.censored(index);
   test.left_out = values.size() - data.participants;
-  if (measure.kind == MeasureKind::time) {
+  if (measure.is_time()) {
     test.variance = repeated_measures_anova(data);
   }
   RepeatedMeasures rounded = data;
@@ -317,8 +317,7 @@ std::vector<OrderTest> carry_over_tests(const Dataset& set, std::size_t measure)
         return {};
       }
       if (methods > 3 || !is_known) {
-        tests.push_back({set.measures[measure].id(),
-                         set.measures[measure].kind == MeasureKind::time,
+        tests.push_back({set.measures[measure].id(), set.measures[measure].is_time(),
                          fmt::format("{} after {}", set.methods[method], set.methods[previous]),
                          set.censored(measure), order_effect(values)});
       }
@@ -438,7 +437,7 @@ Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
     result.omnibus.push_back(test_all(set, measure, means[measure]));
     for (const auto& [order, name] : {std::pair(OrderOf::trials, "trial in the session"),
                                       std::pair(OrderOf::methods, "method in the scene")}) {
-      result.order.push_back({of.id(), of.kind == MeasureKind::time, name, set.censored(measure),
+      result.order.push_back({of.id(), of.is_time(), name, set.censored(measure),
                               order_effect(ordered_values(set, measure, order))});
     }
     for (OrderTest& test : carry_over_tests(set, measure)) {

@@ -76,7 +76,7 @@ void check_value(const Measure& measure, const Value& value, const std::string& 
   if (!is_number) {
     return;
   }
-  if (measure.kind == MeasureKind::time) {
+  if (measure.is_time()) {
     if (!(value.number > 0.0) || !std::isfinite(value.number)) {
       throw Error(fmt::format("{}, {} time", where, measure.id()),
                   fmt::format("is {} s, which has no logarithm", value.number),
@@ -127,7 +127,7 @@ std::string_view why_left_out(const Measure& measure, const Value& value) {
     case Value::State::right_censored:
       return "right-censored: the time-out is only a lower bound of the time";
     case Value::State::missing:
-      return measure.kind == MeasureKind::time ? "no time recorded" : "no rating recorded";
+      return measure.is_time() ? "no time recorded" : "no rating recorded";
     case Value::State::measured:
     case Value::State::in_words:
       break;
@@ -136,8 +136,7 @@ std::string_view why_left_out(const Measure& measure, const Value& value) {
 }
 
 bool is_missing_by_choice(const Measure& measure, const Value& value) {
-  return !measure.question.required && measure.kind != MeasureKind::time &&
-         value.state == Value::State::missing;
+  return !measure.question.required && value.state == Value::State::missing;
 }
 
 void list_gaps(const std::vector<bool>& has_row, Dataset& set) {
@@ -176,10 +175,16 @@ bool Dataset::is_complete(std::size_t participant, std::size_t scene, std::size_
 std::vector<std::size_t> Dataset::times() const {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    if (measures[i].kind == MeasureKind::time) {
+    if (measures[i].is_time()) {
       found.push_back(i);
     }
   }
+  return found;
+}
+
+std::vector<std::size_t> Dataset::marks() const {
+  std::vector<std::size_t> found = times();
+  std::erase_if(found, [&](std::size_t i) { return measures[i].kind != MeasureKind::time; });
   return found;
 }
 

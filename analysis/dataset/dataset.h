@@ -51,7 +51,7 @@ struct Dataset {
   std::vector<std::string> participants;  ///< In the order of their codes.
   std::vector<std::string> scenes;        ///< In the protocol's order.
   std::vector<std::string> methods;       ///< In the protocol's order; the first is the baseline.
-  std::vector<Measure> measures;          ///< The marks' times, then the ratings.
+  std::vector<Measure> measures;          ///< Marks, response times, then ratings.
   std::vector<AmendedLabels> amended_labels;
   std::vector<Trial> trials;          ///< [participant][scene][method]
   std::vector<Value> values;          ///< [participant][scene][method][measure]
@@ -70,8 +70,10 @@ struct Dataset {
   /// Whether every method's value was measured, so that the methods can be compared in this scene.
   bool is_complete(std::size_t participant, std::size_t scene, std::size_t measure) const;
 
-  /// The indices of the times, and of the ratings that are numbers.
+  /// The indices of the times, which come first, of those that are marks', and of the ratings that
+  /// are numbers.
   std::vector<std::size_t> times() const;
+  std::vector<std::size_t> marks() const;
   std::vector<std::size_t> ratings() const;
   /// Right-censored values of a measure, with one method or with all.
   std::size_t censored(std::size_t measure, std::optional<std::size_t> method = {}) const;

@@ -53,7 +53,7 @@ std::optional<double> horizon_of(const std::vector<std::vector<TimeToMark>>& by_
 
 std::vector<MarkSurvival> mark_survival(const Dataset& set) {
   std::vector<MarkSurvival> survival;
-  for (const std::size_t mark : set.times()) {
+  for (const std::size_t mark : set.marks()) {
     std::vector<std::vector<TimeToMark>> by_method;
     for (std::size_t method = 0; method < set.methods.size(); ++method) {
       by_method.push_back(times_to(set, mark, method));

@@ -9,7 +9,7 @@ namespace {
 
 /// A measured value as it is compared: of a time its logarithm.
 double compared(const Measure& measure, const Value& value) {
-  return measure.kind == MeasureKind::time ? std::log(value.number) : value.number;
+  return measure.is_time() ? std::log(value.number) : value.number;
 }
 
 /// Scenes in which neither value is missing and at least one is right-censored.

@@ -90,7 +90,7 @@ std::vector<std::vector<std::optional<double>>> baseline_values(const Dataset& s
   for (std::size_t participant = 0; participant < rows.size(); ++participant) {
     for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
       const Value& value = set.value(participant, scene, baseline, measure);
-      const bool is_time = set.measures[measure].kind == MeasureKind::time;
+      const bool is_time = set.measures[measure].is_time();
       rows[participant].push_back(
           value.is_measured() ? std::optional(is_time ? std::log(value.number) : value.number)
                               : std::nullopt);
@@ -164,7 +164,7 @@ std::vector<double> log_steps(const Dataset& set, std::size_t before, std::size_
 
 /// Their coefficient of variation, within marks and methods; empty without any.
 std::optional<double> later_marks_variation(const Dataset& set) {
-  const std::vector<std::size_t> marks = set.times();
+  const std::vector<std::size_t> marks = set.marks();
   std::vector<double> relative;
   for (std::size_t mark = 1; mark < marks.size(); ++mark) {
     for (std::size_t method = 0; method < set.methods.size(); ++method) {
@@ -181,7 +181,7 @@ std::optional<double> later_marks_variation(const Dataset& set) {
 /// `with_times`: whether the pilot's own times are taken, too.
 void take_pilot(const study::StudyRecords& pilot, bool with_times, ExpectedStudy& expected) {
   const Dataset set = select_for_analysis(pilot);
-  const std::vector<std::size_t> marks = set.times();
+  const std::vector<std::size_t> marks = set.marks();
   for (std::size_t mark = 0; with_times && mark < marks.size(); ++mark) {
     expected.times[mark].baseline_s = geometric_mean_of_baseline(set, marks[mark]);
   }

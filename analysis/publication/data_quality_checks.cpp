@@ -92,7 +92,7 @@ std::vector<double> measured_times(const Dataset& set, std::size_t participant) 
   std::vector<double> times;
   for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
     for (std::size_t method = 0; method < set.methods.size(); ++method) {
-      for (const std::size_t mark : set.times()) {
+      for (const std::size_t mark : set.marks()) {
         if (const Value& time = set.value(participant, scene, method, mark); time.is_measured()) {
           times.push_back(time.number);
         }
@@ -113,7 +113,7 @@ std::vector<CatchFigures> catch_figures(const Dataset& set, const study::StudyRe
     CatchFigures& own = figures[records.participant_of(row)];
     ++own.trials;
     bool has_mark = false;
-    for (const std::size_t mark : set.times()) {
+    for (const std::size_t mark : set.marks()) {
       has_mark = has_mark || records.value(i, mark).is_measured();
     }
     own.false_alarms += has_mark ? 1 : 0;
@@ -170,7 +170,7 @@ DataQualityCheck check_time_outs(const Dataset& set) {
   const double trials = static_cast<double>(set.participants.size() * set.scenes.size());
   std::vector<std::string> found;
   double largest = 0.0;
-  for (const std::size_t mark : set.times()) {
+  for (const std::size_t mark : set.marks()) {
     for (std::size_t method = 0; method < set.methods.size(); ++method) {
       const double percent = 100.0 * static_cast<double>(set.censored(mark, method)) / trials;
       largest = std::max(largest, percent);

@@ -22,7 +22,7 @@ std::vector<Figure> draw_figures(const StudyTables& tables) {
   std::vector<Drawing> drawings = {[&] { return relative_figure(tables); },
                                    [&] { return relative_scene_figure(tables); },
                                    [&] { return seconds_figure(tables); }};
-  for (const std::size_t mark : tables.set.times()) {
+  for (const std::size_t mark : tables.set.marks()) {
     drawings.emplace_back([&tables, mark] { return survival_figure(tables, mark); });
   }
   for (const std::size_t rating : tables.set.ratings()) {

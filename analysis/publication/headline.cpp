@@ -73,7 +73,7 @@ std::vector<Headline> headlines(const StudyTables& tables, const Comparisons& co
   const Dataset& set = tables.set;
   std::vector<Headline> findings;
   for (std::size_t method = baseline + 1; method < set.methods.size(); ++method) {
-    for (const std::size_t mark : set.times()) {
+    for (const std::size_t mark : set.marks()) {
       const auto row =
           std::ranges::find_if(comparisons.methods, [&](const MethodComparison& found) {
             return found.measure == set.measures[mark].id() &&

@@ -22,7 +22,7 @@ using study::MeasureKind;
 /// What participants marked and rated, with the protocol's scales.
 std::string measures_in_words(const Dataset& set) {
   std::vector<std::string> marks;
-  for (const std::size_t mark : set.times()) {
+  for (const std::size_t mark : set.marks()) {
     marks.push_back(reason_for_mark(set, set.measures[mark]));
   }
   std::string text = fmt::format(", and marked when {}",
@@ -243,7 +243,7 @@ std::string gaps_in_words(const Dataset& set) {
   std::size_t censored = 0;
   std::size_t missing = 0;
   for (std::size_t trial = 0; trial < set.trials.size(); ++trial) {
-    for (const std::size_t mark : set.times()) {
+    for (const std::size_t mark : set.marks()) {
       const Value::State state = set.values[trial * set.measures.size() + mark].state;
       ++times;
       censored += state == Value::State::right_censored ? 1 : 0;

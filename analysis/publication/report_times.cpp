@@ -92,9 +92,10 @@ std::string meanings_of_marks(const StudyTables& tables) {
   for (const std::size_t mark : tables.set.times()) {
     const Measure& measure = tables.set.measures[mark];
     const std::string meaning = meaning_of_mark(tables.set, measure.id());
-    text += " " + (meaning.empty()
+    text += " " + (!meaning.empty() ? meaning
+                   : measure.kind == MeasureKind::time
                        ? fmt::format("The mark {}: “{}”", measure.id(), measure.question.text)
-                       : meaning);
+                       : fmt::format("{}: {}.", measure.id(), measure.question.text));
   }
   return text;
 }
@@ -113,7 +114,7 @@ std::string unreached_html(const StudyTables& tables, const std::vector<Figure>&
   for (const std::string& sentence : unreached_in_words(tables.survival)) {
     html += paragraph_html(sentence);
   }
-  for (const std::size_t mark : tables.set.times()) {
+  for (const std::size_t mark : tables.set.marks()) {
     const Measure& measure = tables.set.measures[mark];
     html += figure_html(tables, figures, survival_figure_name(measure),
                         fmt::format("Trials without the mark {}, by time.", measure.id()),

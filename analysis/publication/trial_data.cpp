@@ -17,7 +17,7 @@ using enum ColumnType;
 
 void append_value(const StudyRecords& records, const Measure& measure, const Value& value,
                   Row& row) {
-  if (measure.kind == MeasureKind::time) {
+  if (measure.is_time()) {
     const bool is_known = value.state != Value::State::missing;
     row.push_back(is_known ? field(value.number) : Field());
     row.push_back(is_known ? field(value.state == Value::State::right_censored) : Field());
@@ -141,11 +141,13 @@ struct DescribedQuestion {
 
 std::vector<Column> columns_of(const Measure& measure, const std::string& scale_in_words) {
   const std::string& id = measure.id();
-  if (measure.kind == MeasureKind::time) {
-    return {
-        {id + "_s", number, "s", fmt::format("From the first presented frame to the mark {}", id)},
-        {id + "_censored", truth, "",
-         fmt::format("True: right-censored, {}_s is a lower bound", id)}};
+  if (measure.is_time()) {
+    return {{id + "_s", number, "s",
+             measure.kind == MeasureKind::time
+                 ? fmt::format("From the first presented frame to the mark {}", id)
+                 : measure.question.text},
+            {id + "_censored", truth, "",
+             fmt::format("True: right-censored, {}_s is a lower bound", id)}};
   }
   const std::string description =
       fmt::format("{} Answers: {}", measure.question.text, scale_in_words);
@@ -239,6 +241,8 @@ AnswerColumns::AnswerColumns(const StudyRecords& records, const Dataset& set)
       {"text", text, "", "The answer in words, or the protocol's label of the number"},
       {"question_text", text, "", "The question as the protocol asks it"},
       {"scale", text, "", "The scale of the answers"},
+      {"response_s", number, "s",
+       "How long the question was shown until it was answered; empty if that was not measured"},
       kind_column(),
       record_column()};
 }
@@ -267,6 +271,7 @@ Row AnswerColumns::row(std::size_t answer) const {
           words.empty() ? Field() : field(words),
           asked != nullptr ? field(asked->question.text) : Field(),
           asked != nullptr ? field(study::scale_in_words(*asked)) : Field(),
+          field(row.response_s),
           session.kind,
           field(set_.record)};
 }

@@ -12,9 +12,9 @@ Table models_plan(const Dataset& set, const std::vector<ComparedPair>& pairs,
       {{"kind", text, "", "time; points: a rating with few; scale: a rating with many"},
        [&](const ComparedPair& pair) {
          const Measure& measure = set.measures[pair.measure];
-         return field(std::string(measure.kind == MeasureKind::time ? "time"
-                                  : measure.points().empty()        ? "scale"
-                                                                    : "points"));
+         return field(std::string(measure.is_time()          ? "time"
+                                  : measure.points().empty() ? "scale"
+                                                             : "points"));
        }},
       {{"method", text, "", "Id of the method"},
        [&](const ComparedPair& pair) { return field(set.methods[pair.method]); }},

@@ -68,7 +68,15 @@ Form::Form(FormPages pages, Texts texts)
     : pages_(std::move(pages)),
       texts_(std::move(texts)),
       intro_pages_(pages_of(pages_.intro)),
-      entries_(entries_of(pages_.questions, texts_)) {}
+      entries_(entries_of(pages_.questions, texts_)),
+      shown_for_(entries_.size()) {}
+
+void Form::was_shown(Nanoseconds time) {
+  if (shown_ && question() != nullptr) {
+    shown_for_[page_ - intro_pages_.size()] += time - *shown_;
+  }
+  shown_ = time;
+}
 
 bool Form::follow(const FormInput& input) {
   if (is_submitted_) {
@@ -102,7 +110,7 @@ bool Form::go_on() {
   if (is_last && pages_.confirmation.empty()) {
     is_submitted_ = true;
   } else {
-    ++page_;
+    turn_to(page_ + 1);
   }
   return true;
 }
@@ -112,8 +120,13 @@ bool Form::go_back() {
     return false;
   }
   fault_.clear();
-  --page_;
+  turn_to(page_ - 1);
   return true;
+}
+
+void Form::turn_to(std::size_t page) {
+  page_ = page;
+  shown_.reset();
 }
 
 const Question* Form::question() const {
@@ -191,9 +204,12 @@ std::string Form::shown_answers() const {
 
 std::vector<Answer> Form::answers() const {
   std::vector<Answer> answers;
-  for (const QuestionEntry& one : entries_) {
-    if (!one.is_empty()) {
-      answers.push_back({.question = one.question().id, .value = one.value()});
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (const QuestionEntry& one = entries_[i]; !one.is_empty()) {
+      const bool is_timed = shown_for_[i] > Nanoseconds(0);
+      answers.push_back({.question = one.question().id,
+                         .value = one.value(),
+                         .response = is_timed ? std::optional(shown_for_[i]) : std::nullopt});
     }
   }
   return answers;

@@ -1,6 +1,7 @@
 // A form on a participant's screen: pages of words, a question a page, and one to hand it in.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ class Form {
   /// Returns whether the key meant something here.
   bool follow(const FormInput& input);
 
+  /// The page was on the display at `time`, and since the call before if nothing was pressed
+  /// meanwhile. Called at each of its frames, and before each key. Times are of one clock.
+  void was_shown(Nanoseconds time);
+  /// Something else is shown: no response time runs.
+  void was_hidden() { shown_.reset(); }
+
   /// The page without its progress, which others fill in.
   ScreenPage screen() const;
 
@@ -35,7 +42,8 @@ class Form {
   const Question* question() const;
 
   bool is_submitted() const { return is_submitted_; }
-  /// The answers in the questions' order, without those that were left out.
+  /// The answers in the questions' order, without those that were left out. The response time is
+  /// that of all of the question's showings.
   std::vector<Answer> answers() const;
 
  private:
@@ -46,6 +54,7 @@ class Form {
 
   bool go_on();
   bool go_back();
+  void turn_to(std::size_t page);
   FormKey back_key() const;
 
   ScreenPage reading_screen() const;
@@ -58,6 +67,8 @@ class Form {
   Texts texts_;
   std::vector<std::vector<std::string>> intro_pages_;
   std::vector<QuestionEntry> entries_;
+  std::vector<Nanoseconds> shown_for_;  ///< [entry]
+  std::optional<Nanoseconds> shown_;    ///< when the page was last known to be on the display
   std::size_t page_ = 0;
   std::string fault_;  ///< what is wrong with the answer on this page
   bool is_submitted_ = false;

@@ -81,8 +81,11 @@ void PersonSession::answer(const WindowEvent& event) {
     }
     if (input && prompt_.confirmation) {
       answer_confirmation(*input);
-    } else if (input && prompt_.form->follow(*input)) {
-      hand_in();
+    } else if (input) {
+      prompt_.form->was_shown(event.time);
+      if (prompt_.form->follow(*input)) {
+        hand_in();
+      }
     }
     return;
   }

@@ -97,6 +97,11 @@ Nanoseconds PersonSession::show() {
 void PersonSession::end_frame(Nanoseconds shown) {
   const Nanoseconds shown_by_clock = shown + zero_;
   page_watch_.was_shown(shown_by_clock);
+  if (is_form_shown(prompt_, driver_.seen().phase)) {
+    prompt_.form->was_shown(shown_by_clock);
+  } else if (prompt_.form) {
+    prompt_.form->was_hidden();
+  }
   note_tracker();
   watch_gaze(shown);
   count_frame(shown);
@@ -133,6 +138,7 @@ void PersonSession::go_on(Nanoseconds shown) {
   } else if (driver_.waits_in(Phase::reaction)) {
     go_on_reacting(shown);
   } else if (driver_.waits_in(Phase::rating) && begin_rating(prompt_, study_.protocol, now())) {
+    prompt_.looked_around = now() - driver_.seen().last_mark;
     page_watch_.turn_page();
   }
 }

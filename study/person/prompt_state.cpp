@@ -110,11 +110,11 @@ bool is_form_shown(const PromptState& prompt, Phase phase) {
 std::optional<Event> event_of_form(const PromptState& prompt, Phase phase,
                                    const Protocol& protocol) {
   if (phase == Phase::consent) {
-    return prompt.form->answers() == consent_answers() ? std::optional<Event>(consent_to(protocol))
-                                                       : std::nullopt;
+    const bool agrees = prompt.form->answers().front().value == consent_answers().front().value;
+    return agrees ? std::optional<Event>(consent_to(protocol)) : std::nullopt;
   }
   if (phase == Phase::rating) {
-    return Rated{prompt.form->answers()};
+    return Rated{.answers = prompt.form->answers(), .looked_around = prompt.looked_around};
   }
   return QuestionnaireAnswered{prompt.form_of, prompt.form->answers()};
 }

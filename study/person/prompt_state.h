@@ -27,7 +27,8 @@ struct PromptState {
   TimedAgain timed_again = TimedAgain::no;  ///< why the trial is asked for again
   Nanoseconds acknowledged_until{0};        ///< until then it is shown that a mark was taken
   bool wants_to_rate = false;
-  Nanoseconds look_around_until{0};  ///< the rating form does not come up before
+  Nanoseconds look_around_until{0};          ///< the rating form does not come up before
+  std::optional<Nanoseconds> looked_around;  ///< until it came up
 };
 
 /// An event is on the disk: `context` is after it.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,6 +33,8 @@ std::string labelled_points(const Measure& measure) {
 
 const char* name_of(MeasureKind kind) {
   switch (kind) {
+    case MeasureKind::response:
+      return "response";
     case MeasureKind::rating:
       return "rating";
     case MeasureKind::answer:
@@ -42,14 +46,14 @@ const char* name_of(MeasureKind kind) {
 }
 
 std::string Measure::unit() const {
-  if (kind == MeasureKind::time) {
+  if (is_time()) {
     return "s";
   }
   return question.kind == QuestionKind::likert ? "points" : "";
 }
 
 bool Measure::is_numeric() const {
-  if (kind == MeasureKind::time) {
+  if (is_time()) {
     return true;
   }
   switch (question.kind) {
@@ -118,6 +122,38 @@ std::vector<Measure> trial_measures(const std::vector<MarkEntry>& marks,
   return measures;
 }
 
+void add_response_measures(const std::vector<std::string>& rated, std::vector<Measure>& measures) {
+  std::vector<Measure> times;
+  const auto add = [&](const std::string& id, std::string text, bool is_required) {
+    if (std::ranges::find(measures, id, &Measure::id) == measures.end()) {
+      times.push_back({.kind = MeasureKind::response,
+                       .questionnaire = {},
+                       .question = {.id = id,
+                                    .text = std::move(text),
+                                    .kind = QuestionKind::number,
+                                    .minimum = 0.0,
+                                    .required = is_required}});
+    }
+  };
+  const auto is_rated = [&](const std::string& id) {
+    return std::ranges::find(rated, id) != rated.end();
+  };
+  if (is_rated("")) {
+    add(looking_around_id, "From the last mark, or its time-out, until the first question came",
+        true);
+  }
+  const auto first_rating = std::ranges::find(measures, MeasureKind::rating, &Measure::kind);
+  for (auto rating = first_rating; rating != measures.end(); ++rating) {
+    if (is_rated(rating->id())) {
+      add(rating->id() + response_suffix,
+          fmt::format("How long the question {} was shown until it was answered", rating->id()),
+          rating->question.required);
+    }
+  }
+  measures.insert(first_rating, std::make_move_iterator(times.begin()),
+                  std::make_move_iterator(times.end()));
+}
+
 std::vector<Measure> measures_of(const Questionnaire& questionnaire) {
   std::vector<Measure> measures;
   for (const Question& question : questionnaire.questions) {
@@ -128,7 +164,7 @@ std::vector<Measure> measures_of(const Questionnaire& questionnaire) {
 }
 
 std::string scale_in_words(const Measure& measure) {
-  if (measure.kind == MeasureKind::time) {
+  if (measure.is_time()) {
     return "in seconds";
   }
   const Question& question = measure.question;

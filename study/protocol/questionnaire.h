@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "renderer/base/clock.h"
 #include "study/protocol/texts.h"
 
 namespace foveola::study {
@@ -63,6 +64,8 @@ struct Questionnaire {
 struct Answer {
   std::string question;
   std::variant<double, std::string> value;
+  /// How long the question was shown until it was answered; empty if that was not measured.
+  std::optional<Nanoseconds> response{};
 
   friend bool operator==(const Answer&, const Answer&) = default;
 };

@@ -24,8 +24,24 @@ Json json_of(const std::vector<Answer>& answers) {
   for (const Answer& answer : answers) {
     const Json value = std::visit([](const auto& v) { return Json(v); }, answer.value);
     list.push_back({{"question", answer.question}, {"value", value}});
+    if (answer.response) {
+      list.back()["response_ns"] = answer.response->count();
+    }
   }
   return list;
+}
+
+Nanoseconds nanoseconds_from(const Json& json) {
+  return time_from(whole_number<std::int64_t>(json));
+}
+
+/// Throws std::invalid_argument for one that is not above zero.
+Nanoseconds duration_from(const Json& json) {
+  const Nanoseconds duration = nanoseconds_from(json);
+  if (duration <= Nanoseconds(0)) {
+    throw std::invalid_argument("a response time is not above zero");
+  }
+  return duration;
 }
 
 std::vector<Answer> answers_from(const Json& list) {
@@ -33,6 +49,9 @@ std::vector<Answer> answers_from(const Json& list) {
   for (const Json& json : list) {
     const Json& value = json.at("value");
     Answer answer{.question = json.at("question"), .value = {}};
+    if (json.contains("response_ns")) {
+      answer.response = duration_from(json.at("response_ns"));
+    }
     if (value.is_string()) {
       answer.value = value.get<std::string>();
     } else {
@@ -41,10 +60,6 @@ std::vector<Answer> answers_from(const Json& list) {
     answers.push_back(std::move(answer));
   }
   return answers;
-}
-
-Nanoseconds nanoseconds_from(const Json& json) {
-  return time_from(whole_number<std::int64_t>(json));
 }
 
 // Each event's values as JSON, and back.
@@ -95,9 +110,18 @@ void read_values(const Json& json, ReactionPressed& event) {
 Json values_of(const ObjectChosen& event) { return {{"object", event.object}}; }
 void read_values(const Json& json, ObjectChosen& event) { event.object = json.at("object"); }
 
-Json values_of(const Rated& event) { return {{"answers", json_of(event.answers)}}; }
+Json values_of(const Rated& event) {
+  Json values{{"answers", json_of(event.answers)}};
+  if (event.looked_around) {
+    values["looked_around_ns"] = event.looked_around->count();
+  }
+  return values;
+}
 void read_values(const Json& json, Rated& event) {
   event.answers = answers_from(json.at("answers"));
+  if (json.contains("looked_around_ns")) {
+    event.looked_around = duration_from(json.at("looked_around_ns"));
+  }
 }
 
 Json values_of(const NoteWritten& event) { return {{"text", event.text}}; }

@@ -7,6 +7,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <fmt/format.h>
 
 #include "study/record/event_json.h"
 #include "study/record/gaze_rows.h"
@@ -79,15 +80,10 @@ class EventRows {
 
   void operator()(const QuestionnaireAnswered& event) const {
     for (const Answer& answer : event.answers) {
-      const auto* number = std::get_if<double>(&answer.value);
-      PreparedStatement row(statements_,
-                            number != nullptr
-                                ? "INSERT INTO questionnaire_answer VALUES (?, ?, ?, ?, ?, NULL)"
-                                : "INSERT INTO questionnaire_answer VALUES (?, ?, ?, ?, NULL, ?)");
-      SQLite::bind(*row, session_, static_cast<std::int64_t>(before_.step), event.questionnaire,
-                   answer.question);
-      bind_value(*row, 5, answer);
-      row->exec();
+      const bool is_number = std::holds_alternative<double>(answer.value);
+      insert_answer("questionnaire_answer (session, step, questionnaire, question",
+                    is_number ? "number" : "text", answer, session_,
+                    static_cast<std::int64_t>(before_.step), event.questionnaire, answer.question);
     }
   }
 
@@ -112,10 +108,13 @@ class EventRows {
 
   void operator()(const Rated& event) const {
     for (const Answer& answer : event.answers) {
-      PreparedStatement row(statements_, "INSERT INTO rating VALUES (?, ?, ?, ?, ?)");
-      SQLite::bind(*row, session_, trial(before_), before_.attempt, answer.question);
-      bind_value(*row, 5, answer);
-      row->exec();
+      insert_answer("rating (session, trial, attempt, question", "value", answer, session_,
+                    trial(before_), before_.attempt, answer.question);
+    }
+    if (event.looked_around) {
+      update(
+          "UPDATE attempt SET looked_around_ns = ? WHERE session = ? AND trial = ? AND attempt = ?",
+          event.looked_around->count(), session_, trial(before_), before_.attempt);
     }
   }
 
@@ -135,12 +134,24 @@ class EventRows {
         (time - before_.first_frame).count(), is_censored ? 1 : 0);
   }
 
-  static void bind_value(SQLite::Statement& row, int index, const Answer& answer) {
+  /// `where`: a table and its four columns of `place`; schema 4 has no column for response times.
+  template <typename... Place>
+  void insert_answer(const char* where, const char* value_column, const Answer& answer,
+                     const Place&... place) const {
+    PreparedStatement row(
+        statements_,
+        fmt::format("INSERT INTO {}, {}{} VALUES (?, ?, ?, ?, ?{})", where, value_column,
+                    answer.response ? ", response_ns)" : ")", answer.response ? ", ?" : ""));
+    SQLite::bind(*row, place...);
     if (const auto* number = std::get_if<double>(&answer.value)) {
-      row.bind(index, *number);
+      row->bind(5, *number);
     } else {
-      row.bind(index, unicode(std::get<std::string>(answer.value)));
+      row->bind(5, unicode(std::get<std::string>(answer.value)));
     }
+    if (answer.response) {
+      row->bind(6, static_cast<std::int64_t>(answer.response->count()));
+    }
+    row->exec();
   }
 
   template <typename... Values>

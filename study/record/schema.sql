@@ -18,7 +18,8 @@
 --            exclusions; the hash chain; film_hash; compressed chunks, and frames-3.
 -- Version 5: each event's trial and attempt, and what was measured in an attempt that it ended, in the
 --            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten;
---            ends that are undone, the text of a consent, and consent that is asked for anew.
+--            ends that are undone, the text of a consent, and consent that is asked for anew;
+--            response times of answers, and how long was looked around.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
 PRAGMA user_version = 4; --4
@@ -262,6 +263,8 @@ CREATE TABLE gaze_target (
 ) STRICT;
 
 -- By the ids in the protocol, and the plan's step, since a questionnaire may be asked twice.
+-- response_ns, also of rating: how long the question was shown until it was answered, all of its
+-- showings together; NULL where that was not measured.
 CREATE TABLE questionnaire_answer (
   session INTEGER NOT NULL,
   step INTEGER NOT NULL,
@@ -269,6 +272,7 @@ CREATE TABLE questionnaire_answer (
   question TEXT NOT NULL,
   number REAL,
   text TEXT CHECK ((text IS NULL) <> (number IS NULL)),
+  response_ns INTEGER CHECK (response_ns > 0), --5
   PRIMARY KEY (session, step, question),
   FOREIGN KEY (session, step) REFERENCES planned_step (session, step)
 ) STRICT;
@@ -284,7 +288,8 @@ CREATE TABLE reaction (
 ) STRICT;
 
 -- One timing of a planned trial, of which the last one counts. first_frame_ns is when its first
--- frame was presented. An outcome stays 'open' only if the program died in it.
+-- frame was presented. An outcome stays 'open' only if the program died in it. looked_around_ns is
+-- from the last mark, or its time-out, until the first question came.
 CREATE TABLE attempt (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
@@ -293,6 +298,7 @@ CREATE TABLE attempt (
   first_frame_ns INTEGER,
   outcome TEXT NOT NULL DEFAULT 'open' CHECK (
     outcome IN ('open', 'rated', 'retimed', 'paused', 'interrupted', 'withdrawn', 'excluded')),
+  looked_around_ns INTEGER CHECK (looked_around_ns > 0), --5
   PRIMARY KEY (session, trial, attempt),
   FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
 ) STRICT;
@@ -316,6 +322,7 @@ CREATE TABLE rating (
   attempt INTEGER NOT NULL,
   question TEXT NOT NULL REFERENCES study_rating (rating),
   value ANY NOT NULL CHECK (typeof(value) IN ('real', 'text')),
+  response_ns INTEGER CHECK (response_ns > 0), --5
   PRIMARY KEY (session, trial, attempt, question),
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;

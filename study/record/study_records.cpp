@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "study/record/database.h"
+#include "study/record/schema.h"
 #include "study/record/stored_number.h"
 #include "study/record/trial_rows.h"
 
@@ -59,6 +60,13 @@ void read_protocol(SQLite::Database& database, const fs::path& path, StudyRecord
   records.scenes = read_names(database, "SELECT name FROM study_scene ORDER BY position");
   records.methods = read_names(database, "SELECT name FROM study_method ORDER BY position");
   records.measures = trial_measures(records.protocol.marks, records.protocol.ratings);
+  if (schema_version_of(database) >= 5) {
+    add_response_measures(
+        read_names(database,
+                   "SELECT question FROM rating WHERE response_ns IS NOT NULL UNION SELECT ''"
+                   " FROM attempt WHERE looked_around_ns IS NOT NULL"),
+        records.measures);
+  }
 }
 
 std::optional<int> optional_integer(SQLite::Statement& row, const char* column) {
@@ -132,15 +140,18 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
 
 void read_answers(SQLite::Database& database, const SessionIndices& sessions, WordIndices& words,
                   StudyRecords& records) {
-  SQLite::Statement rows(database,
-                         "SELECT session, step, questionnaire, question, number, text"
-                         " FROM questionnaire_answer ORDER BY rowid");
+  const bool has_times = schema_version_of(database) >= 5;
+  SQLite::Statement rows(
+      database, fmt::format("SELECT session, step, questionnaire, question, number, text, {} / 1e9"
+                            " FROM questionnaire_answer ORDER BY rowid",
+                            has_times ? "response_ns" : "NULL"));
   while (rows.executeStep()) {
     const auto session = sessions.find(rows.getColumn(0).getInt64());
     if (session == sessions.end()) {
       continue;
     }
     const SQLite::Column number = rows.getColumn(4);
+    const SQLite::Column response = rows.getColumn(6);
     records.answers.push_back(
         {.session = session->second,
          .step = whole_number<int>(rows.getColumn(1)),
@@ -149,7 +160,8 @@ void read_answers(SQLite::Database& database, const SessionIndices& sessions, Wo
          .value = number.isNull()
                       ? Value{.state = Value::State::in_words,
                               .words = words.index_of(rows.getColumn(5).getString())}
-                      : Value{.state = Value::State::measured, .number = finite_number(number)}});
+                      : Value{.state = Value::State::measured, .number = finite_number(number)},
+         .response_s = response.isNull() ? std::nullopt : std::optional(finite_number(response))});
   }
 }
 

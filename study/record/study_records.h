@@ -60,6 +60,7 @@ struct AnswerRow {
   std::uint32_t questionnaire = 0;  ///< index of its id in StudyRecords::words
   std::uint32_t question = 0;       ///< index of its id in StudyRecords::words
   Value value;                      ///< a number, or an answer in words
+  std::optional<double> response_s;
 };
 
 /// A session that went by other words or time-outs than the study's protocol has.
@@ -89,7 +90,8 @@ struct StudyRecords {
 
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
-  std::vector<Measure> measures;     ///< of each trial: marks, then ratings
+  /// Of each trial: marks, the response times of which there are any, then ratings.
+  std::vector<Measure> measures;
   std::vector<SessionRow> sessions;  ///< in the order in which they were begun
   /// How sessions were simulated; empty if none was, or if they are older than these facts.
   std::optional<SimulationFacts> simulation;

@@ -12,6 +12,7 @@
 
 #include "renderer/base/error.h"
 #include "study/record/damage_remedy.h"
+#include "study/record/schema.h"
 #include "study/record/stored_number.h"
 
 namespace foveola::study {
@@ -66,6 +67,18 @@ class TrialReader {
     read_values(
         "SELECT session, trial, attempt, question, value, 0 FROM rating"
         " ORDER BY session, trial, attempt");
+    if (schema_version_of(database_) >= 5) {
+      read_values(
+          fmt::format("SELECT session, trial, attempt, question || '{}', response_ns / 1e9, 0"
+                      " FROM rating WHERE response_ns IS NOT NULL"
+                      " ORDER BY session, trial, attempt",
+                      response_suffix));
+      read_values(
+          fmt::format("SELECT session, trial, attempt, '{}', looked_around_ns / 1e9, 0"
+                      " FROM attempt WHERE looked_around_ns IS NOT NULL"
+                      " ORDER BY session, trial, attempt",
+                      looking_around_id));
+    }
   }
 
  private:
@@ -114,7 +127,7 @@ class TrialReader {
 
   /// The query's columns: session, trial, attempt, measure, value, censored; in the order of the
   /// trials' rows, so that both are read once.
-  void read_values(const char* sql) {
+  void read_values(const std::string& sql) {
     SQLite::Statement row(database_, sql);
     std::size_t at = 0;
     while (row.executeStep()) {

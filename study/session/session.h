@@ -83,6 +83,8 @@ struct TimedOut {
 };
 struct Rated {
   std::vector<Answer> answers;  ///< one to each of the protocol's ratings
+  /// From the last mark, or its time-out, until the questions came; empty if it was not measured.
+  std::optional<Nanoseconds> looked_around{};
 };
 /// The timing failed: the whole method is timed again, with the same object.
 struct RetimeRequested {};

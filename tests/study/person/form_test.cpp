@@ -38,6 +38,31 @@ TEST(FormTest, GivesWhatWasAnswered) {
                                           Answer{"experience", 2.0}, Answer{"comments", "no"}));
 }
 
+TEST(FormTest, TimesEachQuestionForAsLongAsItIsShown) {
+  using namespace std::chrono_literals;
+  Form form = background();
+  const auto press_at = [&](Nanoseconds time, std::initializer_list<FormKey> keys) {
+    form.was_shown(time);
+    press(form, keys);
+  };
+  form.was_shown(10s);
+  form.was_shown(12s);  // its next frame
+  type(form, U"42");
+  press_at(13500ms, {FormKey::enter});  // 3.5 s, and gender is not yet on the display
+  form.was_shown(14s);
+  form.was_shown(15s);
+  form.was_hidden();  // a pause
+  form.was_shown(60s);
+  press_at(61s, {FormKey::down, FormKey::tab});  // 1 s and 1 s
+  form.was_shown(62s);
+  press_at(62250ms, {FormKey::right, FormKey::up});  // 0.25 s, then back to gender
+  form.was_shown(63s);
+  press_at(63125ms, {FormKey::enter, FormKey::enter});  // 0.125 s more
+  EXPECT_THAT(form.answers(),
+              ElementsAre(Answer{"age", 42.0, 3500ms}, Answer{"gender", 0.0, 2125ms},
+                          Answer{"experience", 1.0, 250ms}));
+}
+
 TEST(FormTest, ShowsAQuestionAtATimeAndWhereItIs) {
   Form form = background();
   type(form, U"4");

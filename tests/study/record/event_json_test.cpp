@@ -18,9 +18,9 @@ std::vector<std::pair<Event, std::string>> one_of_every_kind() {
       {ConsentGiven{.text_sha256 = "ab", .language = "fi"},
        R"({"text_sha256":"ab","language":"fi"})"},
       {QuestionnaireAnswered{.questionnaire = "ssq",
-                             .answers = {{.question = "a", .value = 0.1},
+                             .answers = {{.question = "a", .value = 0.1, .response = ms(1500)},
                                          {.question = "b", .value = "two\nlines, \"so\""}}},
-       R"({"questionnaire":"ssq","answers":[{"question":"a","value":0.1},)"
+       R"({"questionnaire":"ssq","answers":[{"question":"a","value":0.1,"response_ns":1500000000},)"
        R"({"question":"b","value":"two\nlines, \"so\""}]})"},
       {ReactionPressed{.shown = ms(5), .time = ms(4)}, R"({"shown_ns":5000000,"time_ns":4000000})"},
       {ObjectChosen{.object = "Väse"}, R"({"object":"Väse"})"},
@@ -28,8 +28,8 @@ std::vector<std::pair<Event, std::string>> one_of_every_kind() {
       {FirstFramePresented{.time = Nanoseconds(1)}, R"({"time_ns":1})"},
       {Marked{.time = Nanoseconds(2)}, R"({"time_ns":2})"},
       {TimedOut{.time = Nanoseconds(9'007'199'254'740'993)}, R"({"time_ns":9007199254740993})"},
-      {Rated{.answers = {{.question = "artifacts", .value = 3.0}}},
-       R"({"answers":[{"question":"artifacts","value":3.0}]})"},
+      {Rated{.answers = {{.question = "artifacts", .value = 3.0}}, .looked_around = ms(4)},
+       R"({"answers":[{"question":"artifacts","value":3.0}],"looked_around_ns":4000000})"},
       {RetimeRequested{}, "{}"},
       {PauseRequested{}, "{}"},
       {Interrupted{}, "{}"},
@@ -96,6 +96,8 @@ TEST(EventJson, RefusesWhatNoEventSays) {
   EXPECT_THROW(event_from("marked", "{}"), std::invalid_argument);
   EXPECT_THROW(event_from("marked", R"({"time_ns":"soon"})"), std::invalid_argument);
   EXPECT_THROW(event_from("marked", "{"), std::invalid_argument);
+  EXPECT_THROW(event_from("rated", R"({"answers":[],"looked_around_ns":0})"),
+               std::invalid_argument);
 }
 
 // As deep as a file can say: a call for each level would end the program.

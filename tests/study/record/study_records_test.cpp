@@ -98,6 +98,31 @@ TEST_F(Records, OfACompletedSession) {
               ElementsAre("P01 background.age 31", "P01 background.cg_experience 4"));
 }
 
+TEST_F(Records, HaveTheResponseTimesOfWhomTheyWereMeasured) {
+  session_of("P01").run_trial(ms(1000), ms(500), ms(1500), 1);
+  EXPECT_EQ(read_study(path_).measures.size(), 3U) << "nobody's";
+  PlayedSession session(store_, facts_of("P02"), small_plan());
+  session.happen(ms(0), SessionStarted{});
+  session.happen(
+      ms(10), QuestionnaireAnswered{.questionnaire = "background",
+                                    .answers = {{"age", 31.0, ms(2500)}, {"cg_experience", 4.0}}});
+  session.choose_and_start(ms(20));
+  session.happen(ms(1000), FirstFramePresented{ms(1000)});
+  session.happen(ms(2000), Marked{ms(2000)});
+  session.happen(ms(3000), Marked{ms(3000)});
+  session.happen(ms(9000),
+                 Rated{.answers = {{"artifacts", 4.0, ms(750)}}, .looked_around = ms(5250)});
+  const StudyRecords records = read_study(path_);
+  ASSERT_EQ(records.measures.size(), 5U);
+  EXPECT_EQ(records.measures[2].id(), "looking_around");
+  EXPECT_EQ(records.measures[3].id(), "artifacts_response");
+  EXPECT_EQ(line_of(records, 0), "P01 hall fv 0.0 test attempt 1 [rated]: 0.5 1.5 - - 1");
+  EXPECT_EQ(line_of(records, 4), "P02 hall fv 0.0 test attempt 1 [rated]: 1 2 5.25 0.75 4");
+  EXPECT_EQ(records.answers[0].response_s, std::nullopt);
+  EXPECT_EQ(records.answers[2].response_s, 2.5);
+  EXPECT_EQ(records.answers[3].response_s, std::nullopt);
+}
+
 TEST_F(Records, HoldEveryTimingAndSayWhichCounts) {
   PlayedSession session = session_of("P01");
   session.choose_and_start(ms(20));
