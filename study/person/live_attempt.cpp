@@ -35,7 +35,8 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
           {.resample = [this](const Preview& preview) { draw(preview); },
            .present = [this] { return setting_.display.wait_until_shown(); }},
           setting_.display.frame_budget()),
-      log_(setting_.recorder, setting_.key) {
+      log_(setting_.recorder, setting_.key),
+      is_traced_(is_rendered(setting_.trial)) {
   preview_.set_view(setting_.display.geometry().field_of_view());
   preview_.restart(make_sampler(setting_.protocol, setting_.trial.method), setting_.seed);
   if (setting_.is_dark) {
@@ -50,10 +51,17 @@ LiveAttempt::~LiveAttempt() {
 }
 
 Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
-  const LiveFrame frame = is_rendered(setting_.trial) ? frames_.next() : next_blank();
+  const LiveFrame frame = is_traced_ ? frames_.next() : next_untraced();
   keep(frame);
   setting_.display.set_refresh(frames_.refresh());
   return frame.shown - setting_.session_zero;
+}
+
+void LiveAttempt::begin_rating(WhileRating picture) {
+  is_traced_ = is_traced_ && picture == WhileRating::converges;
+  if (picture == WhileRating::blank) {
+    look_.exposure_stops = darkness_stops;
+  }
 }
 
 void LiveAttempt::show_scene(const SceneStage& stage) {
@@ -72,13 +80,13 @@ std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {
                      .graphics = setting_.display.graphics()};
 }
 
-LiveFrame LiveAttempt::next_blank() {
-  wait_until(next_blank_);
+LiveFrame LiveAttempt::next_untraced() {
+  wait_until(next_untraced_);
   LiveFrame frame{.start = setting_.clock.now()};
   frame.report = preview_.begin_frame(frame.start);
   draw(preview_);
   frame.shown = setting_.display.wait_until_shown().value_or(setting_.clock.now());
-  next_blank_ = frame.start + frames_.refresh().interval();
+  next_untraced_ = frame.start + frames_.refresh().interval();
   return frame;
 }
 

@@ -54,6 +54,8 @@ class LiveAttempt final : public AttemptPort {
   void complete_record() override { log_.finish(preview_.film()); }
   /// Goes on in another version of the scene, with an empty film. `stage` must outlive the attempt.
   void show_scene(const SceneStage& stage);
+  /// The questions come: what the picture does from the next frame on.
+  void begin_rating(WhileRating picture);
   /// As LiveFrames::give_way.
   void give_way(bool gives_way) { frames_.give_way(gives_way); }
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
@@ -68,7 +70,7 @@ class LiveAttempt final : public AttemptPort {
   const Viewport& viewport() const { return preview_.viewport(); }
 
  private:
-  LiveFrame next_blank();
+  LiveFrame next_untraced();
   void draw(const Preview& preview);
   void wait_until(Nanoseconds time) const;
   void keep(const LiveFrame& frame);
@@ -78,7 +80,8 @@ class LiveAttempt final : public AttemptPort {
   Preview preview_;
   LiveFrames frames_;
   AttemptLog log_;
-  Nanoseconds next_blank_{0};
+  bool is_traced_;
+  Nanoseconds next_untraced_{0};
   FrameRow newest_frame_;
 };
 

@@ -139,6 +139,10 @@ void PersonSession::go_on(Nanoseconds shown) {
     go_on_reacting(shown);
   } else if (driver_.waits_in(Phase::rating) && begin_rating(prompt_, study_.protocol, now())) {
     prompt_.looked_around = now() - driver_.seen().last_mark;
+    if (attempt_ != nullptr) {
+      attempt_->begin_rating(
+          settings_of(study_.protocol, trial().scene, trial().method).timing.while_rating);
+    }
     page_watch_.turn_page();
   }
 }

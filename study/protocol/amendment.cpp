@@ -56,8 +56,10 @@ constexpr std::array words_and_times = {
     "questionnaire[].question[].text",
     "questionnaire[].question[].labels[]",
     "questionnaire[].question[].options[].label",
-    "timing.*",
-    "override[].timing.*",
+    "timing.mark_timeout_s",
+    "timing.rating_s",
+    "override[].timing.mark_timeout_s",
+    "override[].timing.rating_s",
     "catch_trials.timeout_s",
 };
 

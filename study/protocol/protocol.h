@@ -89,9 +89,17 @@ struct TrackerSettings {
   GazeFilterSettings filter;
 };
 
+/// What the picture does while the participant answers a trial's ratings.
+enum class WhileRating {
+  converges,  ///< More samples come, as before.
+  held,       ///< It stays as it was when the first question came.
+  blank,      ///< It is black.
+};
+
 struct Timing {
   double mark_timeout_s = 120.0;  ///< From the first frame; later marks are right-censored.
   double rating_s = 4.0;          ///< The least time for looking around before rating.
+  WhileRating while_rating = WhileRating::converges;
 
   friend bool operator==(const Timing&, const Timing&) = default;
 };

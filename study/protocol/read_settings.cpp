@@ -262,8 +262,12 @@ TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
 }
 
 Timing read_timing(TomlReader reader, Timing timing) {
+  constexpr std::array pictures{Word<WhileRating>{"converges", WhileRating::converges},
+                                Word<WhileRating>{"held", WhileRating::held},
+                                Word<WhileRating>{"blank", WhileRating::blank}};
   reader.read("mark_timeout_s", timing.mark_timeout_s, 0.1, 3600.0);
   reader.read("rating_s", timing.rating_s, 0.1, 3600.0);
+  reader.read("while_rating", timing.while_rating, pictures);
   reader.reject_unknown_keys();
   return timing;
 }

@@ -100,8 +100,12 @@ std::string text_of(const FilmSettings& film) {
 }
 
 std::string text_of(const TrialSettings& settings) {
-  return fmt::format("{}; marks within {} s, looking around for {} s{}", text_of(settings.film),
+  const WhileRating picture = settings.timing.while_rating;
+  return fmt::format("{}; marks within {} s, looking around for {} s{}{}", text_of(settings.film),
                      settings.timing.mark_timeout_s, settings.timing.rating_s,
+                     picture == WhileRating::held    ? "; the picture is held while rating"
+                     : picture == WhileRating::blank ? "; the picture is black while rating"
+                                                     : "",
                      settings.fill_unsampled ? "; unsampled pixels filled" : "");
 }
 
