@@ -233,7 +233,7 @@ DataQualityReport check_data_quality(const StudyTables& tables,
   add({check_gaze_source(tables.set, quality.gaze)});
   add(check_frames(report.frames));
   add(check_gaze(tables.set, records, quality.gaze_runs, gaze));
-  add(check_sessions(tables.set, records, quality.courses));
+  add(check_sessions(tables.set, records, quality));
   add({check_order(tables.set), check_time_outs(tables.set), check_catches(report.catches),
        check_outliers(report.outliers)});
   report.reactions = reaction_floors(tables, quality);

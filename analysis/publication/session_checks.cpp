@@ -130,13 +130,23 @@ DataQualityCheck check_programs(const Dataset& set,
   return check;
 }
 
+DataQualityCheck check_setups(const Dataset& set, std::vector<study::SessionSetup> sessions) {
+  std::erase_if(sessions, [&](const study::SessionSetup& session) {
+    return std::ranges::find(set.participants, session.participant) == set.participants.end();
+  });
+  const std::vector<std::string> varying = study::varying_setup(sessions);
+  return {"Displays, machines and trackers",
+          varying.empty() ? "the same for everybody, as far as recorded" : all_in_words(varying),
+          "the same for everybody, ours", within(varying.empty())};
+}
+
 }  // namespace
 
 std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::StudyRecords& records,
-                                             const std::vector<study::SessionCourse>& courses) {
-  const std::vector<study::SessionCourse> analysed = analysed_courses(set, courses);
+                                             const study::DataQualityRecords& quality) {
+  const std::vector<study::SessionCourse> analysed = analysed_courses(set, quality.courses);
   return {check_cut_off(analysed), check_timed_again(set, records), check_notes(analysed),
-          check_programs(set, records.programs)};
+          check_programs(set, records.programs), check_setups(set, quality.setups)};
 }
 
 }  // namespace foveola::analysis

@@ -11,9 +11,9 @@
 namespace foveola::analysis {
 
 /// Of the analysed participants: sessions that were cut off and went on, trials that were timed
-/// again for another reason, notes that somebody should read, and the programs that ran the
-/// sessions.
+/// again for another reason, notes that somebody should read, the programs that ran the sessions,
+/// and what these ran on.
 std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::StudyRecords& records,
-                                             const std::vector<study::SessionCourse>& courses);
+                                             const study::DataQualityRecords& quality);
 
 }  // namespace foveola::analysis

@@ -178,13 +178,11 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
       ->add_option("--threads", arguments->threads, "The number of threads; 0: one for every core")
       ->check(CLI::Range(0, thread_limit))
       ->capture_default_str();
-  CLI::Option* resume = command->add_flag("--resume", arguments->resumes,
-                                          "Go on with this participant's unfinished session");
-  command
-      ->add_flag("--despite-changes", arguments->despite_changes,
-                 "Go on even if the program or the scenes have changed since; the "
-                 "session's record will name both programs")
-      ->needs(resume);
+  command->add_flag("--resume", arguments->resumes,
+                    "Go on with this participant's unfinished session");
+  command->add_flag("--despite-changes", arguments->despite_changes,
+                    "Accept another program, scene, display, machine or tracker than the session, "
+                    "or the study's others, had; the session's record will say so");
   command->add_flag("--amended-protocol", arguments->takes_amendment,
                     "Accept a protocol whose words or time-outs have changed since the study "
                     "began; the session's "

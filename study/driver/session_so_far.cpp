@@ -35,6 +35,11 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
     throw Error(where, fmt::format("has an unfinished session ({})", name_of(session.phase)),
                 "go on with it by --resume");
   }
+  if (session.kind != resumption.kind) {
+    const bool is_pilot = session.kind == SessionKind::pilot;
+    throw Error(where, is_pilot ? "has a rehearsal" : "has a session that counts",
+                is_pilot ? "continue with --pilot" : "continue without --pilot");
+  }
 }
 
 void require_same_program(const SessionSoFar& so_far) {

@@ -17,8 +17,9 @@ struct SessionSoFar {
 };
 
 struct Resumption {
-  bool resumes = false;          ///< whether the experimenter wants to go on with it
-  bool despite_changes = false;  ///< whether another program may go on with it
+  SessionKind kind = SessionKind::human;  ///< of the run
+  bool resumes = false;                   ///< whether the experimenter wants to go on with it
+  bool despite_changes = false;           ///< whether another program may go on with it
 };
 
 /// What a session in `store` was. Throws Error if its record cannot have come about.
@@ -27,7 +28,8 @@ SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
 
 /// Empty if the participant has no session yet and none is to be resumed. Throws Error, with what
 /// can be done, if it is over, if it is unfinished but not to be resumed, if there is none to be
-/// resumed, or if another program recorded it last: of another version, or built with other tools.
+/// resumed, if it is of another kind, or if another program recorded it last: of another version,
+/// or built with other tools.
 std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protocol& protocol,
                                            const std::string& participant,
                                            const Resumption& resumption);

@@ -23,6 +23,7 @@
 #include "study/console/open_console.h"
 #include "study/console/terminal.h"
 #include "study/driver/session_so_far.h"
+#include "study/person/changed_setup.h"
 #include "study/person/consent_receipt.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
@@ -135,10 +136,11 @@ class PersonRun {
     const SceneStages stages = load_stages(protocol_, sources_, workers);
     check(stages);
     const WindowEyeTracker gaze = open_eye_tracker_of(shown_on, tracker_, clock);
-    measure_refreshes(display, protocol_.texts);
+    measure_refreshes(display, protocol_.texts, stop);
     const std::string devices =
-        devices_json(display, shown_on.headset(), window.key_time_source(),
+        devices_json(display, shown_on.headset(), window.key_time_source(), workers.threads(),
                      preflight(stages, workers, clock, events, display, gaze, stop));
+    compare_setup(devices);
     say_if_keys_are_late(window.key_time_source(), *console_);
     say_if_code_is_alike();
     if (!settings_.json && Terminal::is_there()) {
@@ -194,14 +196,16 @@ class PersonRun {
                                                     .eye = eye,
                                                     .viewer = viewer},
                                                    stop);
-    const Preflight found{.speeds = measured.speeds,
-                          .tracker = tracker_,
-                          .gaze = measured.gaze,
-                          .display = profile_,
-                          .found_display = as_measured(found_display_, display),
-                          .film_px = smallest_film(protocol_),
-                          .free_bytes = free_bytes_for(settings_.database),
-                          .is_clock_set = is_clock_synchronised()};
+    const Preflight found{
+        .speeds = measured.speeds,
+        .tracker = tracker_,
+        .gaze = measured.gaze,
+        .display = profile_,
+        .found_display = as_measured(found_display_, display),
+        .view_deg = {display.geometry().horizontal_fov_deg, display.geometry().vertical_fov_deg},
+        .film_px = smallest_film(protocol_),
+        .free_bytes = free_bytes_for(settings_.database),
+        .is_clock_set = is_clock_synchronised()};
     const std::vector<PreflightCheck> checks = check_preflight(found, protocol_.preflight);
     console_->say(preflight_table(checks));
     console_->say(preflight_banner(found, settings_.kind == SessionKind::pilot));
@@ -209,6 +213,26 @@ class PersonRun {
       require_gate(checks);
     }
     return preflight_json(found, checks);
+  }
+
+  /// A rehearsal that begins is compared with nothing.
+  void compare_setup(const std::string& devices) {
+    if (settings_.kind != SessionKind::human && !so_far_) {
+      return;
+    }
+    const SetupChanges changes = setup_changes(read_session_setups(settings_.database),
+                                               settings_.participant, devices, protocol_.preflight);
+    if (!settings_.despite_changes) {
+      require_same_setup(changes, settings_.participant);
+    }
+    for (const auto* found : {&changes.demanded, &changes.others}) {
+      for (const std::string& change : *found) {
+        console_->say(fmt::format("WARNING: other equipment: {}.", change));
+      }
+    }
+    if (!changes.demanded.empty()) {
+      accepted_changes_ = note_of_changes(changes.demanded);
+    }
   }
 
   /// Codes that differ in small and capital letters only are easily taken for one another.
@@ -239,11 +263,13 @@ class PersonRun {
   HeadTracker* head() { return worn_ ? &*worn_ : nullptr; }
 
   std::string devices_json(const SessionDisplay& display, const HeadsetPresenter* headset,
-                           KeyTimeSource key_times, const nlohmann::ordered_json& preflight) const {
+                           KeyTimeSource key_times, int threads,
+                           const nlohmann::ordered_json& preflight) const {
     nlohmann::ordered_json json = {
         {"display", display_json(display, profile_)},
         {"tracker", tracker_json(tracker_.name, protocol_.tracker.filter)},
         {"keys", {{"time_source", name_of(key_times)}}},
+        {"machine", machine_json(threads)},
         {"preflight", preflight}};
     if (is_blind()) {
       json["experimenter_is_blind"] = true;
@@ -251,7 +277,7 @@ class PersonRun {
     if (headset != nullptr) {
       json["headset"] = headset_json(headset->facts());
     }
-    return json.dump();
+    return with_renderer(json.dump(), build_info());
   }
 
   void check(const SceneStages& stages) const {
@@ -337,6 +363,9 @@ class PersonRun {
     if (store_.amendment()) {
       notes.push_back(note_of(*store_.amendment()));
     }
+    if (accepted_changes_) {
+      notes.push_back(*accepted_changes_);
+    }
     return {.participant = settings_.participant,
             .eye = eye_of(tracker_.source),
             .seed = seed,
@@ -359,7 +388,8 @@ class PersonRun {
   std::unique_ptr<Console> console_;  ///< before and after the session
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
-  std::int64_t row_ = 0;  ///< the session's row in the store
+  std::int64_t row_ = 0;                         ///< the session's row in the store
+  std::optional<std::string> accepted_changes_;  ///< a note of those of the equipment
 };
 
 /// Nothing was acknowledged to the participant before it was durable.
@@ -434,7 +464,9 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
   StudyStore store(settings.database, protocol, settings.other_protocol);
   std::optional<SessionSoFar> so_far =
       session_so_far(store, protocol, settings.participant,
-                     {.resumes = settings.resumes, .despite_changes = settings.despite_changes});
+                     {.kind = settings.kind,
+                      .resumes = settings.resumes,
+                      .despite_changes = settings.despite_changes});
   print_notes(protocol);
   silence_xr_loader();
   const SteadyClock clock;

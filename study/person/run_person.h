@@ -24,12 +24,13 @@ struct RunSettings {
   std::string tracker;                ///< pointer or a profile; empty: the protocol's, or pointer
   /// Of a pilot's gaze, in place of the protocol's; empty: the protocol's.
   std::optional<GazeFilterSettings> gaze_filter;
-  IVec2 window{1280, 720};       ///< size of the window; not used in full screen
-  std::optional<int> monitor;    ///< fills this monitor
-  int threads = 0;               ///< 0: one for every core
-  bool resumes = false;          ///< goes on with the participant's unfinished session
-  bool is_blind = false;         ///< the experimenter does not read the methods before its end
-  bool despite_changes = false;  ///< even if the program or the scenes have changed since
+  IVec2 window{1280, 720};     ///< size of the window; not used in full screen
+  std::optional<int> monitor;  ///< fills this monitor
+  int threads = 0;             ///< 0: one for every core
+  bool resumes = false;        ///< goes on with the participant's unfinished session
+  bool is_blind = false;       ///< the experimenter does not read the methods before its end
+  /// Even if the program, the scenes or the equipment have changed since.
+  bool despite_changes = false;
   OtherProtocol other_protocol =
       OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
   /// Every page that the participant comes to is written there as a picture.

@@ -2,7 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/build_info.h"
+#include "renderer/window/desktop_facts.h"
+#include "study/person/source_commit.h"
 #include "study/person/words.h"
+#include "study/preflight/system_state.h"
 #include "study/record/gaze_filter_json.h"
 
 namespace foveola::study {
@@ -26,8 +30,8 @@ constexpr int frames_to_measure = RefreshEstimator::enough_swaps + 8;
 
 }  // namespace
 
-void measure_refreshes(SessionDisplay& display, const Texts& texts) {
-  for (int i = 0; i < frames_to_measure; ++i) {
+void measure_refreshes(SessionDisplay& display, const Texts& texts, const std::stop_token& stop) {
+  for (int i = 0; i < frames_to_measure && !stop.stop_requested(); ++i) {
     display.show({.screen = notice_screen(Notice::loading, texts)});
   }
 }
@@ -44,6 +48,11 @@ nlohmann::ordered_json display_json(const SessionDisplay& display, const Display
       {"refresh_rate_hz", display.refresh().rate_hz()},
       {"refresh_is_measured", display.refresh().is_measured()},
       {"graphics", display.graphics()}};
+  if (profile.width_m > 0.0) {
+    constexpr double mm_per_m = 1e3;
+    json["size_mm"] = {mm_per_m * profile.width_m, mm_per_m * profile.height_m};
+    json["distance_mm"] = mm_per_m * profile.viewing_distance_m;
+  }
   if (geometry.seen) {
     json["seen"] = geometry.seen->rows();
   }
@@ -54,6 +63,20 @@ nlohmann::ordered_json display_json(const SessionDisplay& display, const Display
     json["timing_patch"] = {{"corner", name_of(patch->corner)}, {"size_px", patch->size_px}};
   }
   return json;
+}
+
+nlohmann::ordered_json machine_json(int threads) {
+  const MachineInfo machine = machine_info();
+  const DesktopFacts desktop = desktop_facts();
+  return {{"processor", machine.processor},
+          {"cores", machine.cores},
+          {"threads", threads},
+          {"operating_system", machine.system},
+          {"governor", cpu_governor()},
+          {"windows", desktop.windows},
+          {"keyboard_layout", desktop.keyboard_layout},
+          {"program", program_name(build_info())},
+          {"commit", source_commit()}};
 }
 
 nlohmann::ordered_json headset_json(const HeadsetFacts& facts) {

@@ -59,6 +59,7 @@ struct Preflight {
   LiveGaze gaze;
   DisplayProfile display;
   FoundDisplay found_display;
+  DVec2 view_deg{0.0};               ///< the angles that the window shows, across and up
   IVec2 film_px{0};                  ///< the 360-degree image's size, the narrowest of all trials'
   std::uint64_t free_bytes = 0;      ///< on the disk of the study's file
   std::optional<bool> is_clock_set;  ///< whether the system synchronises it; empty: it does not say

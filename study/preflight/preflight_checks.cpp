@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ constexpr double usual_film_pixel_deg = 0.5;
 constexpr double usual_gaze_rate = 0.9;
 
 constexpr double bytes_per_gb = 1e9;
+constexpr IVec2 min_window_px{160, 120};
 
 /// By the protocol's limit if it has one, else by the usual one.
 PreflightVerdict judged(bool has_gate, bool is_good) {
@@ -141,6 +143,33 @@ PreflightCheck check_display(const Preflight& preflight, const PreflightGate& ga
       .verdict = judged(gate.stated_display, differences.empty())};
 }
 
+PreflightCheck check_angles(const Preflight& preflight, const PreflightGate& gate) {
+  const DVec2& view = preflight.view_deg;
+  PreflightCheck check{.name = "angles",
+                       .found = fmt::format("{:.1f} x {:.1f} degrees", view.x, view.y)};
+  if (gate.fov_deg) {
+    check.limit = fmt::format("{:g} x {:g} degrees within {:g}, the protocol's", gate.fov_deg->x,
+                              gate.fov_deg->y, gate.fov_tolerance_deg);
+    check.verdict = judged(true, std::abs(view.x - gate.fov_deg->x) <= gate.fov_tolerance_deg &&
+                                     std::abs(view.y - gate.fov_deg->y) <= gate.fov_tolerance_deg);
+  }
+  return check;
+}
+
+/// Nothing can be judged in a window that is hardly there, whatever a protocol asks for.
+PreflightCheck check_window(const Preflight& preflight, const PreflightGate& gate) {
+  const FoundDisplay& found = preflight.found_display;
+  const bool has_gate = gate.full_screen;
+  const bool is_large =
+      found.window_px.x >= min_window_px.x && found.window_px.y >= min_window_px.y;
+  return {.name = "window",
+          .found = fmt::format("{} x {} pixels, {}", found.window_px.x, found.window_px.y,
+                               found.is_full_screen ? "full screen" : "not full screen"),
+          .limit = fmt::format("at least {} x {}{}", min_window_px.x, min_window_px.y,
+                               has_gate ? ", full screen, the protocol's" : ", ours"),
+          .verdict = judged(true, is_large && (found.is_full_screen || !has_gate))};
+}
+
 /// No protocol asks for it: the film is its own.
 PreflightCheck check_film(const Preflight& preflight) {
   const double pixel_deg = 360.0 / preflight.film_px.x;
@@ -239,7 +268,8 @@ std::vector<PreflightCheck> check_preflight(const Preflight& preflight, const Pr
   return {check_frames(preflight, gate),    check_samples(preflight, gate),
           check_eye(preflight, gate),       check_gaze_rate(preflight, gate),
           check_gaze_loss(preflight, gate), check_gaze_age(preflight, gate),
-          check_display(preflight, gate),   check_film(preflight),
+          check_display(preflight, gate),   check_angles(preflight, gate),
+          check_window(preflight, gate),    check_film(preflight),
           check_disk(preflight, gate),      check_clock(preflight, gate)};
 }
 

@@ -1,5 +1,7 @@
 #include "study/preflight/system_state.h"
 
+#include <fstream>
+
 #include <sys/timex.h>
 
 namespace fs = std::filesystem;
@@ -17,6 +19,13 @@ std::optional<bool> is_clock_synchronised() {
     return std::nullopt;
   }
   return clock != TIME_ERROR;
+}
+
+std::string cpu_governor() {
+  std::ifstream file("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  std::string governor;
+  std::getline(file, governor);
+  return governor;
 }
 
 }  // namespace foveola::study

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace foveola::study {
 
@@ -13,5 +14,8 @@ std::uint64_t free_bytes_for(const std::filesystem::path& path);
 
 /// Whether something synchronises the system's clock, as the kernel says; empty if it does not say.
 std::optional<bool> is_clock_synchronised();
+
+/// By which rule the first core's frequency is set, as the kernel says; empty if it does not say.
+std::string cpu_governor();
 
 }  // namespace foveola::study

@@ -178,7 +178,12 @@ struct PreflightGate {
   std::optional<double> min_free_gb;     ///< On the disk of the study's file, in 10^9 bytes.
   bool tracked_eye = false;              ///< Neither simulated nor recorded nor the pointer.
   bool stated_display = false;           ///< The display is as its profile states.
-  bool set_clock = false;                ///< The system's clock is synchronised.
+  std::optional<Vec2> fov_deg;           ///< What the window shows, across and up.
+  double fov_tolerance_deg = 0.5;
+  bool full_screen = false;
+  bool same_machine = false;  ///< As people's sessions before: processor, graphics, threads, speed.
+  bool same_display = false;  ///< Likewise: profile, pixels, size, distance, angles.
+  bool set_clock = false;     ///< The system's clock is synchronised.
 };
 
 /// A part of a session: "consent", "validation", "reaction", "trials" (with the practice before

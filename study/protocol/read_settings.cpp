@@ -23,6 +23,8 @@ constexpr int largest_film_side = 65536;
 /// Of a film of 23170 x 11585 pixels, 64 in a degree: more than any eye resolves.
 constexpr double most_film_pixels = 268'435'456.0;
 constexpr int largest_view_side = 8192;
+constexpr double narrowest_deg = 1.0;
+constexpr double widest_deg = 170.0;
 constexpr int most_samples = std::numeric_limits<int>::max();
 
 /// The profile that the table names, by `read`; empty if it names none.
@@ -80,8 +82,6 @@ void require_view(const TomlReader& reader, const DisplaySettings& display) {
 
 /// Throws Error through `reader`. The view's size must have been read.
 void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
-  constexpr double narrowest_deg = 1.0;
-  constexpr double widest_deg = 170.0;
   // Of a headset by OpenXR nothing is known before it is there.
   const bool knows_views = display.profile && display.profile->kind != DisplayKind::openxr;
   if (knows_views && !reader.has("fov_deg")) {
@@ -290,6 +290,14 @@ PreflightGate read_preflight(TomlReader reader) {
   reader.read("min_free_gb", gate.min_free_gb, 0.0, 1e6);
   reader.read("tracked_eye", gate.tracked_eye);
   reader.read("stated_display", gate.stated_display);
+  if (Vec2 degrees(0.0F); reader.has("fov_deg")) {
+    reader.read("fov_deg", degrees, narrowest_deg, widest_deg);
+    gate.fov_deg = degrees;
+  }
+  reader.read("fov_tolerance_deg", gate.fov_tolerance_deg, 0.01, 45.0);
+  reader.read("full_screen", gate.full_screen);
+  reader.read("same_machine", gate.same_machine);
+  reader.read("same_display", gate.same_display);
   reader.read("set_clock", gate.set_clock);
   reader.reject_unknown_keys();
   return gate;

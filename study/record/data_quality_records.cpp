@@ -251,6 +251,7 @@ DataQualityRecords read_data_quality(const fs::path& path) {
     records.gaze_runs = read_gaze_runs(database);
     records.reactions = read_reactions(database);
     records.courses = read_courses(database);
+    records.setups = session_setups(database);
   });
   return records;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "study/record/attempt_gaze_figures.h"
+#include "study/record/session_setup.h"
 
 namespace foveola::study {
 
@@ -68,6 +69,7 @@ struct DataQualityRecords {
   std::vector<GazeRunRow> gaze_runs;
   std::vector<ReactionRow> reactions;
   std::vector<SessionCourse> courses;  ///< a row for each session
+  std::vector<SessionSetup> setups;    ///< likewise, of withdrawn ones too
 };
 
 /// Reads a study's file without changing it, attempt by attempt; none of withdrawn sessions. Throws

@@ -19,6 +19,7 @@
 #include "study/record/schema.h"
 #include "study/record/session_check.h"
 #include "study/record/session_programs.h"
+#include "study/record/session_setup.h"
 
 namespace fs = std::filesystem;
 
@@ -137,6 +138,15 @@ void check_programs(SQLite::Database& study, Verification& found) {
   }
 }
 
+/// People's: rehearsals are made with anything.
+void check_setups(SQLite::Database& study, Verification& found) {
+  std::vector<SessionSetup> sessions = session_setups(study);
+  std::erase_if(sessions, [](const SessionSetup& session) { return session.kind != "human"; });
+  for (const std::string& line : varying_setup(sessions)) {
+    found.warnings.push_back({"", fmt::format("people had other equipment, {}", line)});
+  }
+}
+
 std::vector<SessionKey> session_keys(SQLite::Database& study) {
   std::vector<SessionKey> keys;
   SQLite::Statement sessions(study, "SELECT id, participant FROM session ORDER BY id");
@@ -214,6 +224,7 @@ Verification verify(const fs::path& path) {
     check_schema(study, path, found);
     check_texts(study, found);
     check_programs(study, found);
+    check_setups(study, found);
     sessions = session_keys(study);
   }
   check_file_and_sessions(path, sessions, found);

@@ -119,7 +119,7 @@ SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kin
   run_beside(window, stop, [&](const IVec2& framebuffer) {
     WindowPresenter presenter(window, clock);
     SessionDisplay display(presenter, profile, framebuffer, clock);
-    measure_refreshes(display, study.protocol.texts);
+    measure_refreshes(display, study.protocol.texts, stop);
     study.devices = devices_in_real_time(kind, display, profile, study.protocol.tracker.filter);
     study.run_in_window = [shared = SharedWindow{study, clock, events, display}](
                               const BegunSession& session, const std::stop_token& stopped) {

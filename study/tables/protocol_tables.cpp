@@ -142,6 +142,13 @@ std::string text_of(const PreflightGate& gate) {
   };
   demand(gate.tracked_eye, "a tracked eye");
   demand(gate.stated_display, "the display as its profile states");
+  if (gate.fov_deg) {
+    limits.push_back(fmt::format("{:g} x {:g} degrees within {:g}", gate.fov_deg->x,
+                                 gate.fov_deg->y, gate.fov_tolerance_deg));
+  }
+  demand(gate.full_screen, "full screen");
+  demand(gate.same_machine, "the same machine for everybody");
+  demand(gate.same_display, "the same display for everybody");
   demand(gate.set_clock, "a synchronised clock");
   return fmt::format("{}", fmt::join(limits, ", "));
 }

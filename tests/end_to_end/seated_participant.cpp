@@ -106,8 +106,8 @@ std::function<int()> SeatedParticipant::at_terminal() const {
 
 std::vector<std::string> SeatedParticipant::command() const {
   // Other tests run beside it.
-  return {"study", "run",      "keys",    "--db",     database().string(), "--participant",
-          code_,   "--window", "640x480", "--seed=7", "--threads=1"};
+  return {"study", "run",      "keys",  "--db",     database().string(), "--participant",
+          code_,   "--window", window_, "--seed=7", "--threads=1"};
 }
 
 std::string SeatedParticipant::wait_for_page() {

@@ -38,6 +38,9 @@ class SeatedParticipant {
   /// Another participant takes the seat, which at first is P1's.
   void seat(std::string participant) { code_ = std::move(participant); }
 
+  /// Of the windows that open from now on.
+  void set_window(std::string size) { window_ = std::move(size); }
+
   /// Of the programs that begin from now on.
   void set_environment(const std::string& name, const std::string& value) {
     environment_.emplace_back(name, value);
@@ -104,6 +107,7 @@ class SeatedParticipant {
   Environment environment_ = hall_.environment();
   std::filesystem::path database_ = hall_.folder / "study.sqlite";
   std::string code_ = "P1";
+  std::string window_ = "640x480";
   std::unique_ptr<RunningProgram> program_;
   std::filesystem::path screens_;  ///< a picture of each page
   int runs_ = 0;

@@ -87,6 +87,17 @@ TEST_F(SessionOfAPerson, ByTheSameVersionBuiltWithOtherToolsIsRefused) {
   }
 }
 
+// Its simulated gaze would be taken for a person's.
+TEST_F(SessionOfAPerson, DoesNotGoOnAsARehearsal) {
+  begin_by(build_info());
+  EXPECT_EQ(refusal([&] {
+              session_so_far(
+                  store_, small_protocol(), "P1",
+                  {.kind = SessionKind::pilot, .resumes = true, .despite_changes = true});
+            }),
+            "participant P1: has a session that counts; continue without --pilot");
+}
+
 // Once it was said that another program may go on, that one is the session's.
 TEST_F(SessionOfAPerson, GoesOnByTheProgramThatRecordedItLast) {
   const std::string now = program_name(build_info());

@@ -54,9 +54,31 @@ constexpr PreflightGate full_gate{.max_late_percent = 2.0,
 TEST(PreflightChecks, AGoodMachinePassesAnyGate) {
   for (const PreflightGate& gate : {PreflightGate{}, full_gate}) {
     const auto checks = check_preflight(good_preflight(), gate);
-    EXPECT_EQ(checks.size(), 10U);
-    EXPECT_EQ(named(checks, PreflightVerdict::good).size(), 10U);
+    EXPECT_EQ(checks.size(), 12U);
+    EXPECT_EQ(named(checks, PreflightVerdict::good).size(), 12U);
   }
+}
+
+TEST(PreflightChecks, AnglesAndTheWholeScreenAreAskedFor) {
+  Preflight found = good_preflight();
+  found.view_deg = {48.4, 27.6};
+  const auto refused = [&](const PreflightGate& gate) {
+    return named(check_preflight(found, gate), PreflightVerdict::refused);
+  };
+  EXPECT_THAT(refused({.fov_deg = Vec2(48.0F, 28.0F)}), IsEmpty()) << "half a degree is allowed";
+  EXPECT_THAT(refused({.fov_deg = Vec2(48.0F, 28.0F), .fov_tolerance_deg = 0.3}),
+              ElementsAre("angles"));
+  EXPECT_THAT(refused({.fov_deg = Vec2(48.0F, 29.0F)}), ElementsAre("angles"));
+  found.found_display.is_full_screen = false;
+  EXPECT_THAT(refused({.full_screen = true}), ElementsAre("window"));
+  found.found_display.is_full_screen = true;
+  EXPECT_THAT(refused({.full_screen = true}), IsEmpty());
+}
+
+TEST(PreflightChecks, AWindowInWhichNothingIsSeenIsAlwaysRefused) {
+  Preflight found = good_preflight();
+  found.found_display.window_px = {1, 1};
+  EXPECT_THROW(require_gate(check_preflight(found, {})), Error);
 }
 
 TEST(PreflightChecks, WithoutAGateABadOneIsWarnedOf) {

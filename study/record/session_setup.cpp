@@ -1,0 +1,212 @@
+#include "study/record/session_setup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "study/record/database.h"
+#include "study/record/json_member.h"
+#include "study/record/session_devices.h"
+#include "study/record/session_rows.h"
+
+namespace foveola::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Fact {
+  const char* name;
+  const char* place;  ///< in the devices' JSON
+  SetupPart part = SetupPart::other;
+  double tolerance = 0.0;  ///< as a part of the larger number
+};
+
+constexpr double rate_tolerance = 0.05;
+constexpr double speed_tolerance = 0.5;
+constexpr double angle_tolerance = 0.001;
+
+constexpr std::array facts{
+    Fact{"display profile", "/display/profile", SetupPart::display},
+    Fact{"pixels", "/display/framebuffer", SetupPart::display},
+    Fact{"horizontal degrees", "/display/horizontal_fov_deg", SetupPart::display, angle_tolerance},
+    Fact{"vertical degrees", "/display/vertical_fov_deg", SetupPart::display, angle_tolerance},
+    Fact{"display size in mm", "/display/size_mm", SetupPart::display},
+    Fact{"viewing distance in mm", "/display/distance_mm", SetupPart::display},
+    Fact{"full screen", "/preflight/full_screen"},
+    Fact{"frame rate in Hz", "/display/refresh_rate_hz", SetupPart::other, rate_tolerance},
+    Fact{"frame rate measured", "/display/refresh_is_measured"},
+    Fact{"graphics", "/display/graphics", SetupPart::machine},
+    Fact{"processor", "/machine/processor", SetupPart::machine},
+    Fact{"threads", "/machine/threads", SetupPart::machine},
+    Fact{"instruction set", "/renderer/instruction_set", SetupPart::machine},
+    Fact{"ray instructions", "/renderer/ray_instructions", SetupPart::machine},
+    Fact{"samples a second", "/speed", SetupPart::speed, speed_tolerance},
+    Fact{"program", "/machine/program", SetupPart::program},
+    Fact{"commit", "/machine/commit"},
+    Fact{"film", "/preflight/film_px"},
+    Fact{"tracker", "/tracker/profile"},
+    Fact{"gaze filter", "/tracker/filter"},
+    Fact{"source of key times", "/keys/time_source"},
+};
+
+/// The geometric mean over scenes and methods; null if none was measured.
+Json speed_in(const Json& devices) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Json& speed : member(member(devices, "preflight"), "speeds")) {
+    if (const Json samples = member(speed, "samples_per_second");
+        samples.is_number() && samples.get<double>() > 0.0) {
+      sum += std::log(samples.get<double>());
+      ++count;
+    }
+  }
+  return count > 0 ? Json(std::exp(sum / count)) : Json();
+}
+
+/// One value for each fact; null where the devices say nothing. No filter is one, too.
+std::vector<Json> values_in(const std::string& devices) {
+  Json json = json_in(devices);
+  if (!json.is_object()) {
+    return std::vector<Json>(facts.size());
+  }
+  json["speed"] = speed_in(json);
+  if (json.contains("tracker") && json["tracker"].is_object() &&
+      !json["tracker"].contains("filter")) {
+    json["tracker"]["filter"] = "none";
+  }
+  std::vector<Json> values;
+  for (const Fact& fact : facts) {
+    const Json::json_pointer place(fact.place);
+    values.push_back(json.contains(place) ? json.at(place) : Json());
+  }
+  return values;
+}
+
+bool is_same(const Json& a, const Json& b, double tolerance) {
+  if (!a.is_number() || !b.is_number()) {
+    return a == b;
+  }
+  const auto x = a.get<double>();
+  const auto y = b.get<double>();
+  return std::abs(x - y) <= tolerance * std::max(std::abs(x), std::abs(y));
+}
+
+std::string in_words(const Json& value) {
+  if (value.is_number()) {
+    return fmt::format("{:.6g}", value.get<double>());
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "yes" : "no";
+  }
+  if (value.is_array()) {
+    std::vector<std::string> parts;
+    std::ranges::transform(value, std::back_inserter(parts), in_words);
+    return fmt::format("{}", fmt::join(parts, " x "));
+  }
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// `devices` with the processor and the program of the session's row, where it says neither.
+std::string with_row(const std::string& devices, const std::string& processor,
+                     const BuildInfo& build) {
+  Json json = json_in(devices);
+  if (!json.is_object() || json.contains("machine")) {
+    return devices;
+  }
+  json["machine"] = {{"processor", processor}, {"program", program_name(build)}};
+  return json.dump();
+}
+
+/// A value of a fact, and who had it.
+struct Value {
+  Json value;
+  std::vector<std::string> participants;
+};
+
+}  // namespace
+
+std::vector<SetupDifference> setup_differences(const std::string& before, const std::string& now) {
+  const std::vector<Json> was = values_in(before);
+  const std::vector<Json> is = values_in(now);
+  std::vector<SetupDifference> differences;
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    if (!was[i].is_null() && !is[i].is_null() && !is_same(was[i], is[i], facts[i].tolerance)) {
+      differences.push_back({facts[i].name, facts[i].part, in_words(was[i]), in_words(is[i])});
+    }
+  }
+  return differences;
+}
+
+std::vector<SessionSetup> session_setups(SQLite::Database& study) {
+  std::vector<SessionSetup> sessions;
+  std::map<std::int64_t, std::size_t> indices;
+  SQLite::Statement rows(study, "SELECT * FROM session ORDER BY id");
+  while (rows.executeStep()) {
+    indices.emplace(rows.getColumn("id").getInt64(), sessions.size());
+    sessions.push_back(
+        {.participant = rows.getColumn("participant").getString(),
+         .kind = rows.getColumn("kind").getString(),
+         .devices = {with_row(rows.getColumn("devices").getString(),
+                              rows.getColumn("processor").getString(), build_of(rows))}});
+  }
+  SQLite::Statement notes(study, "SELECT session, text FROM note ORDER BY session, sequence");
+  while (notes.executeStep()) {
+    if (std::optional<std::string> devices = devices_in_note(notes.getColumn(1).getString())) {
+      sessions[indices.at(notes.getColumn(0).getInt64())].devices.push_back(std::move(*devices));
+    }
+  }
+  return sessions;
+}
+
+std::vector<SessionSetup> read_session_setups(const std::filesystem::path& path) {
+  std::vector<SessionSetup> sessions;
+  with_clear_errors(path, [&] {
+    SQLite::Database study = open_study_to_read(path);
+    sessions = session_setups(study);
+  });
+  return sessions;
+}
+
+std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions) {
+  std::array<std::vector<Value>, facts.size()> found;
+  for (const SessionSetup& session : sessions) {
+    for (const std::string& devices : session.devices) {
+      const std::vector<Json> values = values_in(devices);
+      for (std::size_t i = 0; i < facts.size(); ++i) {
+        if (values[i].is_null() || facts[i].part == SetupPart::program) {
+          continue;
+        }
+        auto known = std::ranges::find_if(found[i], [&](const Value& value) {
+          return is_same(value.value, values[i], facts[i].tolerance);
+        });
+        if (known == found[i].end()) {
+          known = found[i].insert(known, {values[i], {}});
+        }
+        if (known->participants.empty() || known->participants.back() != session.participant) {
+          known->participants.push_back(session.participant);
+        }
+      }
+    }
+  }
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    std::vector<std::string> values;
+    for (const Value& value : found[i]) {
+      values.push_back(
+          fmt::format("{} in {}", in_words(value.value), fmt::join(value.participants, ", ")));
+    }
+    if (values.size() > 1) {
+      lines.push_back(fmt::format("{}: {}", facts[i].name, fmt::join(values, "; ")));
+    }
+  }
+  return lines;
+}
+
+}  // namespace foveola::study
