@@ -1,5 +1,7 @@
 #include "study/commands/record_commands.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -31,6 +33,7 @@ namespace {
 struct RecordArguments {
   std::string database;
   std::vector<std::string> sources;
+  std::vector<std::string> sites;
   std::string participant;
   int trial = 0;
   std::string output;
@@ -192,9 +195,28 @@ void run_restore(const RecordArguments& arguments) {
   }
 }
 
+void require_sites(const RecordArguments& arguments) {
+  if (!arguments.sites.empty() && arguments.sites.size() != arguments.sources.size()) {
+    throw UsageError(
+        "--site",
+        fmt::format("names {} sites of {} files", arguments.sites.size(), arguments.sources.size()),
+        "give it once for each file, in their order");
+  }
+  for (const std::string& site : arguments.sites) {
+    const bool is_name = !site.empty() && std::ranges::all_of(site, [](unsigned char letter) {
+      return std::isalnum(letter) != 0;
+    });
+    if (!is_name) {
+      throw UsageError("--site", fmt::format("'{}' is not a site's name", site),
+                       "use letters and digits only");
+    }
+  }
+}
+
 void run_merge(const RecordArguments& arguments) {
-  const Merge merge =
-      merge_studies({arguments.sources.begin(), arguments.sources.end()}, arguments.output);
+  require_sites(arguments);
+  const Merge merge = merge_studies({arguments.sources.begin(), arguments.sources.end()},
+                                    arguments.output, arguments.sites);
   print_text("{}: {} sessions, {} of them in several files\n", arguments.output,
              merge.sessions_added, merge.sessions_known);
   if (merge.sessions_forgotten > 0) {
@@ -297,6 +319,11 @@ void add_merge(CLI::App& study) {
       ->add_option("DB", arguments->sources, "The sites' database files, all of the same protocol")
       ->required()
       ->expected(1, -1);
+  command
+      ->add_option("--site", arguments->sites,
+                   "A site's name, once for each file in their order: participants then are "
+                   "SITE-CODE, so that sites may have the same codes")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output, "The merged study, a new file")->required();
   command->callback([arguments] { run_merge(*arguments); });
 }

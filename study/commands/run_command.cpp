@@ -24,6 +24,7 @@ namespace {
 
 constexpr int thread_limit = 1024;
 constexpr int monitor_limit = 100;
+constexpr int row_limit = 1'000'000;
 constexpr std::size_t longest_code = 32;
 
 struct RunArguments {
@@ -38,6 +39,7 @@ struct RunArguments {
   bool full_screen = false;
   int monitor = 0;
   std::optional<std::uint64_t> seed;
+  std::optional<int> first_row;
   int threads = 0;
   bool resumes = false;
   bool despite_changes = false;
@@ -82,6 +84,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
                        .participant = arguments.participant,
                        .kind = arguments.is_pilot ? SessionKind::pilot : SessionKind::human,
                        .seed = arguments.seed,
+                       .first_row = arguments.first_row,
                        .display = arguments.display,
                        .tracker = arguments.tracker,
                        .gaze_filter = gaze_filter_of(arguments),
@@ -174,6 +177,11 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   command->add_option(
       "--seed", arguments->seed,
       "The seed of orders and noise (default: drawn at random; the record keeps it)");
+  command
+      ->add_option("--first-row", arguments->first_row,
+                   "The row of the design that the file's first participant gets, so that sites "
+                   "begin with different ones; the others follow it (default: 0)")
+      ->check(CLI::Range(0, row_limit));
   command
       ->add_option("--threads", arguments->threads, "The number of threads; 0: one for every core")
       ->check(CLI::Range(0, thread_limit))

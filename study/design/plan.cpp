@@ -142,13 +142,15 @@ int design_rows(const Protocol& protocol) {
                                              : std::lcm(scene_rows, method_rows);
 }
 
-int least_used_row(const Protocol& protocol, const std::vector<int>& used) {
+int least_used_row(const Protocol& protocol, const std::vector<int>& used, int first) {
   const int rows = std::max(1, design_rows(protocol));
   std::vector<int> uses(static_cast<std::size_t>(rows), 0);
   for (const int row : used) {
     ++uses[static_cast<std::size_t>(row % rows)];
   }
-  int row = static_cast<int>(std::min_element(uses.begin(), uses.end()) - uses.begin());
+  std::rotate(uses.begin(), uses.begin() + first % rows, uses.end());
+  const auto least_used = std::min_element(uses.begin(), uses.end()) - uses.begin();
+  int row = (static_cast<int>(least_used) + first % rows) % rows;
   while (std::find(used.begin(), used.end(), row) != used.end()) {
     row += rows;
   }

@@ -73,7 +73,7 @@ int design_rows(const Protocol& protocol);
 
 /// The row for the next participant: the first of the design's least used rows, and among the rows
 /// that repeat it the first that is free. `used` has the rows of completed and active sessions of
-/// people, in any order.
-int least_used_row(const Protocol& protocol, const std::vector<int>& used);
+/// people, in any order. first: the row, at least 0, that the first participant gets.
+int least_used_row(const Protocol& protocol, const std::vector<int>& used, int first = 0);
 
 }  // namespace foveola::study

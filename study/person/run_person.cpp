@@ -76,6 +76,16 @@ std::vector<int> used_rows(const StudyStore& store) {
   return rows;
 }
 
+/// The row of the design that the first person of the study had; 0 before anybody.
+int first_row_of(const StudyStore& store) {
+  for (const KnownSession& session : store.sessions()) {
+    if (session.kind == SessionKind::human) {
+      return session.design_row;
+    }
+  }
+  return 0;
+}
+
 /// The state that the session goes on in.
 SessionState once_resumed(SessionState state) {
   if (state.phase == Phase::interrupted || state.phase == Phase::paused) {
@@ -307,14 +317,16 @@ class PersonRun {
   }
 
   PersonSessionSettings beginning(const SceneStages& stages, const std::string& devices) {
-    SessionFacts facts{.participant = settings_.participant,
-                       .kind = settings_.kind,
-                       .seed = settings_.seed ? *settings_.seed : drawn_seed(),
-                       .design_row = least_used_row(protocol_, used_rows(store_)),
-                       .build = build_info(),
-                       .machine = machine_info(),
-                       .devices = devices,
-                       .scenes = shown_scenes(stages)};
+    SessionFacts facts{
+        .participant = settings_.participant,
+        .kind = settings_.kind,
+        .seed = settings_.seed ? *settings_.seed : drawn_seed(),
+        .design_row = least_used_row(protocol_, used_rows(store_),
+                                     settings_.first_row.value_or(first_row_of(store_))),
+        .build = build_info(),
+        .machine = machine_info(),
+        .devices = devices,
+        .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
     const std::string order =
         is_blind() ? ""

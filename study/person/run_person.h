@@ -20,8 +20,9 @@ struct RunSettings {
   std::string participant;         ///< a code: letters, digits, - and _
   SessionKind kind = SessionKind::human;
   std::optional<std::uint64_t> seed;  ///< seed of orders and noise; default: drawn at random
-  std::string display;                ///< a profile; empty: the protocol's, or desktop
-  std::string tracker;                ///< pointer or a profile; empty: the protocol's, or pointer
+  std::optional<int> first_row;  ///< of the design; empty: that of the file's first person, or 0
+  std::string display;           ///< a profile; empty: the protocol's, or desktop
+  std::string tracker;           ///< pointer or a profile; empty: the protocol's, or pointer
   /// Of a pilot's gaze, in place of the protocol's; empty: the protocol's.
   std::optional<GazeFilterSettings> gaze_filter;
   IVec2 window{1280, 720};     ///< size of the window; not used in full screen

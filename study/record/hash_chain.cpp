@@ -21,7 +21,7 @@ constexpr std::array facts = {
     "SELECT json_array(device, name, toml, toml_sha256) FROM study_profile ORDER BY device, name",
     "SELECT json_array(position, mark) FROM study_mark ORDER BY position",
     "SELECT json_array(position, rating, question) FROM study_rating ORDER BY position",
-    "SELECT json_array(uuid, participant, kind, seed, design_row, started_utc, program_version,"
+    "SELECT json_array(uuid, {}, kind, seed, design_row, started_utc, program_version,"
     "  compiler, build_type, processor, cores, operating_system, devices, migrated_from{})"
     " FROM session WHERE id = ?1",
     "SELECT json_array(scene, file_name, file_sha256, shown_as) FROM session_scene"
@@ -34,11 +34,13 @@ constexpr std::array facts = {
 }  // namespace
 
 std::string hash_before_events(PreparedStatements& statements, std::int64_t session) {
-  const char* const since_5 =
-      schema_version_of(statements.database()) < 5 ? "" : ", study_created_utc";
+  const bool is_older = schema_version_of(statements.database()) < 5;
+  const char* const code =
+      is_older ? "participant" : "substr(participant, iif(site = '', 1, length(site) + 2))";
+  const char* const since_5 = is_older ? "" : ", study_created_utc";
   std::string lines;
   for (const char* sql : facts) {
-    PreparedStatement rows(statements, fmt::format(fmt::runtime(sql), since_5));
+    PreparedStatement rows(statements, fmt::format(fmt::runtime(sql), code, since_5));
     if (rows->getBindParameterCount() > 0) {
       rows->bind(1, session);
     }

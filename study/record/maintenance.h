@@ -46,10 +46,12 @@ struct Merge {
 };
 
 /// Adds the sessions of `sources`, files of one schema, to a new file at `target`, each once, by
-/// UUID. Throws Error, and leaves no target, if the studies differ, a session differs between two
-/// of them, or two people have one code.
+/// UUID. sites: none, or one of letters and digits for each source, whose sessions that have none
+/// yet then are SITE-CODE's. Throws Error, and leaves no target, if the studies differ, a session
+/// differs between two of them, or two people have one code.
 Merge merge_studies(const std::vector<std::filesystem::path>& sources,
-                    const std::filesystem::path& target);
+                    const std::filesystem::path& target,
+                    const std::vector<std::string>& sites = {});
 
 struct Forgotten {
   std::size_t files = 0;                 ///< rebuilt: the study and its backups

@@ -47,9 +47,11 @@ std::optional<std::int64_t> session_where(SQLite::Database& study, const char* c
   return found.executeStep() ? std::optional(found.getColumn(0).getInt64()) : std::nullopt;
 }
 
-/// All of a session, by whatever number it has in its file.
+/// All of a session, by whatever number and of whatever site it has in its file. The hash chain
+/// covers its code.
 std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
-  std::string digests = digest_of_rows(study, "session", fmt::format("id = {}", session), {"id"});
+  std::string digests = digest_of_rows(study, "session", fmt::format("id = {}", session),
+                                       {"id", "participant", "site"});
   const auto add = [&](const auto& tables) {
     for (const char* table : tables) {
       digests += digest_of_rows(study, table, is_of_session(session), {"session"});
@@ -62,8 +64,15 @@ std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
   return sha256(digests);
 }
 
-void copy_session(SQLite::Database& source, std::int64_t session, SQLite::Database& target) {
-  copy_rows(source, target, "session", fmt::format("id = {}", session), {{"id", "NULL"}});
+/// site: empty if it keeps its own.
+void copy_session(SQLite::Database& source, std::int64_t session, const std::string& site,
+                  SQLite::Database& target) {
+  Replacements replacements = {{"id", "NULL"}};
+  if (!site.empty()) {
+    replacements["site"] = sql_text_of(site);
+    replacements["participant"] = sql_text_of(site + "-") + " || participant";
+  }
+  copy_rows(source, target, "session", fmt::format("id = {}", session), replacements);
   const std::string number = std::to_string(target.getLastInsertRowid());
   const auto copy = [&](const auto& tables) {
     for (const char* table : tables) {
@@ -81,7 +90,8 @@ struct SourceSession {
   std::size_t source = 0;  ///< the file's place in their order
   std::int64_t id = 0;
   std::string uuid;
-  std::string participant;
+  std::string participant;  ///< with its site
+  std::string site;         ///< that it gets; empty if it keeps its own
   std::string started_utc;
   std::int64_t design_row = 0;
 };
@@ -92,8 +102,9 @@ struct SourceSession {
 class Merging {
  public:
   /// path: where the target is to lie.
-  Merging(SQLite::Database& target, const fs::path& path, const std::vector<fs::path>& sources)
-      : target_(target), path_(path), sources_(sources) {}
+  Merging(SQLite::Database& target, const fs::path& path, const std::vector<fs::path>& sources,
+          const std::vector<std::string>& sites)
+      : target_(target), path_(path), sources_(sources), sites_(sites) {}
 
   Merge run() {
     std::vector<SourceSession> sessions;
@@ -123,14 +134,19 @@ class Merging {
     require_same_study(study, path);
     add_forgotten(study);
     require_same_simulation(study, path);
-    SQLite::Statement rows(study,
-                           "SELECT id, uuid, participant, started_utc, coalesce(design_row, 0)"
-                           " AS design_row FROM session ORDER BY id");
+    SQLite::Statement rows(
+        study, fmt::format("SELECT id, uuid, participant, started_utc, coalesce(design_row, 0)"
+                           " AS design_row, {} AS own_site FROM session ORDER BY id",
+                           schema_ < 5 ? "''" : "site"));
     while (rows.executeStep()) {
+      const bool has_site = !rows.getColumn("own_site").getString().empty();
+      const std::string site = has_site || sites_.empty() ? "" : sites_[source];
       sessions.push_back({.source = source,
                           .id = rows.getColumn("id").getInt64(),
                           .uuid = rows.getColumn("uuid").getString(),
-                          .participant = rows.getColumn("participant").getString(),
+                          .participant = (site.empty() ? "" : site + "-") +
+                                         rows.getColumn("participant").getString(),
+                          .site = site,
                           .started_utc = rows.getColumn("started_utc").getString(),
                           .design_row = rows.getColumn("design_row").getInt64()});
     }
@@ -173,6 +189,10 @@ class Merging {
           path.string(),
           fmt::format("has schema {}, and {} has {}", schema, sources_.front().string(), schema_),
           "merge files of one schema only");
+    }
+    if (schema_ < 5 && !sites_.empty()) {
+      throw Error(path.string(), fmt::format("has schema {}, which has no sites", schema_),
+                  "leave --site out; codes that two sites have cannot be told apart in it");
     }
   }
 
@@ -249,9 +269,9 @@ class Merging {
       throw Error(path_of(session).string(),
                   fmt::format("its participant {} is another person than in another file",
                               session.participant),
-                  "give each site codes of its own");
+                  "name the sites by --site, once for each file");
     }
-    copy_session(source, session.id, target_);
+    copy_session(source, session.id, session.site, target_);
     ++result_.sessions_added;
   }
 
@@ -276,6 +296,7 @@ class Merging {
   SQLite::Database& target_;
   const fs::path& path_;
   const std::vector<fs::path>& sources_;
+  const std::vector<std::string>& sites_;
   int schema_ = study_schema_version;
   std::set<std::string> forgotten_;  ///< SHA-256 of the sessions' UUIDs
   std::optional<Simulation> simulation_;
@@ -285,19 +306,20 @@ class Merging {
 };
 
 /// temporary: the file that is to become `path`.
-Merge merge_into(const std::vector<fs::path>& sources, const fs::path& temporary,
-                 const fs::path& path) {
+Merge merge_into(const std::vector<fs::path>& sources, const std::vector<std::string>& sites,
+                 const fs::path& temporary, const fs::path& path) {
   SQLite::Database target(temporary, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   target.exec("PRAGMA foreign_keys = ON");
   SQLite::Transaction transaction(target);
-  const Merge merge = Merging(target, path, sources).run();
+  const Merge merge = Merging(target, path, sources, sites).run();
   transaction.commit();
   return merge;
 }
 
 }  // namespace
 
-Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target) {
+Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target,
+                    const std::vector<std::string>& sites) {
   require_new(target);
   for (const fs::path& source : sources) {
     require_sound_record(source, damage_remedy);
@@ -305,7 +327,7 @@ Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target
   Merge merge;
   with_clear_errors(target, [&] {
     const TemporaryDatabase temporary(target);
-    merge = merge_into(sources, temporary.path(), target);
+    merge = merge_into(sources, sites, temporary.path(), target);
     if (!temporary.take_free_name()) {
       require_new(target);
     }

@@ -19,7 +19,7 @@
 -- Version 5: each event's trial and attempt, and what was measured in an attempt that it ended, in the
 --            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten;
 --            ends that are undone, the text of a consent, and consent that is asked for anew;
---            response times of answers, and how long was looked around.
+--            response times of answers, and how long was looked around; the sites of merged sessions.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
 PRAGMA user_version = 4; --4
@@ -89,7 +89,8 @@ CREATE TABLE study_rating (
 -- simulated, and what traced the rays by which instructions. migrated_from is the schema that the session was recorded in,
 -- if it was another; such a session has no design_row. study_created_utc is created_utc of the study
 -- that the session was begun in; the study's own is the earliest of its sessions'. state is the phase
--- that the session is in, or ended in.
+-- that the session is in, or ended in. site is that which study merge was told; participant then begins
+-- with it and a hyphen, which the code that the hash chain covers does not.
 CREATE TABLE session (
   id INTEGER PRIMARY KEY,
   uuid TEXT NOT NULL UNIQUE CHECK (length(uuid) = 36),
@@ -110,7 +111,11 @@ CREATE TABLE session (
   state TEXT NOT NULL CHECK (
     state IN ('created', 'consent', 'questionnaire', 'validation', 'reaction', 'choosing_object',
               'ready', 'armed', 'marking', 'rating', 'paused', 'interrupted', 'completed',
-              'withdrawn', 'excluded', 'refused'))
+              'withdrawn', 'excluded', 'refused')) --4
+              'withdrawn', 'excluded', 'refused')), --5
+  site TEXT NOT NULL DEFAULT '' CHECK ( --5
+    site NOT GLOB '*[^0-9A-Za-z]*' --5
+    AND (site = '' OR substr(participant, 1, length(site) + 1) = site || '-')) --5
 ) STRICT;
 
 -- The file of each scene that this session really showed, and how: with file_sha256, the protocol
@@ -189,7 +194,8 @@ CREATE TABLE planned_step (
 --   study_profile      device, name, toml, toml_sha256; by the first two
 --   study_mark         position, mark; by position
 --   study_rating       position, rating, question; by position
---   session            all but id and state, of this session, as are the tables below
+--   session            all but id, state and site, of this session, as are the tables below;
+--                      participant without its site
 --   session_scene      all but session; by scene
 --   planned_trial      all but session; by trial
 --   planned_step       all but session; by step
@@ -456,7 +462,7 @@ CREATE TRIGGER session_changes_state_only
 BEFORE UPDATE OF id, uuid, participant, kind, seed, design_row, started_utc, program_version,
   compiler, build_type, processor, cores, operating_system, devices, migrated_from ON session --4
   compiler, build_type, processor, cores, operating_system, devices, migrated_from, --5
-  study_created_utc ON session --5
+  study_created_utc, site ON session --5
 BEGIN SELECT raise(ABORT, 'only a session''s state changes'); END;
 CREATE TRIGGER session_ends_once BEFORE UPDATE ON session
 WHEN OLD.state IN ('completed', 'withdrawn', 'excluded', 'refused')

@@ -175,6 +175,9 @@ TEST(LeastUsedRow, IsTheNextOneWhoeverLeft) {
   EXPECT_EQ(least_used_row(six, {5, 4, 3, 2, 1, 0}), 6) << "row 0 of the design again";
   EXPECT_EQ(least_used_row(six, {0, 1, 2, 3, 4, 5, 6, 8}), 7);
   EXPECT_EQ(least_used_row(six, {0, 6, 2, 3, 4, 5}), 1) << "row 0 was used twice";
+  EXPECT_EQ(least_used_row(six, {}, 4), 4) << "another site";
+  EXPECT_EQ(least_used_row(six, {4, 5}, 4), 0);
+  EXPECT_EQ(least_used_row(six, {4, 5, 0, 1, 2, 3}, 4), 10);
 }
 
 TEST(LeastUsedRow, OfDrawnOrdersIsOneThatNobodyHas) {

@@ -60,6 +60,34 @@ TEST_F(Merging, HoldsTheSessionsOfAll) {
   const StudyStore goes_on(all_, thorough_protocol());
 }
 
+// What the hash chain covers stays: both have the code P01.
+TEST_F(Merging, TellsCodesOfSitesApart) {
+  const fs::path other = folder_ / "other.sqlite";
+  {
+    StudyStore store(other, thorough_protocol());
+    run_session(store, "P01");
+  }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, other}, all_); }),
+              HasSubstr("name the sites by --site, once for each file"));
+  merge_studies({a_, other}, all_, {"BERLIN", "LYON"});
+  EXPECT_THAT(participants(all_), ElementsAre("BERLIN-P01", "BERLIN-P02", "LYON-P01"));
+  EXPECT_THAT(verify_study(all_).faults, IsEmpty());
+  const std::string last =
+      "SELECT uuid || hash FROM event JOIN session ON session.id = session"
+      " WHERE participant LIKE '%P01' ORDER BY session DESC, sequence DESC";
+  EXPECT_EQ(query(all_, last), query(other, last));
+  // Again with others: who has a site keeps it.
+  const fs::path again = folder_ / "again.sqlite";
+  const Merge merge = merge_studies({all_, b_, other}, again, {"X", "OSLO", "LYON"});
+  EXPECT_EQ(merge.sessions_known, 1U);
+  EXPECT_THAT(participants(again), ElementsAre("BERLIN-P01", "BERLIN-P02", "LYON-P01", "OSLO-P03"));
+  EXPECT_EQ(read_study(again).sessions.size(), 4U);
+  EXPECT_THAT(verify_study(again).faults, IsEmpty());
+  // Another name of a site is another record.
+  tamper(again, "UPDATE session SET participant = 'LYON-P07' WHERE participant = 'LYON-P01'");
+  EXPECT_EQ(verify_study(again).faults.size(), 1U);
+}
+
 TEST_F(Merging, TakesEachSessionOnce) {
   merge_studies({a_, b_}, all_);
   const Merge merge = merge_studies({all_, a_, b_}, folder_ / "again.sqlite");
