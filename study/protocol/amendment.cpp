@@ -36,9 +36,11 @@ void add_leaves(const toml::node& node, const std::string& key, Leaves& leaves) 
   }
 }
 
-Leaves leaves_of(const std::string& text, const std::filesystem::path& path) {
+Leaves leaves_of(const std::string& text, const std::filesystem::path& path,
+                 const std::string& key) {
   Leaves leaves;
-  add_leaves(parse_toml(path.string(), text, "see protocols/demo.toml for an example"), "", leaves);
+  add_leaves(parse_toml(path.string(), text, "see protocols/demo.toml for an example"), key,
+             leaves);
   return leaves;
 }
 
@@ -86,12 +88,7 @@ bool may_change(const std::string& key, const Leaves& before, const Leaves& afte
                      [&](const char* pattern) { return matches(placeless, pattern); });
 }
 
-}  // namespace
-
-ProtocolChanges changes_between(const std::string& before, const std::string& after,
-                                const std::filesystem::path& path) {
-  const Leaves old_leaves = leaves_of(before, path);
-  const Leaves new_leaves = leaves_of(after, path);
+ProtocolChanges changes_between(const Leaves& old_leaves, const Leaves& new_leaves) {
   std::set<std::string> keys;
   for (const Leaves* leaves : {&old_leaves, &new_leaves}) {
     for (const auto& [key, value] : *leaves) {
@@ -105,6 +102,27 @@ ProtocolChanges changes_between(const std::string& before, const std::string& af
     if (was == old_leaves.end() || is == new_leaves.end() || was->second != is->second) {
       (may_change(key, old_leaves, new_leaves) ? changes.of_words_and_times : changes.of_design)
           .push_back(key);
+    }
+  }
+  return changes;
+}
+
+}  // namespace
+
+ProtocolChanges changes_between(const std::string& before, const std::string& after,
+                                const std::filesystem::path& path) {
+  return changes_between(leaves_of(before, path, ""), leaves_of(after, path, ""));
+}
+
+ProtocolChanges changes_of_questionnaire(const std::string& before, const std::string& after,
+                                         const std::string& name) {
+  // As if it stood in the protocol.
+  const std::string key = "questionnaire[0]";
+  ProtocolChanges changes =
+      changes_between(leaves_of(before, name, key), leaves_of(after, name, key));
+  for (std::vector<std::string>* keys : {&changes.of_words_and_times, &changes.of_design}) {
+    for (std::string& changed : *keys) {
+      changed.replace(0, key.size() + 1, name + ": ");
     }
   }
   return changes;

@@ -21,4 +21,9 @@ struct ProtocolChanges {
 ProtocolChanges changes_between(const std::string& before, const std::string& after,
                                 const std::filesystem::path& path);
 
+/// The same of a ready questionnaire's file that the protocol names, as "ssq.toml:
+/// question[0].text".
+ProtocolChanges changes_of_questionnaire(const std::string& before, const std::string& after,
+                                         const std::string& name);
+
 }  // namespace foveola::study

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/digest.h"
+#include "study/record/json_member.h"
 
 namespace foveola::study {
 namespace {
@@ -14,6 +15,7 @@ constexpr std::string_view beginning = "goes by an amended protocol, SHA-256 ";
 constexpr std::string_view before_keys = "; changed: ";
 constexpr std::string_view between_keys = ", ";
 constexpr std::string_view no_keys = "comments only";
+constexpr std::string_view before_files = "; files: ";
 constexpr std::size_t digits_of_hash = 64;
 
 std::vector<std::string> keys_in(std::string_view words) {
@@ -32,7 +34,11 @@ std::string note_of(const Amendment& amendment) {
   const std::string keys = amendment.changed.empty()
                                ? std::string(no_keys)
                                : fmt::format("{}", fmt::join(amendment.changed, between_keys));
-  return fmt::format("{}{}{}{}\n{}", beginning, amendment.sha256, before_keys, keys,
+  const std::string files =
+      amendment.files.empty()
+          ? ""
+          : fmt::format("{}{}", before_files, nlohmann::json(amendment.files).dump());
+  return fmt::format("{}{}{}{}{}\n{}", beginning, amendment.sha256, before_keys, keys, files,
                      amendment.text);
 }
 
@@ -44,9 +50,17 @@ std::optional<Amendment> amendment_in(const std::string& note) {
       !line.substr(keys).starts_with(before_keys)) {
     return std::nullopt;
   }
+  const std::string_view changes = line.substr(keys + before_keys.size());
+  const std::size_t end_of_keys = changes.find(before_files);
   Amendment amendment{.sha256 = std::string(line.substr(beginning.size(), digits_of_hash)),
-                      .changed = keys_in(line.substr(keys + before_keys.size())),
+                      .changed = keys_in(changes.substr(0, end_of_keys)),
                       .text = note.substr(end_of_line + 1)};
+  if (end_of_keys != std::string_view::npos) {
+    for (const auto& [name, text] :
+         json_in(std::string(changes.substr(end_of_keys + before_files.size()))).items()) {
+      amendment.files.emplace(name, text.is_string() ? text.get<std::string>() : "");
+    }
+  }
   return sha256(std::string_view(amendment.text)) == amendment.sha256
              ? std::optional(std::move(amendment))
              : std::nullopt;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "study/protocol/amendment.h"
 
@@ -63,19 +62,47 @@ void require_method_files(SQLite::Database& database, const fs::path& path,
   }
 }
 
-/// Throws Error unless both have the same display, the same tracker and the same questions.
-void require_profiles(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
-  SQLite::Statement known(database,
-                          "SELECT toml_sha256 FROM study_profile WHERE device = ? AND name = ?");
+/// Throws Error if a questionnaire's file differs in more than words.
+void amend_questionnaire(const std::string& begun_with, const fs::path& path,
+                         const NamedProfile& file, Amendment& amendment) {
+  const ProtocolChanges changes = changes_of_questionnaire(begun_with, file.toml, file.name);
+  if (!changes.of_design.empty()) {
+    throw Error(path.string(),
+                fmt::format("was begun with other questions: {} differ",
+                            fmt::join(changes.of_design, ", ")),
+                "only words can be amended; begin a new file");
+  }
+  amendment.changed.insert(amendment.changed.end(), changes.of_words_and_times.begin(),
+                           changes.of_words_and_times.end());
+  amendment.files.emplace(file.name, file.toml);
+}
+
+/// Throws Error unless both have the same display, the same tracker and the same questions, but for
+/// their words if these may be amended.
+void require_profiles(SQLite::Database& database, const fs::path& path, const Protocol& protocol,
+                      OtherProtocol other, std::optional<Amendment>& amendment) {
+  SQLite::Statement known(database, "SELECT toml FROM study_profile WHERE device = ? AND name = ?");
   for (const NamedProfile& profile : named_profiles(protocol)) {
     known.reset();
     SQLite::bind(known, profile.device, profile.name);
-    if (!known.executeStep() || known.getColumn(0).getString() != sha256(profile.toml)) {
-      throw Error(path.string(),
-                  fmt::format("was begun with another {} than {}, as its profile is now",
-                              profile.device, profile.name),
-                  "go on with that profile, or begin a new database");
+    const bool is_known = known.executeStep();
+    if (is_known && known.getColumn(0).getString() == profile.toml) {
+      continue;
     }
+    const bool has_words = is_known && profile.device == "questionnaire";
+    if (!has_words || other == OtherProtocol::refuse) {
+      throw Error(path.string(),
+                  fmt::format("was begun with another {} than {}, as its file is now",
+                              profile.device, profile.name),
+                  has_words
+                      ? "use the file it was begun with, or a new database; where only words have "
+                        "changed, study run takes --amended-protocol"
+                      : "go on with that profile, or begin a new database");
+    }
+    if (!amendment) {
+      amendment = Amendment{.sha256 = protocol.sha256, .changed = {}, .text = protocol.text};
+    }
+    amend_questionnaire(known.getColumn(0).getString(), path, profile, *amendment);
   }
 }
 
@@ -85,7 +112,7 @@ std::optional<Amendment> require_same_protocol(SQLite::Database& database, const
                                                const Protocol& protocol, OtherProtocol other) {
   std::optional<Amendment> amendment = require_protocol(database, path, protocol, other);
   require_method_files(database, path, protocol);
-  require_profiles(database, path, protocol);
+  require_profiles(database, path, protocol, other, amendment);
   return amendment;
 }
 

@@ -65,6 +65,25 @@ TEST(ProtocolChanges, WordsMayChange) {
   EXPECT_THAT(amended_by("phases", "language = \"fi\"\nphases"), ElementsAre("language"));
 }
 
+TEST(ProtocolChanges, WordsOfAQuestionnairesFileMayChange) {
+  const std::string before = "title = \"You\"\n[[question]]\nid = \"age\"\ntext = \"Agge?\"\n";
+  const auto changes = [&](const std::string& word, const std::string& other) {
+    std::string after = before;
+    after.replace(after.find(word), word.size(), other);
+    return changes_of_questionnaire(before, after, "you.toml");
+  };
+  EXPECT_THAT(changes("Agge", "Age").of_words_and_times, ElementsAre("you.toml: question[0].text"));
+  EXPECT_THAT(changes("Agge", "Age").of_design, testing::IsEmpty());
+  EXPECT_THAT(changes("You", "Us").of_words_and_times, ElementsAre("you.toml: title"));
+  EXPECT_THAT(changes("\"age\"", "\"years\"").of_design, ElementsAre("you.toml: question[0].id"));
+}
+
+// What is asked for is then of another picture.
+TEST(ProtocolChanges, WhetherThePictureConvergesWhileItIsRatedIsOfTheDesign) {
+  EXPECT_THAT(redesigned_by("mark_timeout_s = 60", "mark_timeout_s = 60\nwhile_rating = \"held\""),
+              ElementsAre("timing.while_rating"));
+}
+
 TEST(ProtocolChanges, TimeOutsMayChange) {
   EXPECT_THAT(amended_by("mark_timeout_s = 60", "mark_timeout_s = 90"),
               ElementsAre("timing.mark_timeout_s"));

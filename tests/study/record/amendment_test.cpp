@@ -26,6 +26,12 @@ TEST(AmendmentNote, ComesBackAsItWas) {
   EXPECT_EQ(amendment_in(note_of(of_comments)), of_comments);
 }
 
+TEST(AmendmentNote, HoldsTheChangedFiles) {
+  Amendment amendment = amendment_of("title = \"a\"\n", {"ssq.toml: question[0].text", "title"});
+  amendment.files = {{"ssq.toml", "title = \"x; files: \"\nintro = '\u00fc'\n"}};
+  EXPECT_EQ(amendment_in(note_of(amendment)), amendment);
+}
+
 TEST(AmendmentNote, AnotherNoteIsNone) {
   const std::string note = note_of(amendment_of("title = \"new\"\n", {"title"}));
   EXPECT_FALSE(amendment_in("the phone rang"));
@@ -65,6 +71,33 @@ TEST_F(AmendedStudy, OtherWordsAreTakenWhereThatIsAsked) {
               ElementsAre(AmendedSession{.participant = "P02",
                                          .amendment = amendment_of(amended.text, {"title"})}));
   EXPECT_THAT(verify_study(path_).faults, IsEmpty());
+}
+
+TEST_F(AmendedStudy, AQuestionnairesFileIsTakenWithOtherWords) {
+  const auto with_file = [](const std::string& toml) {
+    Protocol protocol = small_protocol();
+    protocol.questionnaires[0].file = "you.toml";
+    protocol.questionnaires[0].toml = toml;
+    return protocol;
+  };
+  const std::string now = "title = \"You\"\n";
+  {
+    StudyStore store(path_, with_file("title = \"Yuo\"\n"));
+  }
+  EXPECT_THAT(
+      refusal([&] { const StudyStore store(path_, with_file(now)); }),
+      AllOf(HasSubstr("another questionnaire than you.toml"), HasSubstr("--amended-protocol")));
+  {
+    const StudyStore store(path_, with_file(now), OtherProtocol::take_as_amendment);
+    Amendment expected = amendment_of(small_protocol().text, {"you.toml: title"});
+    expected.files = {{"you.toml", now}};
+    EXPECT_EQ(store.amendment(), expected);
+  }
+  EXPECT_THAT(refusal([&] {
+                const StudyStore store(path_, with_file("[[question]]\nid = \"age\"\n"),
+                                       OtherProtocol::take_as_amendment);
+              }),
+              HasSubstr("you.toml: question[0].id"));
 }
 
 TEST_F(AmendedStudy, AnotherDesignIsRefusedByItsKeys) {
