@@ -165,6 +165,34 @@ DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
           within(outliers.empty())};
 }
 
+/// A simple reaction to light takes at least this long, whoever sees it (Luce 1986, Response
+/// Times).
+constexpr double min_seen_s = 0.1;
+
+DataQualityCheck check_early_marks(const Dataset& set) {
+  std::vector<Finding> findings;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    const std::string& code = set.participants[participant];
+    for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+      for (std::size_t method = 0; method < set.methods.size(); ++method) {
+        for (const std::size_t mark : set.marks()) {
+          const Value& time = set.value(participant, scene, method, mark);
+          if (time.is_measured() && time.number < min_seen_s) {
+            findings.push_back(
+                {code, fmt::format("{}, {}, {}, {}: {:.3f} s", code, set.scenes[scene],
+                                   set.methods[method], set.measures[mark].id(), time.number)});
+          }
+        }
+      }
+    }
+  }
+  return {"Marks sooner than anybody can see",
+          findings.empty() ? "none"
+                           : fmt::format("{}{}", findings.size(), colon_and_findings(findings)),
+          fmt::format("none before {:g} s, by simple reactions to light", min_seen_s),
+          within(findings.empty())};
+}
+
 /// Where times run out, complete cases and signed ranks favour the method whose times they are.
 DataQualityCheck check_time_outs(const Dataset& set) {
   const double trials = static_cast<double>(set.participants.size() * set.scenes.size());
@@ -235,7 +263,7 @@ DataQualityReport check_data_quality(const StudyTables& tables,
   add(check_gaze(tables.set, records, quality.gaze_runs, gaze));
   add(check_sessions(tables.set, records, quality));
   add({check_order(tables.set), check_time_outs(tables.set), check_catches(report.catches),
-       check_outliers(report.outliers)});
+       check_early_marks(tables.set), check_outliers(report.outliers)});
   report.reactions = reaction_floors(tables, quality);
   return report;
 }

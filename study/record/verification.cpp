@@ -147,6 +147,26 @@ void check_setups(SQLite::Database& study, Verification& found) {
   }
 }
 
+/// A computer whose clock was wrong. Sessions in virtual time have no dates of their own.
+void check_dates(SQLite::Database& study, Verification& found) {
+  SQLite::Statement far(study,
+                        "SELECT participant, date(started_utc) AS day, before, before_day FROM"
+                        " (SELECT participant, started_utc, id,"
+                        "   lag(participant) OVER begun AS before,"
+                        "   date(lag(started_utc) OVER begun) AS before_day,"
+                        "   julianday(started_utc) - julianday(lag(started_utc) OVER begun) AS days"
+                        "  FROM session WHERE kind <> 'simulated' WINDOW begun AS (ORDER BY id))"
+                        " WHERE abs(days) > 365 ORDER BY id");
+  while (far.executeStep()) {
+    found.warnings.push_back(
+        {far.getColumn("participant").getString(),
+         fmt::format("the session is dated {}, and the one before it, of {}, {}: more than a year "
+                     "apart, so that a clock may have been wrong",
+                     far.getColumn("day").getString(), far.getColumn("before").getString(),
+                     far.getColumn("before_day").getString())});
+  }
+}
+
 std::vector<SessionKey> session_keys(SQLite::Database& study) {
   std::vector<SessionKey> keys;
   SQLite::Statement sessions(study, "SELECT id, participant FROM session ORDER BY id");
@@ -225,6 +245,7 @@ Verification verify(const fs::path& path) {
     check_texts(study, found);
     check_programs(study, found);
     check_setups(study, found);
+    check_dates(study, found);
     sessions = session_keys(study);
   }
   check_file_and_sessions(path, sessions, found);

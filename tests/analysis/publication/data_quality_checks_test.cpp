@@ -230,6 +230,31 @@ TEST(DataQualityChecks, MarksAreHeldAgainstTheReactionFloor) {
   EXPECT_EQ(floor.within_floor, 1U);
 }
 
+// 0.055 s, of which a simple reaction alone takes more.
+TEST(DataQualityChecks, AMarkSoonerThanAnybodySeesIsFlaggedOfOneParticipantToo) {
+  study::StudyRecords records = complete_study(1);
+  EXPECT_EQ(check_of(report_on(records), "sooner than").verdict, Verdict::passed);
+  value_of(records, "P1", "aula", "fv", "outline") = measured(0.055);
+  const DataQualityCheck early = check_of(report_on(records), "sooner than");
+  EXPECT_EQ(early.verdict, Verdict::flagged);
+  EXPECT_THAT(early.found, HasSubstr("P1, aula, fv, outline: 0.055 s"));
+}
+
+TEST(DataQualityChecks, WhatSessionsRanOnIsComparedIfTheyAreAnalysed) {
+  study::StudyRecords records = complete_study(2);
+  study::DataQualityRecords quality;
+  const auto on = [](const std::string& participant, const std::string& threads) {
+    return study::SessionSetup{
+        participant, "human", {R"({"machine":{"threads":)" + threads + "}}"}};
+  };
+  quality.setups = {on("P1", "2"), on("P2", "2"), on("P3", "8")};
+  EXPECT_EQ(check_of(report_on(records, quality), "machines").verdict, Verdict::passed);
+  quality.setups[1] = on("P2", "4");
+  const DataQualityCheck other = check_of(report_on(records, quality), "machines");
+  EXPECT_EQ(other.verdict, Verdict::flagged);
+  EXPECT_EQ(other.found, "threads: 2 in P1; 4 in P2");
+}
+
 TEST(DataQualityChecks, FilesSayWhoTookPart) {
   study::StudyRecords records = complete_study(1);
   records.sessions[0].kind = "pilot";

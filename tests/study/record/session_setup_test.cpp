@@ -88,5 +88,17 @@ TEST_F(StudyOnDisplays, NamesWhatPeopleHadOtherwise) {
       ElementsAre("people had other equipment, pixels: 640 x 480 in P1, P2; 1280 x 480 in P2"));
 }
 
+TEST_F(StudyOnDisplays, ASessionThatIsDatedYearsFromItsNeighboursIsNamed) {
+  record("P1", SessionKind::human, 640);
+  record("P2", SessionKind::human, 640);
+  EXPECT_THAT(verify_study(path_).warnings, IsEmpty());
+  tamper(path_, "UPDATE session SET started_utc = '2019-02-03T04:05:06.000Z' WHERE id = 1");
+  const std::vector<RecordFault> warnings = verify_study(path_).warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings[0].participant, "P2");
+  EXPECT_THAT(warnings[0].what,
+              HasSubstr("the one before it, of P1, 2019-02-03: more than a year"));
+}
+
 }  // namespace
 }  // namespace foveola::study
