@@ -42,6 +42,7 @@ struct RunArguments {
   std::optional<int> first_row;
   int threads = 0;
   bool resumes = false;
+  bool undoes_end = false;
   bool despite_changes = false;
   bool is_blind = false;
   bool takes_amendment = false;
@@ -91,6 +92,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
                        .window = parse_size("--window", arguments.window),
                        .threads = arguments.threads,
                        .resumes = arguments.resumes,
+                       .undoes_end = arguments.undoes_end,
                        .is_blind = arguments.is_blind,
                        .despite_changes = arguments.despite_changes,
                        .other_protocol = arguments.takes_amendment
@@ -186,8 +188,12 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
       ->add_option("--threads", arguments->threads, "The number of threads; 0: one for every core")
       ->check(CLI::Range(0, thread_limit))
       ->capture_default_str();
-  command->add_flag("--resume", arguments->resumes,
-                    "Go on with this participant's unfinished session");
+  CLI::Option* resume = command->add_flag("--resume", arguments->resumes,
+                                          "Go on with this participant's unfinished session");
+  command
+      ->add_flag("--undo-end", arguments->undoes_end,
+                 "Take back the withdrawal or exclusion that ended it, and go on")
+      ->needs(resume);
   command->add_flag("--despite-changes", arguments->despite_changes,
                     "Accept another program, scene, display, machine or tracker than the session, "
                     "or the study's others, had; the session's record will say so");

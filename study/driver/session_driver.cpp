@@ -44,7 +44,9 @@ SessionOutcome SessionDriver::run(const std::stop_token& stop) {
 
 void SessionDriver::begin() {
   if (state().phase != Phase::created) {
-    if (state().phase != Phase::interrupted) {
+    if (state().is_over()) {
+      feed(EndUndone{});
+    } else if (state().phase != Phase::interrupted) {
       feed(Interrupted{});  // it died before it could say so
     }
     write_notes();

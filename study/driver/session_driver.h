@@ -18,7 +18,7 @@ namespace foveola::study {
 struct DrivenSession {
   const Protocol& protocol;  ///< protocol and plan must outlive the driver
   const Plan& plan;
-  SessionPosition position;        ///< where the session goes on, before its end
+  SessionPosition position;        ///< where it goes on: before its end, or at one that is undone
   std::vector<std::string> notes;  ///< written when the session begins or goes on
 };
 

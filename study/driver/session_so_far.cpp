@@ -27,9 +27,16 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
   if (session.kind == SessionKind::simulated) {
     throw Error(where, "is a simulated one", "take a code that nobody has");
   }
-  if (has_ended(session.phase)) {
+  const bool can_be_undone = session.phase == Phase::withdrawn || session.phase == Phase::excluded;
+  if (has_ended(session.phase) && !(can_be_undone && resumption.undoes_end)) {
     throw Error(where, fmt::format("has had a session, which is {}", name_of(session.phase)),
-                "a person takes part once; take a code that nobody has");
+                can_be_undone ? "take a code that nobody has; if it was ended by mistake, --resume "
+                                "with --undo-end takes the end back"
+                              : "a person takes part once; take a code that nobody has");
+  }
+  if (resumption.undoes_end && !can_be_undone) {
+    throw Error(where, fmt::format("has a session that was not ended ({})", name_of(session.phase)),
+                "leave --undo-end out");
   }
   if (!resumption.resumes) {
     throw Error(where, fmt::format("has an unfinished session ({})", name_of(session.phase)),

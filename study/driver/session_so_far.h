@@ -20,6 +20,7 @@ struct Resumption {
   SessionKind kind = SessionKind::human;  ///< of the run
   bool resumes = false;                   ///< whether the experimenter wants to go on with it
   bool despite_changes = false;           ///< whether another program may go on with it
+  bool undoes_end = false;  ///< takes back a withdrawal or an exclusion, its last event
 };
 
 /// What a session in `store` was. Throws Error if its record cannot have come about.

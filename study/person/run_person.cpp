@@ -88,7 +88,7 @@ int first_row_of(const StudyStore& store) {
 
 /// The state that the session goes on in.
 SessionState once_resumed(SessionState state) {
-  if (state.phase == Phase::interrupted || state.phase == Phase::paused) {
+  if (state.phase == Phase::interrupted || state.phase == Phase::paused || state.is_over()) {
     state.phase = state.resumes_at;
   }
   return state;
@@ -474,11 +474,11 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
   const TrackerProfile tracker = tracker_of(settings, protocol);
   require_real_gaze(tracker, settings.kind);
   StudyStore store(settings.database, protocol, settings.other_protocol);
-  std::optional<SessionSoFar> so_far =
-      session_so_far(store, protocol, settings.participant,
-                     {.kind = settings.kind,
-                      .resumes = settings.resumes,
-                      .despite_changes = settings.despite_changes});
+  std::optional<SessionSoFar> so_far = session_so_far(store, protocol, settings.participant,
+                                                      {.kind = settings.kind,
+                                                       .resumes = settings.resumes,
+                                                       .despite_changes = settings.despite_changes,
+                                                       .undoes_end = settings.undoes_end});
   print_notes(protocol);
   silence_xr_loader();
   const SteadyClock clock;

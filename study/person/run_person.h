@@ -46,6 +46,7 @@ struct RunSettings {
 
 struct RunReport {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
+  bool undoes_end = false;       ///< which a withdrawal or an exclusion was
   bool is_blind = false;         ///< by the settings, or since the session began
   std::filesystem::path backup;
   std::filesystem::path copy;  ///< in the backup_folder; empty if there is none

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
+#include "study/record/maintenance.h"
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
@@ -14,8 +15,10 @@ namespace fs = std::filesystem;
 namespace foveola::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TEST_F(StudyRun, AParticipantMayStop) {
   participant_.write_protocol(one_trial_keys, short_look);
@@ -62,7 +65,33 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
   EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
               ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn",
                           "end_undone", "resumed", "withdrawn"));
-  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
+  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors,
+              AllOf(HasSubstr("which is withdrawn"), HasSubstr("--undo-end takes the end back")));
+}
+
+TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  participant_.program().type_line("withdraw P1");
+  participant_.program().wait_for("stopped taking part");
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+
+  participant_.begin({"--resume", "--undo-end"});
+  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  participant_.type("Return");
+  time_trial();
+  rate("3");
+  end_by_enter();
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("completed"));
+  EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence LIMIT 5"),
+              ElementsAre("session_started", "withdrawn", "end_undone", "note_written", "resumed"));
+  EXPECT_THAT(study::verify_study(participant_.database()).faults, IsEmpty());
+  EXPECT_EQ(participant_.replay().exit_code, 0);
+  EXPECT_THAT(participant_.run_besides("P1", {"--resume", "--undo-end"}).errors,
+              HasSubstr("which is completed"));
 }
 
 /// As if the last event had been recorded by a clock that was ten years ahead.
