@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -69,20 +69,10 @@ std::vector<Exclusion> excluded_sessions(const StudyRecords& records, const std:
   return exclusions;
 }
 
-/// Throws Error for a value that no session can have recorded: `where` names it.
-void check_value(const Measure& measure, const Value& value, const std::string& where) {
-  const bool is_number =
-      value.state == Value::State::measured || value.state == Value::State::right_censored;
-  if (!is_number) {
-    return;
-  }
-  if (measure.is_time()) {
-    if (!(value.number > 0.0) || !std::isfinite(value.number)) {
-      throw Error(fmt::format("{}, {} time", where, measure.id()),
-                  fmt::format("is {} s, which has no logarithm", value.number),
-                  "a time must be above zero: restore the study's file, or exclude the session");
-    }
-  } else if (!study::fault_of(measure.question, value.number).empty()) {
+/// Throws Error for a rating that no session can have recorded: `where` names it.
+void check_rating(const Measure& measure, const Value& value, const std::string& where) {
+  if (!measure.is_time() && value.is_measured() &&
+      !study::fault_of(measure.question, value.number).empty()) {
     throw Error(fmt::format("{}, rating {}", where, measure.id()),
                 fmt::format("is {:g}, which its scale ({}) does not have", value.number,
                             study::scale_in_words(measure)),
@@ -90,13 +80,19 @@ void check_value(const Measure& measure, const Value& value, const std::string& 
   }
 }
 
-/// Fills the set's trials and values from the rows; returns which trials have a row.
-std::vector<bool> fill_trials(const StudyRecords& records, Dataset& set) {
+/// Whether it is a time that has no logarithm, as the 0 s of a key that was held down.
+bool has_no_logarithm(const Measure& measure, const Value& value) {
+  return measure.is_time() && value.state != Value::State::missing &&
+         !(value.number > 0.0 && std::isfinite(value.number));
+}
+
+/// Fills the set's trials and values from the rows; returns each trial's index in the records.
+std::vector<std::optional<std::size_t>> fill_trials(const StudyRecords& records, Dataset& set) {
   const auto participants = analysed_sessions(records, set);
   const auto methods = static_cast<int>(set.methods.size());
   set.trials.resize(set.participants.size() * set.scenes.size() * set.methods.size());
   set.values.resize(set.trials.size() * set.measures.size());
-  std::vector<bool> has_row(set.trials.size(), false);
+  std::vector<std::optional<std::size_t>> rows(set.trials.size());
   for (std::size_t i = 0; i < records.trials.size(); ++i) {
     const TrialRow& row = records.trials[i];
     if (!participants[row.session] || !StudyRecords::is_result(row)) {
@@ -105,24 +101,28 @@ std::vector<bool> fill_trials(const StudyRecords& records, Dataset& set) {
     const std::size_t index =
         (*participants[row.session] * set.scenes.size() + row.scene) * set.methods.size() +
         row.method;
-    if (has_row[index]) {
+    if (rows[index]) {
       throw Error(name_of(records, row), "appears twice", "analyse each session once");
     }
-    has_row[index] = true;
+    rows[index] = i;
     set.trials[index] = {.trial_position = row.scene_position * methods + row.method_position,
                          .method_position = row.method_position,
                          .attempts = row.attempt};
     for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
       const Value& value = records.value(i, measure);
-      check_value(set.measures[measure], value, name_of(records, row));
-      set.values[index * set.measures.size() + measure] = value;
+      check_rating(set.measures[measure], value, name_of(records, row));
+      set.values[index * set.measures.size() + measure] =
+          has_no_logarithm(set.measures[measure], value) ? Value() : value;
     }
   }
-  return has_row;
+  return rows;
 }
 
 /// Why a value is in no result; empty if it is in one.
-std::string_view why_left_out(const Measure& measure, const Value& value) {
+std::string why_left_out(const Measure& measure, const Value& value) {
+  if (has_no_logarithm(measure, value)) {
+    return fmt::format("a time of {:g} s has no logarithm", value.number);
+  }
   switch (value.state) {
     case Value::State::right_censored:
       return "right-censored: the time-out is only a lower bound of the time";
@@ -139,23 +139,24 @@ bool is_missing_by_choice(const Measure& measure, const Value& value) {
   return !measure.question.required && value.state == Value::State::missing;
 }
 
-void list_gaps(const std::vector<bool>& has_row, Dataset& set) {
+void list_gaps(const StudyRecords& records, const std::vector<std::optional<std::size_t>>& rows,
+               Dataset& set) {
   std::size_t index = 0;
   for (const std::string& participant : set.participants) {
     for (const std::string& scene : set.scenes) {
       for (const std::string& method : set.methods) {
-        if (!has_row[index]) {
+        const std::optional<std::size_t> row = rows[index++];
+        if (!row) {
           set.exclusions.push_back({participant, scene, method, "", "no trial recorded"});
         }
-        for (std::size_t measure = 0; has_row[index] && measure < set.measures.size(); ++measure) {
-          const Value& value = set.values[index * set.measures.size() + measure];
-          const std::string_view reason = why_left_out(set.measures[measure], value);
+        for (std::size_t measure = 0; row && measure < set.measures.size(); ++measure) {
+          const Value& value = records.value(*row, measure);
+          std::string reason = why_left_out(set.measures[measure], value);
           if (!reason.empty() && !is_missing_by_choice(set.measures[measure], value)) {
             set.exclusions.push_back(
-                {participant, scene, method, set.measures[measure].id(), std::string(reason)});
+                {participant, scene, method, set.measures[measure].id(), std::move(reason)});
           }
         }
-        ++index;
       }
     }
   }
@@ -230,7 +231,7 @@ Dataset select_for_analysis(const StudyRecords& records) {
   for (const SessionRow& row : records.sessions) {
     set.kinds[row.participant] = row.kind;
   }
-  list_gaps(fill_trials(records, set), set);
+  list_gaps(records, fill_trials(records, set), set);
   exclude(excluded_sessions(records, set.kind), set);
   return set;
 }

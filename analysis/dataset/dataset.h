@@ -87,9 +87,9 @@ struct Dataset {
 };
 
 /// Takes the completed sessions of one kind: of people if there are any, else pilots, else
-/// simulated ones; they are never mixed. Verifies nothing: see `record`. Throws Error if nothing
-/// can be analysed, or if a value is impossible (a time that is not above zero, a rating that its
-/// scale does not have, a trial twice), naming it.
+/// simulated ones; they are never mixed. Verifies nothing: see `record`. A time that is
+/// not above zero is missing and among the exclusions. Throws Error if nothing can be analysed, or
+/// for a rating that its scale does not have or a trial that appears twice, naming it.
 Dataset select_for_analysis(const study::StudyRecords& records);
 
 /// For each session of the records, the index of its participant in the set; empty for a session

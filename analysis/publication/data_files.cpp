@@ -12,12 +12,14 @@
 namespace foveola::analysis {
 namespace {
 
-/// Psych-DS allows letters and digits in the values of a file's name.
+/// Psych-DS allows letters and digits in the values of a file's name, which no file system takes at
+/// any length.
 std::string file_word(const std::string& name) {
   std::string word;
   std::copy_if(name.begin(), name.end(), std::back_inserter(word),
                [](unsigned char c) { return c < 0x80 && std::isalnum(c) != 0; });
-  return word.empty() ? "study" : word;
+  constexpr std::size_t max_length = 64;
+  return word.empty() ? "study" : word.substr(0, max_length);
 }
 
 /// Every column of the data files once: Psych-DS forbids columns that are not described.

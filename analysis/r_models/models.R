@@ -88,7 +88,7 @@ trials_of <- function(trials, comparison) {
   } else {
     rep(FALSE, nrow(rows))
   }
-  rows <- rows[!is.na(rows$value), ]
+  rows <- rows[!is.na(rows$value) & (!is_time | rows$value > 0), ]
   rows$method <- factor(rows$method, levels = c(comparison$reference, comparison$method))
   rows$participant <- factor(rows$participant)
   rows$scene <- factor(rows$scene)

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <strings.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
@@ -87,6 +88,38 @@ void require_true_keys(const Protocol& protocol) {
   }
 }
 
+/// Throws Error for ids of marks and ratings that an analysis cannot name its files by.
+void require_names_of_files(const Protocol& protocol) {
+  constexpr std::size_t max_id_length = 64;
+  const ProtocolPlaces places(protocol);
+  std::vector<std::string> known;
+  const auto require = [&](const std::string& id, const std::string& key) {
+    if (id.size() > max_id_length) {
+      throw Error(places.of(key),
+                  fmt::format("the id '{}' has {} characters, and the analysis names files by it",
+                              id, id.size()),
+                  fmt::format("write at most {}", max_id_length));
+    }
+    const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
+      return ::strcasecmp(other.c_str(), id.c_str()) == 0;
+    });
+    if (same != known.end()) {
+      throw Error(places.of(key),
+                  fmt::format("the id '{}' differs from '{}' in capital letters only, and so would "
+                              "the analysis's files",
+                              id, *same),
+                  "give each its own");
+    }
+    known.push_back(id);
+  };
+  for (std::size_t i = 0; i < protocol.marks.size(); ++i) {
+    require(protocol.marks[i].id, fmt::format("mark[{}].id", i));
+  }
+  for (std::size_t i = 0; i < protocol.ratings.size(); ++i) {
+    require(protocol.ratings[i].id, fmt::format("rating[{}].id", i));
+  }
+}
+
 fs::path users_protocols() { return data_folder() / "protocols"; }
 
 }  // namespace
@@ -114,6 +147,7 @@ fs::path find_protocol(const std::string& name_or_path) {
 Protocol load_protocol(const fs::path& path) {
   Protocol protocol = read_protocol(read_toml_file(path), path);
   require_true_keys(protocol);
+  require_names_of_files(protocol);
   return protocol;
 }
 

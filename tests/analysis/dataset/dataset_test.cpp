@@ -1,8 +1,8 @@
 #include "analysis/dataset/dataset.h"
 
 #include <algorithm>
-#include <limits>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -155,13 +155,17 @@ TEST(Dataset, AProtocolWithoutScenesOrMethodsIsAnError) {
   EXPECT_THAT(selecting(records), ThrowsMessage<Error>(HasSubstr("no scene or no method")));
 }
 
-TEST(Dataset, ATimeWithoutLogarithmIsNamed) {
-  for (const double impossible : {0.0, -2.5, std::numeric_limits<double>::infinity()}) {
+// As a key that is held down when a trial begins leaves it.
+TEST(Dataset, ATimeWithoutLogarithmIsLeftOutAndNamed) {
+  for (const double impossible : {0.0, -2.5}) {
     StudyRecords records = complete_study(2);
     value_of(records, "P2", "barn", "fv", "material") = measured(impossible);
-    EXPECT_THAT(selecting(records),
-                ThrowsMessage<Error>(
-                    HasSubstr("participant P2, scene barn, method fv, material time: is ")));
+    EXPECT_THAT(exclusions_of(records),
+                ElementsAre(fmt::format("P2/barn/fv/material: a time of {} s has no logarithm",
+                                        impossible)));
+    const Dataset set = select_for_analysis(records);
+    EXPECT_EQ(set.value(1, 1, 2, material_index).state, Value::State::missing);
+    EXPECT_TRUE(set.value(1, 1, 2, outline_index).is_measured());
   }
 }
 

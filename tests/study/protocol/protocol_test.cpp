@@ -20,6 +20,24 @@ TEST(ProtocolText, KeysThatAreNoLettersMayBeNamed) {
   EXPECT_NO_THROW(load_protocol(folder.write("p.toml", text)));
 }
 
+std::string of_rating(const std::string& id) {
+  return minimal + "[[rating]]\nid = \"" + id + "\"\ntext = \"How bad?\"\n";
+}
+
+TEST_F(ProtocolFile, IdsNameFilesOnEveryFileSystem) {
+  // A name in a folder has up to 255 bytes, and an analysis writes ratios-of-means-ID.tex.
+  EXPECT_NO_THROW((void)load(of_rating(std::string(64, 'x'))));
+  for (const std::size_t length : {65, 300}) {
+    EXPECT_THAT([&] { (void)load(of_rating(std::string(length, 'x'))); },
+                ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:6:"), HasSubstr("at most 64"))));
+  }
+  EXPECT_THAT([&] { (void)load(of_rating("if") + of_rating("IF").substr(minimal.size())); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:9:"),
+                                         HasSubstr("the id 'IF' differs from 'if' in capital"))));
+  // A record that has such ids can be read.
+  EXPECT_NO_THROW((void)read_protocol(of_rating(std::string(65, 'x')), "p.toml"));
+}
+
 // Records of 0.1.0 have them.
 TEST(ProtocolText, OfARecordNamesTheKeysThatItsProgramHad) {
   const std::string consent = "[J] Ja    [N] Nein";
