@@ -63,10 +63,9 @@ ParticipantFile participants_file(const ParticipantColumns& participants,
   kind["Levels"]["pilot"] = "a person trying out the procedure";
   kind["Levels"]["simulated"] = "a simulated participant, not a person";
   for (std::size_t i = participants.first_answer(); i < participants.columns().size(); ++i) {
-    Column column = participants.columns()[i];
-    std::replace(column.name.begin(), column.name.end(), '.', '_');
+    const Column& column = participants.columns()[i];
     json[column.name]["Description"] = column.description;
-    columns.push_back(std::move(column));
+    columns.push_back(column);
   }
   std::string tsv = tsv_heading(columns);
   for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -103,16 +103,16 @@ std::vector<Column> gaze_columns(const std::vector<Measure>& measures) {
       "within {:g} degrees of the object's angular radius, by the gaze that frames used",
       study::gaze_margin_deg);
   std::vector<Column> columns = {
-      {"gaze_time_s", number, "s",
+      {"gaze_time_seconds", number, "s",
        "From the first presented frame to the last mark, or to the end of the wait for it"},
-      {"gaze_on_object_s", number, "s", "Of this time, with a valid gaze " + on_object},
-      {"gaze_on_object_percent", number, "%", "The same in per cent of gaze_time_s"},
+      {"gaze_on_object_seconds", number, "s", "Of this time, with a valid gaze " + on_object},
+      {"gaze_on_object_percent", number, "%", "The same in per cent of gaze_time_seconds"},
       {"gaze_elsewhere_percent", number, "%", "With a valid gaze that was not on the object"},
       {"gaze_lost_percent", number, "%",
        "Without a valid gaze, or with one older than a blink lasts (600 ms)"},
       {"fixations", whole, "",
        "Fixations in this time, by the velocity threshold with which gaze is recorded"},
-      {"mean_fixation_s", number, "s", "Their mean duration"},
+      {"mean_fixation_seconds", number, "s", "Their mean duration"},
       {"fixations_on_object", whole, "", "Those whose mean direction is on the object"}};
   for (const Measure& measure : measures) {
     if (measure.kind != MeasureKind::time) {

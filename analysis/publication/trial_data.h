@@ -41,7 +41,8 @@ class TrialColumns {
   std::vector<Column> columns_;
 };
 
-/// The columns of one measure's values.
+/// The columns of one measure's values. A mark's end in _s or _censored, and a rating's in _rating;
+/// no other column beside them does, so that ids are free.
 std::vector<Column> columns_of(const Measure& measure, const std::string& scale_in_words);
 
 /// The columns and rows of answers_long: every answer of every questionnaire.

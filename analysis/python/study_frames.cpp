@@ -75,6 +75,7 @@ py::object python_of(const Field& field) {
 /// A frame of the rows with these numbers.
 py::object frame_of(const std::vector<Column>& columns, const std::vector<std::size_t>& rows,
                     const std::function<Row(std::size_t)>& row_at, const Dataset& set) {
+  require_distinct_names(columns);
   std::vector<py::list> values(columns.size());
   for (const std::size_t number : rows) {
     const Row row = row_at(number);

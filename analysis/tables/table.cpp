@@ -1,5 +1,9 @@
 #include "analysis/tables/table.h"
 
+#include <set>
+
+#include "renderer/base/error.h"
+
 namespace foveola::analysis {
 
 const char* name_of(ColumnType type) {
@@ -14,6 +18,16 @@ const char* name_of(ColumnType type) {
       break;
   }
   return "string";
+}
+
+void require_distinct_names(const std::vector<Column>& columns) {
+  std::set<std::string> names;
+  for (const Column& column : columns) {
+    if (!names.insert(column.name).second) {
+      throw Error(column.name, "is the name of two columns of a table",
+                  "give the protocol's marks, ratings and questionnaires other ids");
+    }
+  }
 }
 
 }  // namespace foveola::analysis

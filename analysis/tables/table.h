@@ -35,6 +35,9 @@ enum class CsvTexts {
   as_typed  ///< for programs
 };
 
+/// Throws Error if a name comes twice, since most readers of a table keep one of such columns.
+void require_distinct_names(const std::vector<Column>& columns);
+
 struct Table {
   std::string id;        ///< The name of its file, without extension.
   std::string rows_are;  ///< What there is a row for, as "mark, scene and method".

@@ -53,6 +53,7 @@ CsvRow texts_of(const Row& row, const TextOf& text_of_field) {
 }
 
 CsvRow names_of(const std::vector<Column>& columns) {
+  require_distinct_names(columns);
   CsvRow names;
   for (const Column& column : columns) {
     names.push_back(column.name);
@@ -116,6 +117,7 @@ std::string tsv_heading(const std::vector<Column>& columns) { return tsv_line(na
 std::string tsv_row(const Row& row) { return tsv_line(texts_of(row, {in_tsv})); }
 
 nlohmann::ordered_json json_of(const Table& table) {
+  require_distinct_names(table.columns);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Row& row : table.rows) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();

@@ -1,4 +1,5 @@
 // Tables as files for other programs: CSV, TSV and JSON, and descriptions of their columns.
+// Whatever writes names of columns throws what require_distinct_names does.
 #pragma once
 
 #include <string>

@@ -96,7 +96,18 @@ TEST(Bids, SidecarsAreJsonAndDescribeEveryColumn) {
       "1.11.1");
   const nlohmann::json people = nlohmann::json::parse(content_of(files, "bids/participants.json"));
   EXPECT_EQ(people["participant_kind"]["Levels"].size(), 3U);
-  EXPECT_TRUE(people["background_virtual_reality"].contains("Description"));
+  EXPECT_TRUE(people["background.virtual_reality"].contains("Description"));
+}
+
+TEST(Bids, ColumnsOfQuestionnairesStayApartFromOursAndFromEachOther) {
+  study::StudyRecords records = complete_study(1);
+  add_answer(records, "P1", "participant", "code", 1.0);
+  add_answer(records, "P1", "a_b", "c", 2.0);
+  add_answer(records, "P1", "a", "b_c", 3.0);
+  const std::string people = content_of(bids_of(records), "bids/participants.tsv");
+  for (const char* column : {"participant_code\t", "participant.code", "a_b.c", "a.b_c"}) {
+    EXPECT_THAT(people.substr(0, people.find('\n')), HasSubstr(column));
+  }
 }
 
 TEST(Bids, SaysWhoTookPart) {

@@ -126,19 +126,20 @@ TEST_F(GazeByTrial, EveryAnalysedTrialHasARow) {
   (void)analyse();
   const std::vector<CsvRow> rows = rows_in("gaze_by_trial.csv");
   ASSERT_EQ(rows.size(), 5U);
-  EXPECT_THAT(rows[0],
-              ElementsAre("participant", "scene", "method", "trial", "attempt", "object", "tracker",
-                          "gaze_time_s", "gaze_on_object_s", "gaze_on_object_percent",
-                          "gaze_elsewhere_percent", "gaze_lost_percent", "fixations",
-                          "mean_fixation_s", "fixations_on_object", "outline_gaze_from_object_deg",
-                          "outline_object_from_middle_deg", "outline_object_in_view",
-                          "material_gaze_from_object_deg", "material_object_from_middle_deg",
-                          "material_object_in_view", "participant_kind", "record"));
+  EXPECT_THAT(
+      rows[0],
+      ElementsAre("participant", "scene", "method", "trial", "attempt", "object", "tracker",
+                  "gaze_time_seconds", "gaze_on_object_seconds", "gaze_on_object_percent",
+                  "gaze_elsewhere_percent", "gaze_lost_percent", "fixations",
+                  "mean_fixation_seconds", "fixations_on_object", "outline_gaze_from_object_deg",
+                  "outline_object_from_middle_deg", "outline_object_in_view",
+                  "material_gaze_from_object_deg", "material_object_from_middle_deg",
+                  "material_object_in_view", "participant_kind", "record"));
   EXPECT_THAT(rows[4], ElementsAre("P01", "box", "fv", "3", "1", "vase", "", "", "", "", "", "", "",
                                    "", "", "", "", "", "", "", "", "human", "verified"));
-  EXPECT_NEAR(number_in(rows, 0, "gaze_time_s"), 1.0, 1e-9);
+  EXPECT_NEAR(number_in(rows, 0, "gaze_time_seconds"), 1.0, 1e-9);
   EXPECT_NEAR(number_in(rows, 0, "gaze_on_object_percent"), 100.0, 1e-9);
-  EXPECT_NEAR(number_in(rows, 1, "gaze_on_object_s"), 0.9, 1e-9);
+  EXPECT_NEAR(number_in(rows, 1, "gaze_on_object_seconds"), 0.9, 1e-9);
   EXPECT_NEAR(number_in(rows, 1, "material_object_from_middle_deg"), 180.0, 1e-3);
   EXPECT_EQ(value_in(rows, 1, "outline_object_in_view"), "TRUE");
   EXPECT_EQ(value_in(rows, 1, "material_object_in_view"), "FALSE");

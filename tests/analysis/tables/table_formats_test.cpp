@@ -12,6 +12,7 @@
 
 #include "analysis/tables/table.h"
 #include "renderer/base/csv.h"
+#include "renderer/base/error.h"
 
 namespace foveola::analysis {
 namespace {
@@ -31,6 +32,15 @@ Table every_kind() {
           {{"plain", std::int64_t{-3}, 0.1, true},
            {"a \"b\",\tc\nd", std::int64_t{9007199254740993}, 1e-300, false},
            {{}, {}, {}, {}}}};
+}
+
+TEST(TableFormats, ANameOfTwoColumnsIsRefusedInEveryFormat) {
+  Table table = every_kind();
+  table.columns[1].name = "mean_s";
+  const auto refused = testing::ThrowsMessage<Error>(HasSubstr("mean_s: is the name of two"));
+  EXPECT_THAT([&] { (void)csv_of(table); }, refused);
+  EXPECT_THAT([&] { (void)tsv_heading(table.columns); }, refused);
+  EXPECT_THAT([&] { (void)json_of(table); }, refused);
 }
 
 TEST(TableFormats, CsvReadsBackAsItWasWritten) {
