@@ -159,6 +159,10 @@ std::string simulation_in_words(const study::SimulationFacts& simulation) {
   if (simulation.scale != 1.0) {
     text += fmt::format(" Film and machine were scaled down by {:g}.", simulation.scale);
   }
+  if (simulation.whole_participants) {
+    text += fmt::format(" They are a part of a study of {} participants.",
+                        *simulation.whole_participants);
+  }
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
@@ -40,6 +41,7 @@ struct RecordArguments {
   std::string head;
   std::string folder;
   std::string copy;
+  bool incomplete = false;
   bool yes = false;
   bool json = false;
 };
@@ -215,10 +217,16 @@ void require_sites(const RecordArguments& arguments) {
 
 void run_merge(const RecordArguments& arguments) {
   require_sites(arguments);
-  const Merge merge = merge_studies({arguments.sources.begin(), arguments.sources.end()},
-                                    arguments.output, arguments.sites);
-  print_text("{}: {} sessions, {} of them in several files\n", arguments.output,
-             merge.sessions_added, merge.sessions_known);
+  const Merge merge =
+      merge_studies({arguments.sources.begin(), arguments.sources.end()}, arguments.output,
+                    {.sites = arguments.sites,
+                     .missing = arguments.incomplete ? MissingParts::note : MissingParts::refuse});
+  print_text("{}: {} sessions, {} of them in several files{}\n", arguments.output,
+             merge.sessions_added, merge.known.size(),
+             merge.known.empty() ? "" : fmt::format(": {}", fmt::join(merge.known, ", ")));
+  if (!merge.missing.empty()) {
+    print_text("missing, and noted in the file: {}\n", fmt::join(merge.missing, ", "));
+  }
   if (merge.sessions_forgotten > 0) {
     print_text(
         "{} sessions are left out: their participants were forgotten in another of the files\n",
@@ -325,6 +333,8 @@ void add_merge(CLI::App& study) {
                    "SITE-CODE, so that sites may have the same codes")
       ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output, "The merged study, a new file")->required();
+  command->add_flag("--incomplete", arguments->incomplete,
+                    "Merge shards although others are missing; the result notes that it is a part");
   command->callback([arguments] { run_merge(*arguments); });
 }
 

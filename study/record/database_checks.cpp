@@ -15,6 +15,7 @@
 #include "study/record/damage_remedy.h"
 #include "study/record/open_file.h"
 #include "study/record/schema.h"
+#include "study/record/simulated_part.h"
 
 namespace fs = std::filesystem;
 
@@ -138,10 +139,11 @@ std::vector<SchemaObject> foreign_parts(SQLite::Database& study) {
   const std::vector<SchemaObject> known = known_objects(study);
   std::vector<SchemaObject> foreign = difference(objects_of(study), known);
   std::erase_if(foreign, [&](const SchemaObject& object) {
+    const bool is_of_part = object.type == "table" && object.sql == simulated_part_sql;
     const bool goes_with_foreign_table =
         object.type == "index" && object.sql.empty() &&
         std::ranges::find(known, object.table, &SchemaObject::name) == known.end();
-    return goes_with_foreign_table || is_of_analyze(object);
+    return goes_with_foreign_table || is_of_part || is_of_analyze(object);
   });
   return foreign;
 }

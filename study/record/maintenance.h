@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,17 +42,26 @@ void require_sound_record(const std::filesystem::path& path, const std::string& 
 
 struct Merge {
   std::size_t sessions_added = 0;
-  std::size_t sessions_known = 0;      ///< sessions that an earlier source had, too, by UUID
+  std::set<std::string> known;         ///< participants whom several sources have, by UUID
+  std::vector<std::string> missing;    ///< simulated participants whom no source has
   std::size_t sessions_forgotten = 0;  ///< that another source was told to forget, left out
 };
 
+enum class MissingParts { refuse, note };
+
+struct MergeSettings {
+  /// None, or one of letters and digits for each source, whose sessions that have none yet then are
+  /// SITE-CODE's.
+  std::vector<std::string> sites;
+  MissingParts missing = MissingParts::refuse;
+};
+
 /// Adds the sessions of `sources`, files of one schema, to a new file at `target`, each once, by
-/// UUID. sites: none, or one of letters and digits for each source, whose sessions that have none
-/// yet then are SITE-CODE's. Throws Error, and leaves no target, if the studies differ, a session
-/// differs between two of them, or two people have one code.
+/// UUID. Throws Error, and leaves no target, if the studies differ, a session differs between two
+/// of them, two people have one code, or sources are shards of different simulations. If the shards
+/// together lack participants, throws Error, or notes in the target that it is a part.
 Merge merge_studies(const std::vector<std::filesystem::path>& sources,
-                    const std::filesystem::path& target,
-                    const std::vector<std::string>& sites = {});
+                    const std::filesystem::path& target, const MergeSettings& settings = {});
 
 struct Forgotten {
   std::size_t files = 0;                 ///< rebuilt: the study and its backups

@@ -6,6 +6,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
@@ -15,6 +16,7 @@
 #include "study/record/maintenance.h"
 #include "study/record/schema.h"
 #include "study/record/session_rows.h"
+#include "study/record/simulated_part.h"
 #include "study/record/simulation_kind.h"
 #include "study/record/table_rows.h"
 #include "study/record/temporary_database.h"
@@ -103,8 +105,8 @@ class Merging {
  public:
   /// path: where the target is to lie.
   Merging(SQLite::Database& target, const fs::path& path, const std::vector<fs::path>& sources,
-          const std::vector<std::string>& sites)
-      : target_(target), path_(path), sources_(sources), sites_(sites) {}
+          const MergeSettings& settings)
+      : target_(target), path_(path), sources_(sources), settings_(settings) {}
 
   Merge run() {
     std::vector<SourceSession> sessions;
@@ -118,6 +120,7 @@ class Merging {
     for (const SourceSession& session : sessions) {
       with_clear_errors(path_of(session), [&] { with_named_target(path_, [&] { add(session); }); });
     }
+    look_for_missing();
     return result_;
   }
 
@@ -134,13 +137,14 @@ class Merging {
     require_same_study(study, path);
     add_forgotten(study);
     require_same_simulation(study, path);
+    require_same_whole(study, path);
     SQLite::Statement rows(
         study, fmt::format("SELECT id, uuid, participant, started_utc, coalesce(design_row, 0)"
                            " AS design_row, {} AS own_site FROM session ORDER BY id",
                            schema_ < 5 ? "''" : "site"));
     while (rows.executeStep()) {
       const bool has_site = !rows.getColumn("own_site").getString().empty();
-      const std::string site = has_site || sites_.empty() ? "" : sites_[source];
+      const std::string site = has_site || settings_.sites.empty() ? "" : settings_.sites[source];
       sessions.push_back({.source = source,
                           .id = rows.getColumn("id").getInt64(),
                           .uuid = rows.getColumn("uuid").getString(),
@@ -190,7 +194,7 @@ class Merging {
           fmt::format("has schema {}, and {} has {}", schema, sources_.front().string(), schema_),
           "merge files of one schema only");
     }
-    if (schema_ < 5 && !sites_.empty()) {
+    if (schema_ < 5 && !settings_.sites.empty()) {
       throw Error(path.string(), fmt::format("has schema {}, which has no sites", schema_),
                   "leave --site out; codes that two sites have cannot be told apart in it");
     }
@@ -255,6 +259,38 @@ class Merging {
     }
   }
 
+  void require_same_whole(SQLite::Database& study, const fs::path& path) {
+    const std::optional<SimulatedWhole> whole = whole_of(study);
+    if (whole && whole_ && *whole != *whole_) {
+      throw Error(path.string(),
+                  fmt::format("is a part of {} simulated participants with seed {}, and another "
+                              "file of {} with seed {}",
+                              whole->participants, whole->seed, whole_->participants, whole_->seed),
+                  "merge the shards of one simulation only");
+    }
+    whole_ = whole ? whole : whole_;
+  }
+
+  /// Of shards, together.
+  void look_for_missing() {
+    if (!whole_) {
+      return;
+    }
+    result_.missing = missing_participants(target_, *whole_);
+    if (result_.missing.empty()) {
+      return;
+    }
+    if (settings_.missing == MissingParts::refuse) {
+      throw Error(
+          path_.string(),
+          fmt::format("would lack {} of {} simulated participants: {}", result_.missing.size(),
+                      whole_->participants, fmt::join(result_.missing, ", ")),
+          "name the shards that have them, too, or note in the result that it is a part "
+          "(--incomplete)");
+    }
+    mark_as_part(target_, *whole_);
+  }
+
   void add_session(SQLite::Database& source, const SourceSession& session) {
     if (forgotten_.contains(sha256(session.uuid))) {
       ++result_.sessions_forgotten;
@@ -262,7 +298,7 @@ class Merging {
     }
     if (const auto known = session_where(target_, "uuid", session.uuid)) {
       require_same_session(source, session, *known);
-      ++result_.sessions_known;
+      result_.known.insert(session.participant);
       return;
     }
     if (session_where(target_, "participant", session.participant)) {
@@ -296,22 +332,23 @@ class Merging {
   SQLite::Database& target_;
   const fs::path& path_;
   const std::vector<fs::path>& sources_;
-  const std::vector<std::string>& sites_;
+  const MergeSettings& settings_;
   int schema_ = study_schema_version;
   std::set<std::string> forgotten_;  ///< SHA-256 of the sessions' UUIDs
   std::optional<Simulation> simulation_;
+  std::optional<SimulatedWhole> whole_;
   std::optional<SQLite::Database> open_;  ///< the file of the session that is added
   std::size_t open_source_ = 0;
   Merge result_;
 };
 
 /// temporary: the file that is to become `path`.
-Merge merge_into(const std::vector<fs::path>& sources, const std::vector<std::string>& sites,
+Merge merge_into(const std::vector<fs::path>& sources, const MergeSettings& settings,
                  const fs::path& temporary, const fs::path& path) {
   SQLite::Database target(temporary, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   target.exec("PRAGMA foreign_keys = ON");
   SQLite::Transaction transaction(target);
-  const Merge merge = Merging(target, path, sources, sites).run();
+  const Merge merge = Merging(target, path, sources, settings).run();
   transaction.commit();
   return merge;
 }
@@ -319,7 +356,7 @@ Merge merge_into(const std::vector<fs::path>& sources, const std::vector<std::st
 }  // namespace
 
 Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target,
-                    const std::vector<std::string>& sites) {
+                    const MergeSettings& settings) {
   require_new(target);
   for (const fs::path& source : sources) {
     require_sound_record(source, damage_remedy);
@@ -327,7 +364,7 @@ Merge merge_studies(const std::vector<fs::path>& sources, const fs::path& target
   Merge merge;
   with_clear_errors(target, [&] {
     const TemporaryDatabase temporary(target);
-    merge = merge_into(sources, sites, temporary.path(), target);
+    merge = merge_into(sources, settings, temporary.path(), target);
     if (!temporary.take_free_name()) {
       require_new(target);
     }

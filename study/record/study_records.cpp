@@ -9,6 +9,7 @@
 
 #include "study/record/database.h"
 #include "study/record/schema.h"
+#include "study/record/simulated_part.h"
 #include "study/record/stored_number.h"
 #include "study/record/trial_rows.h"
 
@@ -131,11 +132,13 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
     return std::nullopt;
   }
   const SQLite::Column speed = rows.getColumn("samples_per_second");
+  const std::optional<SimulatedWhole> whole = whole_of(database);
   return SimulationFacts{
       .scale = rows.getColumn("scale").getDouble(),
       .samples_per_second = speed.isNull() ? std::nullopt : std::optional(speed.getDouble()),
       .predicted = rows.getColumn("predicted").getInt() == 1,
-      .injected = rows.getColumn("injected").getString()};
+      .injected = rows.getColumn("injected").getString(),
+      .whole_participants = whole ? std::optional(whole->participants) : std::nullopt};
 }
 
 void read_answers(SQLite::Database& database, const SessionIndices& sessions, WordIndices& words,

@@ -78,6 +78,8 @@ struct SimulationFacts {
   std::optional<double> samples_per_second{};
   bool predicted = false;  ///< what was looked at was not rendered but predicted from pilots
   std::string injected;    ///< effects that were injected; empty: none
+  /// Of a file that holds a part of a study: the number of the whole study's participants.
+  std::optional<int> whole_participants{};
 
   friend bool operator==(const SimulationFacts&, const SimulationFacts&) = default;
 };

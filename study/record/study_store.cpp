@@ -264,6 +264,10 @@ std::string StudyStore::protocol_text() const {
 
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
+void StudyStore::mark_as_part(const SimulatedWhole& whole) {
+  implementation_->commit([&] { study::mark_as_part(implementation_->database, whole); });
+}
+
 bool StudyStore::has_participant(const std::string& code) const {
   bool found = false;
   with_clear_errors(implementation_->path,

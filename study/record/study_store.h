@@ -15,6 +15,7 @@
 #include "study/protocol/protocol.h"
 #include "study/record/same_protocol.h"
 #include "study/record/session_recorder.h"
+#include "study/record/simulated_part.h"
 #include "study/session/session.h"
 
 namespace foveola::study {
@@ -100,6 +101,9 @@ class StudyStore {
 
   /// What the protocol differs in from the one that the study was begun with; empty if it is that.
   const std::optional<Amendment>& amendment() const;
+
+  /// Says that the file holds a part of the simulated study `whole`.
+  void mark_as_part(const SimulatedWhole& whole);
 
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;

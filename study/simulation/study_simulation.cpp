@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -61,7 +62,13 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
       trials_in_session_(
           static_cast<double>(make_plan(study.protocol, study.settings.seed, 0).size())),
       store_(study.settings.database, study.protocol, OtherProtocol::refuse,
-             study.settings.real_time ? RecordDates::wall_clock : RecordDates::virtual_time) {}
+             study.settings.real_time ? RecordDates::wall_clock : RecordDates::virtual_time) {
+  const SimulateSettings& settings = study.settings;
+  if (settings.shard && settings.shard->count > 1) {
+    store_.mark_as_part(
+        {.seed = std::to_string(settings.seed), .participants = settings.participants});
+  }
+}
 
 SimulateReport StudySimulation::run(const std::stop_token& stop) {
   const SteadyClock clock;

@@ -104,6 +104,10 @@ std::string status_table(const StudyRecords& records, const StudyStatus& status)
   for (const auto& [name, kind] : status.kinds) {
     add_kind_rows(records, name, kind, rows);
   }
+  if (records.simulation && records.simulation->whole_participants) {
+    rows.push_back({"part", fmt::format("of a simulated study of {} participants",
+                                        *records.simulation->whole_participants)});
+  }
   for (const SessionRow& session : status.unfinished) {
     rows.push_back({"unfinished", fmt::format("{} {}", session.participant, session.state)});
   }

@@ -238,7 +238,7 @@ TEST_F(StudyFile, MergePutsTwoSitesTogether) {
 
   const std::string again = path_of("again.sqlite");
   EXPECT_EQ(study({"merge", all, north_, north_, "-o", again}).output,
-            again + ": 3 sessions, 4 of them in several files\n");
+            again + ": 3 sessions, 2 of them in several files: P001, P002\n");
   EXPECT_EQ(rows_of_copy(again, "SELECT participant, uuid FROM session ORDER BY 1"),
             rows_of_copy(all, "SELECT participant, uuid FROM session ORDER BY 1"));
 }

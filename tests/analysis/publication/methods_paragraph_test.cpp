@@ -127,6 +127,8 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
   records.simulation = study::SimulationFacts{.samples_per_second = 8e5, .injected = ""};
   EXPECT_THAT(paragraph(records),
               HasSubstr("took 800000 samples a second, which is not the protocol's"));
+  records.simulation = study::SimulationFacts{.injected = "", .whole_participants = 3};
+  EXPECT_THAT(paragraph(records), HasSubstr("They are a part of a study of 3 participants."));
 }
 
 TEST(MethodsParagraph, SaysWhatWasMarkedAndRatedInTheProtocolsWords) {

@@ -3,6 +3,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "study/design/participant_code.h"
+#include "study/record/simulated_part.h"
 #include "study/record/simulation_kind.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
@@ -43,7 +45,7 @@ class Merging : public testing::Test {
 TEST_F(Merging, HoldsTheSessionsOfAll) {
   const Merge merge = merge_studies({a_, b_}, all_);
   EXPECT_EQ(merge.sessions_added, 3U);
-  EXPECT_EQ(merge.sessions_known, 0U);
+  EXPECT_THAT(merge.known, IsEmpty());
   EXPECT_THAT(participants(all_), ElementsAre("P01", "P02", "P03"));
   const Verification found = verify_study(all_);
   EXPECT_THAT(found.faults, IsEmpty());
@@ -69,7 +71,7 @@ TEST_F(Merging, TellsCodesOfSitesApart) {
   }
   EXPECT_THAT(refusal([&] { merge_studies({a_, other}, all_); }),
               HasSubstr("name the sites by --site, once for each file"));
-  merge_studies({a_, other}, all_, {"BERLIN", "LYON"});
+  merge_studies({a_, other}, all_, {.sites = {"BERLIN", "LYON"}});
   EXPECT_THAT(participants(all_), ElementsAre("BERLIN-P01", "BERLIN-P02", "LYON-P01"));
   EXPECT_THAT(verify_study(all_).faults, IsEmpty());
   const std::string last =
@@ -78,8 +80,8 @@ TEST_F(Merging, TellsCodesOfSitesApart) {
   EXPECT_EQ(query(all_, last), query(other, last));
   // Again with others: who has a site keeps it.
   const fs::path again = folder_ / "again.sqlite";
-  const Merge merge = merge_studies({all_, b_, other}, again, {"X", "OSLO", "LYON"});
-  EXPECT_EQ(merge.sessions_known, 1U);
+  const Merge merge = merge_studies({all_, b_, other}, again, {.sites = {"X", "OSLO", "LYON"}});
+  EXPECT_EQ(merge.known.size(), 1U);
   EXPECT_THAT(participants(again), ElementsAre("BERLIN-P01", "BERLIN-P02", "LYON-P01", "OSLO-P03"));
   EXPECT_EQ(read_study(again).sessions.size(), 4U);
   EXPECT_THAT(verify_study(again).faults, IsEmpty());
@@ -92,7 +94,7 @@ TEST_F(Merging, TakesEachSessionOnce) {
   merge_studies({a_, b_}, all_);
   const Merge merge = merge_studies({all_, a_, b_}, folder_ / "again.sqlite");
   EXPECT_EQ(merge.sessions_added, 3U);
-  EXPECT_EQ(merge.sessions_known, 3U);
+  EXPECT_THAT(merge.known, ElementsAre("P01", "P02", "P03"));
 }
 
 TEST_F(Merging, RefusesASessionThatDiffers) {
@@ -158,6 +160,36 @@ TEST_F(MergingShards, OrdersThemByTheirDesign) {
   EXPECT_THAT(verify_study(all_).warnings, IsEmpty());
   EXPECT_EQ(query(all_, "SELECT started_utc FROM session WHERE id = 1"),
             "1970-01-01T00:00:00.000Z");
+}
+
+/// The second of three participants.
+TEST_F(MergingShards, NamesWhoIsMissingInTheWholeThatTheyAreOf) {
+  const auto shard = [&](int design_row, const SimulatedWhole& whole) {
+    const std::string participant = participant_code(design_row);
+    const fs::path path = simulated(participant, design_row, {}, "x86-64-v3");
+    StudyStore(path, small_protocol()).mark_as_part(whole);
+    return path;
+  };
+  const SimulatedWhole whole{.seed = std::to_string(facts_of("P001").seed), .participants = 3};
+  const fs::path first = shard(0, whole);
+  const fs::path second = shard(1, whole);
+  const fs::path third = shard(2, whole);
+  EXPECT_THAT(refusal([&] { merge_studies({first, third}, all_); }),
+              AllOf(StartsWith(all_.string()),
+                    HasSubstr("would lack 1 of 3 simulated participants: P002")));
+  EXPECT_FALSE(fs::exists(all_));
+  EXPECT_THAT(verify_study(first).faults, IsEmpty());
+
+  const fs::path part = folder_ / "part.sqlite";
+  EXPECT_THAT(merge_studies({first, third}, part, {.missing = MissingParts::note}).missing,
+              ElementsAre("P002"));
+  EXPECT_EQ(read_study(part).simulation->whole_participants, 3);
+  EXPECT_THAT(merge_studies({part, second, first}, all_).known, ElementsAre("P001"));
+  EXPECT_FALSE(read_study(all_).simulation->whole_participants);
+
+  const fs::path other = shard(3, {.seed = whole.seed, .participants = 4});
+  EXPECT_THAT(refusal([&] { merge_studies({first, other}, folder_ / "no.sqlite"); }),
+              AllOf(StartsWith(other.string()), HasSubstr("is a part of 4 simulated")));
 }
 
 TEST_F(MergingShards, RefusesOnesOfAnotherProgramOrAnotherKind) {

@@ -134,14 +134,15 @@ class SimulatedShards : public SimulateStudyTest, public testing::WithParamInter
   }
 
   /// The bytes of one study made of those files.
-  std::string merged(const std::vector<std::string>& databases) const {
+  std::string merged(const std::vector<std::string>& databases,
+                     MissingParts missing = MissingParts::refuse) const {
     std::vector<fs::path> sources;
     for (const std::string& database : databases) {
       sources.push_back(folder_ / database);
     }
     const fs::path all = folder_ / "merged.sqlite";
     fs::remove(all);
-    merge_studies(sources, all);
+    merge_studies(sources, all, {.missing = missing});
     return read_file(all);
   }
 };
@@ -157,6 +158,9 @@ TEST_P(SimulatedShards, MergedAreTheWholeStudyByteForByte) {
   EXPECT_EQ(merged({"2-of-3.sqlite", "3-of-3.sqlite", "1-of-3.sqlite"}), whole);
   EXPECT_EQ(merged({"2-of-3.sqlite", "1-of-2.sqlite", "3-of-3.sqlite"}), whole)
       << "one of them is in two files";
+  EXPECT_THAT([&] { merged({"1-of-3.sqlite", "3-of-3.sqlite"}); },
+              testing::ThrowsMessage<Error>(HasSubstr("would lack 2 of 5 simulated participants")));
+  EXPECT_EQ(merged({"1-of-3.sqlite", "2-of-3.sqlite", "3-of-3.sqlite"}), whole);
   EXPECT_EQ(content("merged.sqlite"), content("whole.sqlite"));
   const char* const hashes = "SELECT hash FROM event ORDER BY session, sequence";
   EXPECT_EQ(query_column(folder_ / "merged.sqlite", hashes),
@@ -166,7 +170,7 @@ TEST_P(SimulatedShards, MergedAreTheWholeStudyByteForByte) {
 
 TEST_P(SimulatedShards, StoppedAndRunAgainAreTheSameFile) {
   simulate(shard(2, 2));
-  const std::string once = merged({"2-of-2.sqlite"});
+  const std::string once = merged({"2-of-2.sqlite"}, MissingParts::note);
   fs::remove(folder_ / "2-of-2.sqlite");
   SimulateSettings some = shard(2, 2);
   some.participants = 4;  // of which the shard has the last two
@@ -178,7 +182,7 @@ TEST_P(SimulatedShards, StoppedAndRunAgainAreTheSameFile) {
               testing::ThrowsMessage<Error>(HasSubstr("a shard has a file of its own")));
   some.resume = true;
   simulate(some);
-  EXPECT_EQ(merged({"2-of-2.sqlite"}), once);
+  EXPECT_EQ(merged({"2-of-2.sqlite"}, MissingParts::note), once);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rendered, SimulatedShards, testing::Values(false));
