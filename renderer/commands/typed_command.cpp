@@ -1,8 +1,12 @@
 #include "renderer/commands/typed_command.h"
 
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,20 +36,29 @@ std::string no_number(const std::string& text) {
 /// As CLI11 wants it: what is wrong with `text`, or nothing.
 std::string check_number(std::string& text) { return number_in(text) ? "" : no_number(text); }
 
-/// Puts 1e6 as 1000000. What has no exponent and no decimal point is left to CLI11.
+/// Puts the number as CLI11 reads it, which clamps, wraps and takes 010 for octal: 1e6 as 1000000.
+template <typename Number>
 std::string check_whole_number(std::string& text) {
   constexpr double largest = 9007199254740992.0;  // Beyond it doubles are not all whole numbers.
   const std::optional<double> number = number_in(text);
   if (!number) {
     return no_number(text);
   }
-  if (text.find_first_of(".eE") == std::string::npos || text.find_first_of("xX") != text.npos) {
-    return {};
+  std::string digits = text.starts_with('+') ? text.substr(1) : text;
+  if (text.find_first_of(".eE") != std::string::npos) {
+    if (*number != std::trunc(*number) || std::abs(*number) > largest) {
+      return fmt::format("'{}' is no whole number", text);
+    }
+    digits = fmt::format("{:.0f}", *number);
   }
-  if (*number != std::trunc(*number) || std::abs(*number) > largest) {
-    return fmt::format("'{}' is no whole number", text);
+  Number whole = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, fault] = std::from_chars(digits.data(), end, whole);
+  if (fault != std::errc() || rest != end) {
+    return fmt::format("'{}' is not a whole number from {} to {}", text,
+                       std::numeric_limits<Number>::min(), std::numeric_limits<Number>::max());
   }
-  text = fmt::format("{:.0f}", *number);
+  text = fmt::format("{}", whole);
   return {};
 }
 
@@ -117,8 +130,10 @@ void check_numbers(CLI::App& app) {
     const std::string type = option->get_type_name();
     if (type.starts_with("FLOAT")) {
       option->transform(CLI::Validator(check_number, ""));
-    } else if (type.starts_with("INT") || type.starts_with("UINT")) {
-      option->transform(CLI::Validator(check_whole_number, ""));
+    } else if (type.starts_with("INT")) {
+      option->transform(CLI::Validator(check_whole_number<std::int64_t>, ""));
+    } else if (type.starts_with("UINT")) {
+      option->transform(CLI::Validator(check_whole_number<std::uint64_t>, ""));
     }
   }
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {

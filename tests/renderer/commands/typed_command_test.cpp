@@ -99,7 +99,7 @@ TEST_F(TypedCommand, SaysWhatIsNoNumber) {
   EXPECT_THAT(fault_of({"render", "--samples", ""}), HasSubstr("'' is no number"));
   EXPECT_THAT(fault_of({"render", "--samples", "1.5"}), HasSubstr("'1.5' is no whole number"));
   EXPECT_THAT(fault_of({"render", "--samples", "1e40"}), HasSubstr("'1e40' is no whole number"));
-  EXPECT_THAT(fault_of({"render", "--samples", "nan"}), HasSubstr("--samples"));
+  EXPECT_THAT(fault_of({"render", "--samples", "nan"}), HasSubstr("'nan' is not a whole number"));
 }
 
 TEST_F(TypedCommand, WholeNumbersMayHaveAnExponent) {
@@ -107,6 +107,20 @@ TEST_F(TypedCommand, WholeNumbersMayHaveAnExponent) {
   EXPECT_EQ(samples_, 1'500'000U);
   EXPECT_EQ(threads_, 10);
   EXPECT_THAT(fault_of({"render", "--threads", "1e6"}), HasSubstr("not in range"));
+}
+
+TEST_F(TypedCommand, NumbersThatNoOptionHoldsAreRefusedAndNotChanged) {
+  for (const char* number : {"-1", "18446744073709551616", "99999999999999999999"}) {
+    EXPECT_THAT(fault_of({"render", "--samples", number}),
+                HasSubstr(number + std::string("' is not a whole number from 0 to "
+                                               "18446744073709551615")));
+  }
+  EXPECT_THAT(fault_of({"render", "--threads", "-9223372036854775809"}),
+              HasSubstr("from -9223372036854775808 to 9223372036854775807"));
+  EXPECT_THAT(fault_of({"render", "--samples", "0x10"}), HasSubstr("'0x10' is not a whole"));
+  EXPECT_EQ(fault_of({"render", "--samples", "010", "--threads", "+8"}), "");
+  EXPECT_EQ(samples_, 10U);
+  EXPECT_EQ(threads_, 8);
 }
 
 TEST_F(TypedCommand, OtherNumbersAreReadAsEver) {
