@@ -94,13 +94,9 @@ ConvergenceRun run_of(const ConvergenceArguments& arguments, const SceneFinder& 
   return run;
 }
 
-/// Everything is computed before anything is written.
 void write_results(const fs::path& folder, const MeasuredGazes& results,
                    const ConvergenceTables& tables, const std::string& json) {
   std::vector<TextFile> files = convergence_csv(results.measurements, tables);
-  for (const Figure& figure : draw_convergence(results.measurements)) {
-    files.push_back({figure.name + ".svg", figure.svg});
-  }
   files.push_back({"convergence.json", json});
   make_output_folder(folder);
   for (std::size_t i = 0; i < results.crops.size(); ++i) {
@@ -109,6 +105,10 @@ void write_results(const fs::path& folder, const MeasuredGazes& results,
   }
   for (const TextFile& file : files) {
     write_file(folder / file.name, file.content);
+  }
+  // What gnuplot needs comes last: without it, hours of measurement are kept.
+  for (const Figure& figure : draw_convergence(results.measurements)) {
+    write_file(folder / (figure.name + ".svg"), figure.svg);
   }
 }
 

@@ -185,13 +185,29 @@ std::vector<TextFile> latex_files(const AnalysisOutput& output,
   return files;
 }
 
+/// The figures that this machine has the programs and fonts for; warnings say what is left out.
+std::vector<Figure> drawable_figures(AnalysisOutput& output) {
+  std::vector<Figure> figures;
+  try {
+    figures = draw_figures(output.tables);
+  } catch (const Error& error) {
+    output.warnings.push_back(fmt::format("No figure was drawn: {}.", error.what()));
+  }
+  if (!figures.empty() && figures.front().pdf.empty()) {
+    output.warnings.emplace_back(
+        "Figures are SVG only, since there is no font to draw the letters of PDF and PNG with; "
+        "install one (apt-get install fonts-dejavu-core).");
+  }
+  return figures;
+}
+
 /// The report comes last, so that it never stands beside tables older than itself.
 std::vector<TextFile> files_of(const AnalysisOutput& output,
                                const study::DataQualityRecords& quality,
                                const study::StudyRecords& records,
-                               const std::optional<PublishedStudy>& published) {
+                               const std::optional<PublishedStudy>& published,
+                               const std::vector<Figure>& figures) {
   const StudyTables& tables = output.tables;
-  const std::vector<Figure> figures = draw_figures(tables);
   std::vector<TextFile> files;
   for (const Table& table : output.results) {
     if (!is_written_by_rows(table)) {
@@ -388,7 +404,8 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   if (options.bids) {
     write_bids(data, trials, participants, quality, read_gaze, staged.path(), output);
   }
-  for (const TextFile& file : files_of(output, quality, records, published)) {
+  const std::vector<Figure> figures = drawable_figures(output);
+  for (const TextFile& file : files_of(output, quality, records, published, figures)) {
     write_output(staged.path(), file.name, file.content, output);
   }
   PublishedFiles published_files = staged.publish(output.files);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/publication/gnuplot.h"
 #include "analysis/publication/rating_figures.h"
 #include "analysis/publication/scene_figure.h"
 #include "analysis/publication/survival_output.h"
@@ -28,12 +29,17 @@ std::vector<Figure> draw_figures(const StudyTables& tables) {
   for (const std::size_t rating : tables.set.ratings()) {
     drawings.emplace_back([&tables, rating] { return rating_figure(tables, rating); });
   }
+  const bool has_letters = has_font();
   std::vector<Figure> figures;
   OrderedJobs<std::optional<Figure>> jobs(drawings.size(), drawings.size(),
                                           [&](std::size_t index) { return drawings[index](); });
   jobs.run(all_cores(), [&](std::size_t /*index*/, std::optional<Figure> figure) {
     if (figure) {
       figures.push_back(*std::move(figure));
+      if (!has_letters) {
+        figures.back().pdf.clear();
+        figures.back().png.clear();
+      }
     }
     return true;
   });
@@ -44,8 +50,10 @@ std::vector<TextFile> files_of_figures(const std::vector<Figure>& figures) {
   std::vector<TextFile> files;
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
-    files.push_back({figure.name + ".pdf", figure.pdf});
-    files.push_back({figure.name + ".png", figure.png});
+    if (!figure.pdf.empty()) {
+      files.push_back({figure.name + ".pdf", figure.pdf});
+      files.push_back({figure.name + ".png", figure.png});
+    }
   }
   return files;
 }

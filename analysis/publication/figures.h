@@ -29,10 +29,10 @@ bool draws_participants(const StudyTables& tables);
 
 /// Draws the times of all marks, relative_times, relative_times_by_scene and times_in_seconds, the
 /// curve time_to_MARK of each mark, and each rating in numbers, as far as there are values; several
-/// at a time. Throws Error if gnuplot is missing.
+/// at a time. Without a font, only as SVG. Throws Error if gnuplot is missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
-/// Each figure as NAME.svg, NAME.pdf and NAME.png.
+/// Each figure as NAME.svg, and NAME.pdf and NAME.png if it has them.
 std::vector<TextFile> files_of_figures(const std::vector<Figure>& figures);
 
 }  // namespace foveola::analysis

@@ -30,6 +30,15 @@ std::string run_gnuplot(const std::string& script) {
   return end.output;
 }
 
+bool has_font() {
+  try {
+    // Of fontconfig, which gnuplot asks for fonts through Pango.
+    return !run_to_end({.words = {"fc-match", "--format=%{file}", "sans-serif"}}).output.empty();
+  } catch (const std::system_error&) {
+    return true;  // Nobody knows.
+  }
+}
+
 std::string gnuplot_quoted(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {

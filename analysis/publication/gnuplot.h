@@ -10,6 +10,10 @@ namespace foveola::analysis {
 /// returns what it prints. Throws Error if it is not installed or stops with an error.
 std::string run_gnuplot(const std::string& script);
 
+/// Whether gnuplot has a font to draw letters into a PNG or a PDF with; it leaves them out without
+/// a word if there is none. An SVG has texts as they are.
+bool has_font();
+
 /// `text` as gnuplot's single-quoted string, in which nothing is expanded; control characters
 /// become spaces.
 std::string gnuplot_quoted(std::string_view text);

@@ -73,7 +73,13 @@ guarded <- function(comparison, model, packages, fit) {
       invokeRestart("muffleWarning")
     }),
     error = function(e) result(comparison, model, note = conditionMessage(e)))
-  notes <- unique(c(row$note, warned))
+  # A mean difference has one degree of freedom at least. Satterthwaite's approximation gives less
+  # where the optimizer stopped beside a variance of nothing, and t of these says P = 1.
+  freedom <- row$degrees_of_freedom
+  failed <- isTRUE(freedom < 0.9)
+  if (failed) row[c("standard_error", "degrees_of_freedom", "low", "high", "p")] <- NA
+  notes <- unique(c(row$note, if (failed) sprintf("the fit failed (%.1g degrees of freedom)", freedom),
+                    warned))
   row$note <- gsub("[[:space:]]+", " ", paste(notes[nzchar(notes)], collapse = "; "))
   row
 }

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
@@ -75,6 +76,29 @@ TEST_F(AnalyzeStudy, WritesBidsWhereAsked) {
               ElementsAre("README", "dataset_description.json", "participants.json",
                           "participants.tsv", "sub-P1", "sub-P2", "task-preview_beh.json"));
   EXPECT_TRUE(fs::exists(folder / "bids/sub-P1/beh/sub-P1_task-preview_beh.tsv"));
+}
+
+TEST_F(AnalyzeStudy, WithoutGnuplotAllButTheFiguresIsWritten) {
+  const scenes::EnvironmentVariable path("PATH", "/nonexistent");
+  const AnalysisOutput output = analyze_records(complete_study(2), {}, folder);
+  EXPECT_THAT(output.warnings,
+              Contains(HasSubstr("No figure was drawn: gnuplot: cannot be started")));
+  EXPECT_TRUE(names_in(folder).contains("comparisons.csv"));
+  EXPECT_TRUE(names_in(folder).contains("geometric-means.tex"));
+  EXPECT_THAT(read_file(folder / "report.html"), HasSubstr("</html>"));
+  EXPECT_FALSE(names_in(folder).contains("relative_times.svg"));
+}
+
+TEST_F(AnalyzeStudy, WithoutFontsFiguresAreThoseThatHaveLetters) {
+  write_file(root / "fonts.conf",
+             "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\">"
+             "<fontconfig><dir>/nofonts</dir></fontconfig>\n");
+  const scenes::EnvironmentVariable fonts("FONTCONFIG_FILE", root / "fonts.conf");
+  const AnalysisOutput output = analyze_records(complete_study(2), {}, folder);
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("there is no font")));
+  EXPECT_THAT(read_file(folder / "relative_times.svg"), HasSubstr("<text>FV</text>"));
+  EXPECT_FALSE(names_in(folder).contains("relative_times.pdf"));
+  EXPECT_FALSE(names_in(folder).contains("relative_times.png"));
 }
 
 TEST_F(AnalyzeStudy, ReplacesItsOwnFilesAndLeavesOthers) {

@@ -232,6 +232,25 @@ TEST(FitModels, SeparatedRatingsHaveALikelihoodRatio) {
   EXPECT_THAT(model->note, HasSubstr("ratings are separated"));
 }
 
+// Each participant has one ratio, to the last digit, in both scenes: lmerTest gives 0.015 degrees
+// of freedom, with which t is 4.8 and P 0.94.
+TEST(FitModels, AFitThatFailedHasNoP) {
+  study::StudyRecords records = complete_study(6);
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
+  records.protocol.analysis.scenes = study::SceneEffects::random;
+  change_values(records, "outline", [&, i = std::size_t{0}](Value& value) mutable {
+    const study::TrialRow& row = records.trials[i++];
+    value = measured(row.method == 0 ? 1.0 : std::ldexp(1.0, static_cast<int>(row.session)));
+  });
+  const std::vector<FittedModels> fitted = fit_studies({records});
+  if (const std::string why = missing_for(fitted.front()); !why.empty()) {
+    GTEST_SKIP() << why;
+  }
+  const FittedModel* model = fitted.front().find("crossed", "outline", "fv", "od");
+  EXPECT_FALSE(model->fit);
+  EXPECT_THAT(model->note, HasSubstr("the fit failed (0.02 degrees of freedom)"));
+}
+
 TEST(FitModels, WhatCannotBeFittedSaysWhy) {
   const std::vector<FittedModels> fitted = fit_studies({study_of_one()});
   if (const std::string why = missing_for(fitted.front()); !why.empty()) {
