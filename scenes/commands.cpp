@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <system_error>
@@ -19,6 +20,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/similar_word.h"
@@ -248,9 +250,12 @@ void add_make(CLI::App& app, const std::stop_token& stop) {
   });
 }
 
-/// Throws Error if there is none of that name that has a file.
+/// The descriptor of a file, or of a name, the user's before the program's. Throws Error if there
+/// is none that has a file.
 Descriptor real_scene(const std::string& name) {
-  const auto descriptor = find_descriptor(name);
+  auto descriptor = lower_case_extension(name) == ".toml" ? std::optional(read_descriptor(name))
+                                                          : find_users_descriptor(name);
+  descriptor = descriptor ? std::move(descriptor) : find_descriptor(name);
   if (!descriptor) {
     throw Error(name, "no such scene",
                 did_you_mean(name, known_scene_names(), "see 'foveola scene list'"));
@@ -300,7 +305,10 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
   const auto arguments = std::make_shared<FetchArguments>();
   CLI::App* command =
       app.add_subcommand("fetch", "Get the file of a scene that is not built in, and check it");
-  command->add_option("NAME", arguments->name, "The scene; see 'foveola scene list'")->required();
+  command
+      ->add_option("NAME", arguments->name,
+                   "The scene, or its descriptor's file; see 'foveola scene list'")
+      ->required();
   CLI::Option* from = command->add_option("--from", arguments->from,
                                           "A file or folder to take it from, in place of the web");
   command

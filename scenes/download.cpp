@@ -27,6 +27,12 @@ std::uint64_t size_of(const fs::path& file) {
   return missing ? 0 : size;
 }
 
+/// Keeps the file itself, which may be locked.
+void empty(const fs::path& file) {
+  std::error_code is_no_file;
+  fs::resize_file(file, 0, is_no_file);
+}
+
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
   void operator()(CURL* curl) const { curl_easy_cleanup(curl); }
@@ -157,7 +163,7 @@ bool cannot_continue(CURLcode code, const Transfer& transfer) {
 void require_complete(const std::string& address, const fs::path& file, const Transfer& transfer,
                       CURLcode code) {
   if (transfer.is_too_long()) {
-    fs::remove(file);
+    empty(file);
     throw Error(address, "is larger than the descriptor says",
                 "it is another file: get it by hand");
   }
@@ -180,7 +186,7 @@ void require_complete(const std::string& address, const fs::path& file, const Tr
                 fmt::format("check the network or http_proxy and {}", continue_later));
   }
   if (transfer.received() < transfer.size_bytes()) {
-    fs::remove(file);
+    empty(file);
     throw Error(address, "is smaller than the descriptor says",
                 "it is another file: get it by hand");
   }
@@ -191,7 +197,7 @@ void require_complete(const std::string& address, const fs::path& file, const Tr
 void download(const std::string& address, const fs::path& file, std::uint64_t size_bytes,
               const std::function<void(double)>& progress, const std::stop_token& stop) {
   if (size_of(file) > size_bytes) {
-    fs::remove(file);
+    empty(file);
   }
   if (size_of(file) == size_bytes) {
     return;
@@ -204,7 +210,7 @@ void download(const std::string& address, const fs::path& file, std::uint64_t si
       return;
     }
   }
-  fs::remove(file);
+  empty(file);
   Transfer transfer(address, file, size_bytes, progress, stop);
   require_complete(address, file, transfer, transfer.run());
 }

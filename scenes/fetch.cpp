@@ -1,13 +1,24 @@
 #include "scenes/fetch.h"
 
+#include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
+#include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/print.h"
+#include "renderer/base/utf8.h"
 #include "scenes/builtin_files.h"
+#include "scenes/descriptor_search.h"
 #include "scenes/download.h"
 #include "scenes/file_search.h"
 
@@ -18,7 +29,9 @@ namespace {
 
 /// The file's place, in a folder that is there now.
 fs::path prepare_target(const Descriptor& descriptor) {
-  const fs::path target = fetched_folder() / descriptor.file_name;
+  const fs::path folder =
+      is_programs_own(descriptor) ? fetched_folder() : fs::absolute(descriptor.path).parent_path();
+  const fs::path target = folder / descriptor.file_name;
   std::error_code failure;
   fs::create_directories(target.parent_path(), failure);
   if (failure) {
@@ -34,6 +47,64 @@ bool is_there(const Descriptor& descriptor, const fs::path& target) {
   std::error_code ignored;
   return fs::is_regular_file(target, ignored) && is_described_file(descriptor, target);
 }
+
+/// The beginning of a download, which one program at a time has. What it is called may become the
+/// scene's file, or go, as long as somebody has it, and nothing else.
+class LockedPart {
+ public:
+  /// Makes the file if need be. Waits while another program has it. Throws Error if it cannot be
+  /// opened or `stop` is requested.
+  LockedPart(fs::path path, const std::stop_token& stop) : path_(std::move(path)) {
+    constexpr std::chrono::milliseconds pause(100);
+    bool is_told = false;
+    while (!try_to_lock()) {
+      if (stop.stop_requested()) {
+        throw Error(path_.string(), "another program is downloading it", "let that end");
+      }
+      if (!std::exchange(is_told, true)) {
+        print_text(stderr, "Another program is downloading {}; waiting for it.\n",
+                   printable(path_.stem().string()));
+      }
+      std::this_thread::sleep_for(pause);
+    }
+  }
+  LockedPart(const LockedPart&) = delete;
+  LockedPart& operator=(const LockedPart&) = delete;
+  ~LockedPart() {
+    std::error_code ignored;
+    if (is_named() && fs::file_size(path_, ignored) == 0 && !ignored) {
+      fs::remove(path_, ignored);
+    }
+    ::close(descriptor_);
+  }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  bool try_to_lock() {
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      throw Error(path_.string(), "cannot be written: " + std::generic_category().message(errno),
+                  "check the folder and the space left");
+    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && is_named()) {
+      return true;
+    }
+    ::close(descriptor_);
+    return false;
+  }
+
+  /// Whether the file that is open still has its name.
+  bool is_named() const {
+    struct stat open{};
+    struct stat named{};
+    return ::fstat(descriptor_, &open) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+  }
+
+  fs::path path_;
+  int descriptor_ = -1;
+};
 
 /// The file that --from means. Throws Error if there is none.
 fs::path named_file(const Descriptor& descriptor, const fs::path& file_or_folder) {
@@ -83,16 +154,18 @@ fs::path fetch_from_web(const Descriptor& descriptor, const std::function<void(d
   if (is_there(descriptor, target)) {
     return target;
   }
-  fs::path part = target;
-  part += ".part";
-  download(descriptor.address, part, descriptor.size_bytes, progress, stop);
-  if (sha256_of_file(part) != descriptor.sha256) {
-    fs::remove(part);
+  const LockedPart part(target.string() + ".part", stop);
+  if (is_there(descriptor, target)) {
+    return target;  // by the program that had the part
+  }
+  download(descriptor.address, part.path(), descriptor.size_bytes, progress, stop);
+  if (sha256_of_file(part.path()) != descriptor.sha256) {
+    fs::remove(part.path());
     throw Error(descriptor.address,
                 "is not the file that the descriptor means: its SHA-256 differs",
                 "it was changed or damaged on its way; try again, or get it by hand");
   }
-  fs::rename(part, target);
+  fs::rename(part.path(), target);
   return target;
 }
 

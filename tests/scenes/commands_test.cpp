@@ -7,6 +7,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "scenes/builtin_files.h"
 #include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
@@ -125,6 +126,18 @@ TEST_F(SceneCommands, FetchTakesAConversionOnlyWhenAskedForAndWarns) {
               HasSubstr("Licence: CC BY 3.0"));
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("foveola: warning: "));
   EXPECT_THROW(output_of("scene fetch sponza --unverified"), CLI::RequiresError);
+}
+
+TEST_F(SceneCommands, FetchTakesOnesOwnDescriptorByNameAndByFile) {
+  const EnvironmentVariable data_home("XDG_DATA_HOME", (folder.path() / "data").string());
+  const std::string document = folder.write("elsewhere/hall.glb", "abc").string();
+  folder.write("data/foveola/scenes/hall.toml", hall);
+  EXPECT_THAT(output_of("scene fetch hall --from " + document),
+              HasSubstr((folder / "data/foveola/scenes/hall.glb").string()));
+  const std::string descriptor = folder.write("mine/hall.toml", hall).string();
+  EXPECT_THAT(output_of("scene fetch " + descriptor + " --from " + document),
+              HasSubstr((folder / "mine/hall.glb").string()));
+  EXPECT_EQ(read_file(folder / "mine/hall.glb"), "abc");
 }
 
 TEST_F(SceneCommands, MakeWritesFilesAndPrintsTheirHash) {

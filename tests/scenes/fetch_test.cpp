@@ -1,9 +1,16 @@
 #include "scenes/fetch.h"
 
 #include <algorithm>
+#include <chrono>
+#include <stop_token>
+#include <thread>
+#include <vector>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
@@ -44,6 +51,7 @@ class FetchTest : public ::testing::Test {
   Descriptor hall_at(const std::string& address) const {
     Descriptor hall;
     hall.name = "hall";
+    hall.path = resource_folder() / "scenes" / "hall.toml";
     hall.file_name = "hall.glb";
     hall.origin = "the archive of halls";
     hall.sha256 = sha256(std::string_view(document_));
@@ -130,6 +138,45 @@ TEST_F(FetchTest, ACutDownloadIsContinuedWhereItEnded) {
   EXPECT_EQ(fetch(hall), "");
   expect_fetched();
   EXPECT_EQ(server.requests(), 2);
+}
+
+// The second program has nothing to add to what the first has begun, and finds it whole.
+TEST_F(FetchTest, TwoAtOnceDownloadTheFileOnce) {
+  const HttpServer server([&](const std::string&) { return ok(document_); });
+  const Descriptor hall = hall_at(server.address("/hall.glb"));
+  std::vector<std::jthread> programs;
+  for (int i = 0; i < 4; ++i) {
+    programs.emplace_back([&] { EXPECT_EQ(fetch(hall), ""); });
+  }
+  programs.clear();
+  expect_fetched();
+  EXPECT_EQ(server.requests(), 1);
+}
+
+TEST_F(FetchTest, WhatAnotherProgramHasBegunIsWaitedFor) {
+  fs::create_directories(part().parent_path());
+  write_file(part(), document_.substr(0, 1000));
+  const int other = ::open(part().c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  const HttpServer server([&](const std::string&) { return ok(document_); });
+  std::stop_source stop;
+  std::jthread stopping([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stop.request_stop();
+  });
+  EXPECT_THAT(fetch(hall_at(server.address("/hall.glb")), stop.get_token()),
+              HasSubstr("another program is downloading it"));
+  EXPECT_EQ(server.requests(), 0);
+  EXPECT_EQ(fs::file_size(part()), 1000U);
+  ::close(other);
+}
+
+TEST_F(FetchTest, TheFileOfOnesOwnDescriptorLiesBesideIt) {
+  const HttpServer server([&](const std::string&) { return ok(document_); });
+  Descriptor own = hall_at(server.address("/hall.glb"));
+  own.path = folder_ / "my-scenes" / "hall.toml";
+  EXPECT_EQ(fetch_from_web(own, [](double) {}, {}), folder_ / "my-scenes" / "hall.glb");
+  EXPECT_EQ(read_file(folder_ / "my-scenes" / "hall.glb"), document_);
 }
 
 TEST_F(FetchTest, AServerThatCannotContinueSendsAllAgain) {
