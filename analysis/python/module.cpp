@@ -1,8 +1,8 @@
 // The Python module `foveola`: three functions, which load a scene, render it, and read a study's
 // file as data frames.
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include "analysis/python/scene_renders.h"
 #include "analysis/python/study_frames.h"
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* load_scene_text = R"(Load a scene for rendering.
 
 scene: a built-in scene's name ("arcade", "church", "meeting-room", "schoolroom", "studio-car"),
-or the path of a .glb, .gltf or .obj file, or of a descriptor.
+or the path of a .glb, .gltf or .obj file, or of a descriptor, as str or pathlib.Path.
 camera_m: where the camera stands, (x, y, z) in metres; None: where the scene says.
 head_deg: where it looks, (azimuth, elevation) in degrees; None: where the scene says.
 threads: of loading and of rendering; 0: one for each core.
@@ -53,6 +53,16 @@ timings that do not count), with the columns of the files that `foveola analyze`
 each has "participant_kind" ("human", "pilot" or "simulated"), "record" ("verified" or "changed"),
 and "units" and "meanings" of its columns.)";
 
+/// A text, or a path as pathlib has it. Throws UsageError for one with a NUL, where the system's
+/// names end.
+std::string file_name(const py::object& text_or_path, const char* name) {
+  auto text = py::module_::import("os").attr("fsencode")(text_or_path).cast<std::string>();
+  if (text.find('\0') != std::string::npos) {
+    throw UsageError(name, "has a NUL in it", "give the name of a file without");
+  }
+  return text;
+}
+
 py::tuple degrees_of(const AzimuthElevation& angles) {
   return py::make_tuple(degrees(angles.azimuth_rad), degrees(angles.elevation_rad));
 }
@@ -77,9 +87,10 @@ void define_scene(py::module_& module) {
       });
   module.def(
       "load_scene",
-      [](const std::string& scene, const std::optional<std::array<double, 3>>& camera_m,
+      [](const py::object& scene, const std::optional<std::array<double, 3>>& camera_m,
          const std::optional<AnglesDeg>& head_deg, int threads) {
-        return std::make_unique<SceneForPython>(scene, scene_choices(camera_m, head_deg), threads);
+        return std::make_unique<SceneForPython>(file_name(scene, "scene"),
+                                                scene_settings(camera_m, head_deg, threads));
       },
       load_scene_text, py::arg("scene"), py::kw_only(), py::arg("camera_m") = py::none(),
       py::arg("head_deg") = py::none(), py::arg("threads") = 0);
@@ -101,9 +112,8 @@ void define_render(py::module_& module) {
       "render",
       [](const SceneForPython& scene, const std::optional<std::string>& method,
          const std::optional<AnglesDeg>& gaze_deg, const std::optional<std::pair<int, int>>& size,
-         const std::optional<double>& samples_per_pixel,
-         const std::optional<std::uint64_t>& samples, const std::optional<double>& seconds,
-         std::uint32_t seed, int max_depth) {
+         const std::optional<double>& samples_per_pixel, const std::optional<std::int64_t>& samples,
+         const std::optional<double>& seconds, std::uint32_t seed, int max_depth) {
         return render_for_python(scene, {.method = method,
                                          .gaze_deg = gaze_deg,
                                          .size = size,
@@ -125,14 +135,18 @@ void define_render(py::module_& module) {
 PYBIND11_MODULE(foveola, module) {
   module.doc() = "A laboratory for foveated previews: load_scene, render and read_study.";
   module.attr("__version__") = build_info().version;
+  // numpy is imported when its types are first needed. With two threads that need them, one imports
+  // it and waits for the lock that the other holds while it waits for that import.
+  (void)py::dtype::of<float>();
   const py::object& error = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
   py::register_exception<UsageError>(module, "UsageError", error.ptr());
   define_scene(module);
   define_render(module);
   module.def(
       "read_study",
-      [](const std::filesystem::path& file, bool unverified, bool withdrawn) {
-        return study_frames(file, {.unverified = unverified, .withdrawn = withdrawn});
+      [](const py::object& file, bool unverified, bool withdrawn) {
+        return study_frames(file_name(file, "file"),
+                            {.unverified = unverified, .withdrawn = withdrawn});
       },
       read_study_text, py::arg("file"), py::kw_only(), py::arg("unverified") = false,
       py::arg("withdrawn") = false);

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/film/equirect_film.h"
+#include "renderer/progressive/render_limits.h"
 #include "scenes/find_scene.h"
 
 namespace py = pybind11;
@@ -26,45 +27,29 @@ AzimuthElevation angles_of(const AnglesDeg& angles_deg) {
   return {radians(angles_deg.first), radians(angles_deg.second)};
 }
 
-RenderBudget budget_of(const RenderArguments& arguments) {
-  constexpr double usual_samples_per_pixel = 16.0;
-  const int given = static_cast<int>(arguments.samples_per_pixel.has_value()) +
-                    static_cast<int>(arguments.samples.has_value()) +
-                    static_cast<int>(arguments.seconds.has_value());
-  if (given > 1) {
-    throw UsageError("render", "has more than one of samples_per_pixel, samples and seconds",
-                     "give one of them");
-  }
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0.0)) {
-      throw UsageError(name, fmt::format("is {}, and must be above 0", value));
-    }
-    return value;
-  };
-  if (arguments.samples) {
-    positive("samples", static_cast<double>(*arguments.samples));
-    return {.samples = *arguments.samples};
-  }
-  if (arguments.seconds) {
-    return {.seconds = positive("seconds", *arguments.seconds)};
-  }
-  return {.samples_per_pixel = positive(
-              "samples_per_pixel", arguments.samples_per_pixel.value_or(usual_samples_per_pixel))};
-}
+constexpr SettingNames names{.camera = "camera_m",
+                             .head = "head_deg",
+                             .gaze = "gaze_deg",
+                             .size = "size",
+                             .samples_per_pixel = "samples_per_pixel",
+                             .samples = "samples",
+                             .seconds = "seconds",
+                             .max_depth = "max_depth",
+                             .threads = "threads",
+                             .remedy = "see help(foveola)"};
 
 RenderSettings settings_of(const RenderArguments& arguments) {
   constexpr IVec2 usual_size{1024, 512};
   RenderSettings settings;
-  settings.budget = budget_of(arguments);
+  settings.budget = budget_of({.samples_per_pixel = arguments.samples_per_pixel,
+                               .samples = arguments.samples,
+                               .seconds = arguments.seconds},
+                              names);
   settings.progressive.trace.seed = arguments.seed;
   settings.progressive.trace.max_depth = arguments.max_depth;
   std::optional<IVec2> size;
   if (arguments.size) {
     size = IVec2(arguments.size->first, arguments.size->second);
-  }
-  if (arguments.max_depth < 1) {
-    throw UsageError("max_depth",
-                     fmt::format("is {}, and must be at least 1", arguments.max_depth));
   }
   if (!arguments.method) {
     if (arguments.gaze_deg) {
@@ -72,13 +57,18 @@ RenderSettings settings_of(const RenderArguments& arguments) {
                        "give a method, such as \"fv\"");
     }
     settings.picture = PictureChoices{.size = size};
+    require_possible(settings, names);
     return settings;
+  }
+  if (arguments.method->find('\0') != std::string::npos) {
+    throw UsageError("method", "has a NUL in it", names.remedy);
   }
   settings.method = *arguments.method;
   settings.progressive.film_size = size.value_or(usual_size);
   if (arguments.gaze_deg) {
     settings.gaze = angles_of(*arguments.gaze_deg);
   }
+  require_possible(settings, names);
   return settings;
 }
 
@@ -116,24 +106,25 @@ std::vector<std::array<std::uint32_t, 3>> places_of(const std::vector<DroppedSam
 
 }  // namespace
 
-SceneForPython::SceneForPython(const std::string& name_or_path, const SceneChoices& choices,
-                               int threads)
-    : workers(threads), loaded(scenes::find_scene(name_or_path), workers, choices) {
+SceneForPython::SceneForPython(const std::string& name_or_path, const RenderSettings& settings)
+    : workers(settings.threads), loaded(scenes::find_scene(name_or_path), workers, settings.scene) {
   for (const std::string& warning : loaded.warnings) {
     warn(warning);
   }
 }
 
-SceneChoices scene_choices(const std::optional<std::array<double, 3>>& camera_m,
-                           const std::optional<AnglesDeg>& head_deg) {
-  SceneChoices choices;
+RenderSettings scene_settings(const std::optional<std::array<double, 3>>& camera_m,
+                              const std::optional<AnglesDeg>& head_deg, int threads) {
+  RenderSettings settings;
   if (camera_m) {
-    choices.camera = DVec3((*camera_m)[0], (*camera_m)[1], (*camera_m)[2]);
+    settings.scene.camera = DVec3((*camera_m)[0], (*camera_m)[1], (*camera_m)[2]);
   }
   if (head_deg) {
-    choices.head = angles_of(*head_deg);
+    settings.scene.head = angles_of(*head_deg);
   }
-  return choices;
+  settings.threads = threads;
+  require_possible(settings, names);
+  return settings;
 }
 
 RenderForPython render_for_python(const SceneForPython& scene, const RenderArguments& arguments) {

@@ -24,7 +24,8 @@ struct SceneForPython {
   Workers workers;
   LoadedScene loaded;
 
-  SceneForPython(const std::string& name_or_path, const SceneChoices& choices, int threads);
+  /// settings: of scene and threads.
+  SceneForPython(const std::string& name_or_path, const RenderSettings& settings);
 };
 
 /// What render() takes in Python, with its defaults.
@@ -33,7 +34,7 @@ struct RenderArguments {
   std::optional<AnglesDeg> gaze_deg;        ///< default: where the head points
   std::optional<std::pair<int, int>> size;  ///< width and height in pixels
   std::optional<double> samples_per_pixel;
-  std::optional<std::uint64_t> samples;
+  std::optional<std::int64_t> samples;
   std::optional<double> seconds;
   std::uint32_t seed = 0;
   int max_depth = 8;
@@ -47,9 +48,10 @@ struct RenderForPython {
   std::vector<std::array<std::uint32_t, 3>> dropped;  ///< x, y, number of the sample in its pixel
 };
 
-/// Choices of the camera's place in metres and of where it looks.
-SceneChoices scene_choices(const std::optional<std::array<double, 3>>& camera_m,
-                           const std::optional<AnglesDeg>& head_deg);
+/// The camera's place in metres, where it looks, and the threads. Throws UsageError for what no
+/// render can have.
+RenderSettings scene_settings(const std::optional<std::array<double, 3>>& camera_m,
+                              const std::optional<AnglesDeg>& head_deg, int threads);
 
 /// Renders without Python's lock, and stops when Python is interrupted. Throws Error for settings
 /// that make no sense.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/former_option.h"
+#include "renderer/progressive/render_limits.h"
 
 namespace foveola {
 namespace {
@@ -24,27 +24,6 @@ bool is_panorama(const CLI::App& command, const RenderArguments& arguments) {
   return arguments.panorama || std::any_of(options.begin(), options.end(), [&](const char* name) {
            return command.count(name) > 0;
          });
-}
-
-RenderBudget budget_from(const RenderArguments& arguments, bool panorama) {
-  RenderBudget budget;
-  if (arguments.samples_per_pixel) {
-    constexpr double most = 1e7;
-    require(*arguments.samples_per_pixel > 0.0 && *arguments.samples_per_pixel <= most, "--spp",
-            fmt::format("must be above 0 and at most {:g}", most));
-    budget.samples_per_pixel = *arguments.samples_per_pixel;
-  } else if (arguments.samples) {
-    require(*arguments.samples >= 1, "--samples", "must be at least 1");
-    budget.samples = static_cast<std::uint64_t>(*arguments.samples);
-  } else if (arguments.seconds) {
-    require(*arguments.seconds > 0.0 && std::isfinite(*arguments.seconds), "--seconds",
-            "must be a positive number");
-    budget.seconds = *arguments.seconds;
-  } else {
-    budget.samples_per_pixel =
-        panorama ? usual_samples_per_pixel_of_panorama : usual_samples_per_pixel;
-  }
-  return budget;
 }
 
 /// The method, with its pointer held where --pointer says.
@@ -250,10 +229,13 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
   } else {
     settings.picture = picture_from(arguments);
   }
-  settings.budget = budget_from(arguments, panorama);
-  require(progressive.trace.max_depth >= 1, "--max-depth", "must be at least 1");
-  require(settings.threads >= 0 && settings.threads <= 1024, "--threads",
-          "must lie between 0 (every core) and 1024");
+  settings.budget =
+      budget_of({.samples_per_pixel = arguments.samples_per_pixel,
+                 .samples = arguments.samples,
+                 .seconds = arguments.seconds,
+                 .default_samples_per_pixel =
+                     panorama ? usual_samples_per_pixel_of_panorama : usual_samples_per_pixel});
+  require_possible(settings);
   require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
   require(arguments.adaptive_contrast >= 0.0 && arguments.adaptive_contrast < 1.0, "--adaptive",
           "must lie between 0 (off) and 1");

@@ -4,6 +4,7 @@
 PROGRAM is `foveola`, which makes the study that is read and the image that is compared with.
 """
 import csv
+import math
 import os
 import signal
 import sqlite3
@@ -36,6 +37,15 @@ class Scenes(unittest.TestCase):
             foveola.load_scene("nowhere.glb")
         self.assertIn("nowhere.glb", str(raised.exception))
         self.assertNotIn("\n", str(raised.exception))
+
+    def test_a_scene_is_named_by_a_text_or_a_path(self):
+        self.assertEqual(foveola.load_scene(room).triangles,
+                         foveola.load_scene(str(room)).triangles)
+        with self.assertRaises(TypeError):
+            foveola.load_scene(3)
+        for function in (foveola.load_scene, foveola.read_study):
+            with self.assertRaises(foveola.UsageError):
+                function(str(room) + "\0")
 
     def test_camera_and_head_are_where_they_are_put(self):
         scene = foveola.load_scene(str(room), camera_m=(0.5, 1.0, 0.25), head_deg=(30.0, -10.0))
@@ -92,11 +102,30 @@ class Renders(unittest.TestCase):
 
     def test_settings_without_sense_are_usage_errors(self):
         for settings in ({"samples": 10, "seconds": 1.0}, {"samples_per_pixel": 0.0},
-                         {"max_depth": 0}, {"gaze_deg": (0.0, 0.0)}):
+                         {"max_depth": 0}, {"gaze_deg": (0.0, 0.0)},
+                         {"samples_per_pixel": math.inf}, {"seconds": math.inf}, {"size": (0, 1)},
+                         {"method": "fv", "gaze_deg": (math.nan, 0.0)},
+                         {"method": "fv", "gaze_deg": (0.0, 1e300)}, {"method": "fv\0"}):
             with self.subTest(settings), self.assertRaises(foveola.UsageError):
                 foveola.render(self.scene, **settings)
+        for settings in ({"camera_m": (0.0, math.nan, 0.0)}, {"camera_m": (1e30, 0.0, 0.0)},
+                         {"head_deg": (math.inf, 0.0)}, {"threads": -1}):
+            with self.subTest(settings), self.assertRaises(foveola.UsageError):
+                foveola.load_scene(room, **settings)
         with self.assertRaises(foveola.Error):
             foveola.render(self.scene, "no-such-method")
+
+    def test_two_threads_render_before_anything_else_needs_numpy(self):
+        script = f"""
+import threading, warnings, foveola
+warnings.simplefilter("ignore")
+scene = foveola.load_scene({str(room)!r})
+threads = [threading.Thread(target=foveola.render, args=(scene, "od"), kwargs=dict(
+    size=(32, 16), samples=1000)) for _ in range(8)]
+[thread.start() for thread in threads]
+[thread.join() for thread in threads]
+"""
+        subprocess.run([sys.executable, "-c", script], check=True, timeout=600)
 
     def test_an_interrupt_stops_it_soon(self):
         # It would be ignored where a shell has started this in the background.

@@ -1,0 +1,81 @@
+#include "renderer/progressive/render_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+void require_range(bool is_in_range, const char* name, const std::string& range,
+                   const SettingNames& names) {
+  if (!is_in_range) {
+    throw UsageError(name, "must be " + range, names.remedy);
+  }
+}
+
+void require_direction(const std::optional<AzimuthElevation>& angles, const char* name,
+                       const SettingNames& names) {
+  require_range(!angles || (std::isfinite(static_cast<float>(angles->azimuth_rad)) &&
+                            std::abs(angles->elevation_rad) <= radians(90.0)),
+                name, "a finite azimuth and an elevation from -90 to 90 degrees", names);
+}
+
+void require_size(const std::optional<IVec2>& size, const SettingNames& names) {
+  constexpr int max_side = 65536;
+  require_range(
+      !size || (std::min(size->x, size->y) >= 1 && std::max(size->x, size->y) <= max_side),
+      names.size, fmt::format("from 1 to {} pixels wide and high", max_side), names);
+}
+
+}  // namespace
+
+RenderBudget budget_of(const BudgetChoices& choices, const SettingNames& names) {
+  constexpr double max_samples_per_pixel = 1e7;
+  const auto given = {choices.samples_per_pixel.has_value(), choices.samples.has_value(),
+                      choices.seconds.has_value()};
+  if (std::count(given.begin(), given.end(), true) > 1) {
+    throw UsageError(names.samples_per_pixel,
+                     fmt::format("cannot be combined with {} or {}", names.samples, names.seconds),
+                     "give one of them");
+  }
+  if (choices.samples) {
+    require_range(*choices.samples >= 1, names.samples, "at least 1", names);
+    return {.samples = static_cast<std::uint64_t>(*choices.samples)};
+  }
+  if (choices.seconds) {
+    require_range(*choices.seconds > 0.0 && std::isfinite(*choices.seconds), names.seconds,
+                  "a finite number above 0", names);
+    return {.seconds = *choices.seconds};
+  }
+  const double samples_per_pixel =
+      choices.samples_per_pixel.value_or(choices.default_samples_per_pixel);
+  require_range(samples_per_pixel > 0.0 && samples_per_pixel <= max_samples_per_pixel,
+                names.samples_per_pixel,
+                fmt::format("above 0 and at most {:g}", max_samples_per_pixel), names);
+  return {.samples_per_pixel = samples_per_pixel};
+}
+
+void require_possible(const RenderSettings& settings, const SettingNames& names) {
+  constexpr double max_coordinate_m = 1e18;  // Embree's own limit is 1.8e18.
+  constexpr int max_threads = 1024;
+  if (const std::optional<DVec3>& camera = settings.scene.camera) {
+    require_range(
+        std::abs(camera->x) <= max_coordinate_m && std::abs(camera->y) <= max_coordinate_m &&
+            std::abs(camera->z) <= max_coordinate_m,
+        names.camera, fmt::format("three numbers of at most {:g}", max_coordinate_m), names);
+  }
+  require_direction(settings.scene.head, names.head, names);
+  require_direction(settings.gaze, names.gaze, names);
+  require_size(settings.progressive.film_size, names);
+  require_size(settings.picture ? settings.picture->size : std::nullopt, names);
+  require_range(settings.progressive.trace.max_depth >= 1, names.max_depth, "at least 1", names);
+  require_range(settings.threads >= 0 && settings.threads <= max_threads, names.threads,
+                fmt::format("from 0 (every core) to {}", max_threads), names);
+}
+
+}  // namespace foveola

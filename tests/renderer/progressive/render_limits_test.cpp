@@ -1,0 +1,53 @@
+#include "renderer/progressive/render_limits.h"
+
+#include <cmath>
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double infinity = HUGE_VAL;
+
+TEST(RenderLimits, RefuseWhatNoRayCanBeginWith) {
+  for (const double number : {std::nan(""), infinity, -1e20}) {
+    const auto refused = [&](const char* name, const std::function<void(RenderSettings&)>& change) {
+      RenderSettings settings;
+      change(settings);
+      EXPECT_THAT([&] { require_possible(settings); }, ThrowsMessage<UsageError>(HasSubstr(name)))
+          << number;
+    };
+    refused("--camera", [&](RenderSettings& settings) { settings.scene.camera = {0, number, 0}; });
+    refused("--head", [&](RenderSettings& settings) {
+      settings.scene.head = {.azimuth_rad = 0.0, .elevation_rad = number};
+    });
+    refused("--gaze", [&](RenderSettings& settings) {
+      settings.gaze = {.azimuth_rad = number == -1e20 ? -1e300 : number, .elevation_rad = 0.0};
+    });
+  }
+  EXPECT_NO_THROW(require_possible({}));
+}
+
+TEST(RenderLimits, RefuseBudgetsThatNeverEnd) {
+  for (const double number : {infinity, std::nan(""), 0.0, 1e8}) {
+    EXPECT_THAT([&] { (void)budget_of({.samples_per_pixel = number}); },
+                ThrowsMessage<UsageError>(HasSubstr("--spp: must be above 0 and at most 1e+07")));
+  }
+  EXPECT_THAT([] { (void)budget_of({.seconds = infinity}); },
+              ThrowsMessage<UsageError>(HasSubstr("--seconds")));
+  EXPECT_THAT([] { (void)budget_of({.samples = 0}); },
+              ThrowsMessage<UsageError>(HasSubstr("--samples")));
+  EXPECT_THAT([] { (void)budget_of({.samples = 1, .seconds = 1.0}); },
+              ThrowsMessage<UsageError>(HasSubstr("cannot be combined")));
+  EXPECT_EQ(budget_of({.default_samples_per_pixel = 3.0}).samples_per_pixel, 3.0);
+}
+
+}  // namespace
+}  // namespace foveola
