@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
+#include <list>
 #include <system_error>
+#include <utility>
 
 #include <poll.h>
 #include <sys/inotify.h>
@@ -20,8 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t whole_file = IN_CLOSE_WRITE | IN_MOVED_TO;
-/// Links to a file, which nobody closes, are created whole.
-constexpr std::uint32_t part_of_file = IN_MODIFY | IN_CREATE;
+/// A name that is another file's from now on, or nobody's. Links, which nobody closes, are created
+/// whole.
+constexpr std::uint32_t other_file = IN_CREATE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM;
 
 /// How long a wait may keep a stop waiting.
 constexpr Nanoseconds longest_sleep = std::chrono::milliseconds(50);
@@ -50,31 +54,63 @@ FileWatch::FileWatch(FileWatchTiming timing)
 FileWatch::~FileWatch() { close(inotify_); }
 
 void FileWatch::watch(const std::set<fs::path>& files) {
-  names_.clear();
+  files_ = files;
+  std::map<int, Folder> before = std::exchange(folders_, {});
   for (const fs::path& file : files) {
-    watch_folder(fs::absolute(file).lexically_normal());
-    std::error_code is_missing;
-    if (const fs::path real = fs::canonical(file, is_missing); !is_missing) {
-      watch_folder(real);
+    watch_steps(fs::absolute(file));
+  }
+  for (const auto& [descriptor, folder] : before) {
+    if (!folders_.contains(descriptor)) {
+      inotify_rm_watch(inotify_, descriptor);
     }
   }
-  std::erase_if(folders_, [this](const auto& folder) {
-    const bool is_idle = !names_.contains(folder.second);
-    if (is_idle) {
-      inotify_rm_watch(inotify_, folder.second);
-    }
-    return is_idle;
-  });
 }
 
-void FileWatch::watch_folder(const fs::path& file) {
-  const std::string folder = file.parent_path().string();
-  const int descriptor = inotify_add_watch(inotify_, folder.c_str(), whole_file | part_of_file);
+void FileWatch::watch_steps(const fs::path& file) {
+  int links_left = 40;  // as the kernel follows
+  std::list<fs::path> names(file.begin(), file.end());
+  fs::path place;  // without links
+  for (; !names.empty(); names.pop_front()) {
+    const fs::path& name = names.front();
+    if (name.is_absolute() || name.empty() || name == ".") {
+      place = name.is_absolute() ? name : place;
+      continue;
+    }
+    if (name == "..") {
+      place = place.parent_path();
+      continue;
+    }
+    const bool is_last = std::next(names.begin()) == names.end();
+    watch_name(place, name.string(), is_last);
+    std::error_code is_no_link;
+    const fs::path target = fs::read_symlink(place / name, is_no_link);
+    if (is_no_link) {
+      place /= name;
+    } else if (links_left-- == 0) {
+      return;
+    } else {
+      names.insert(std::next(names.begin()), target.begin(), target.end());
+    }
+  }
+}
+
+void FileWatch::watch_name(const fs::path& folder, const std::string& name, bool is_last) {
+  const std::uint32_t events = IN_MASK_ADD | other_file | (is_last ? whole_file | IN_MODIFY : 0U);
+  const int descriptor = inotify_add_watch(inotify_, folder.c_str(), events);
   if (descriptor >= 0) {
-    folders_[folder] = descriptor;
-    names_[descriptor].insert(file.filename().string());
+    Folder& watched = folders_[descriptor];
+    watched.names.insert(name);
+    watched.holds_files = watched.holds_files || is_last;
   } else if (errno != ENOENT && errno != ENOTDIR && errno != EACCES) {
-    refuse("the folder " + folder + " cannot be watched");
+    refuse("the folder " + folder.string() + " cannot be watched");
+  }
+}
+
+void FileWatch::watch_again() {
+  try {
+    watch(std::set(files_));
+  } catch (const Error&) {
+    // What could be watched is. The next change may find more.
   }
 }
 
@@ -102,23 +138,28 @@ bool FileWatch::read_changes(Nanoseconds timeout, Changes& changes) {
   }
   alignas(inotify_event) std::array<char, 16384> bytes;
   bool has_any = false;
+  bool has_other_files = false;
   const ssize_t size = read(inotify_, bytes.data(), bytes.size());
   for (ssize_t at = 0; at < size;) {
     const auto* event = reinterpret_cast<const inotify_event*>(bytes.data() + at);
     at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
-    const auto folder = names_.find(event->wd);
-    const bool is_watched = folder != names_.end() && event->len > 0 &&
-                            folder->second.contains(static_cast<const char*>(event->name));
+    const auto folder = folders_.find(event->wd);
+    const bool is_watched = folder != folders_.end() && event->len > 0 &&
+                            folder->second.names.contains(static_cast<const char*>(event->name));
     const bool is_lost = (event->mask & IN_Q_OVERFLOW) != 0;  // it may have been any file's
-    if (folder == names_.end() && !is_lost) {
+    if (!is_watched && !is_lost && (folder == folders_.end() || !folder->second.holds_files)) {
       continue;
     }
+    has_other_files |= is_lost || (is_watched && (event->mask & other_file) != 0);
     const FileChange which =
         is_watched || is_lost ? FileChange::of_watched_file : FileChange::of_another_file;
     if (which >= changes.which) {
       changes = {.which = which, .is_last_whole = (event->mask & whole_file) != 0};
       has_any = true;
     }
+  }
+  if (has_other_files) {
+    watch_again();
   }
   return has_any;
 }

@@ -1,4 +1,5 @@
-// Tells when files change, however that is done: written in place, or renamed into their place.
+// Tells when files change, however that is done: written in place, renamed into their place,
+// removed, or by another folder or link on the way to them.
 #pragma once
 
 #include <filesystem>
@@ -25,8 +26,9 @@ enum class FileChange {
   of_watched_file   ///< and perhaps of others
 };
 
-/// Watches the folders of files through the kernel (inotify(7)), so that files may be replaced, or
-/// be missing for a while. It needs no thread of its own: changes that come before anybody waits
+/// Watches every folder and link on the way to files through the kernel (inotify(7)), whose watches
+/// stay with a folder and not with its name, so that any of them may be replaced, or be missing for
+/// a while. It needs no thread of its own: changes that come before anybody waits
 /// for them are kept.
 class FileWatch {
  public:
@@ -36,13 +38,14 @@ class FileWatch {
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// Watches these files from now on and no others. A link's own folder is watched as well as that
-  /// of the file that it leads to. Folders that are not there are left out. Throws Error as above.
+  /// Watches what has these names from now on and no others, whether it is there or not. Throws
+  /// Error as above.
   void watch(const std::set<std::filesystem::path>& files);
 
   /// Waits until a file in the folders has changed and none has been written to for as long as the
-  /// timing says; once a watched file has changed, others count no more. None if `stop` was
-  /// requested before.
+  /// timing says; once a watched file has changed, others count no more. A file that is gone has
+  /// changed, once it stays away as long as one that is kept open. None if `stop` was requested
+  /// before.
   FileChange wait_for_change(const std::stop_token& stop);
 
  private:
@@ -52,15 +55,24 @@ class FileWatch {
     bool is_last_whole = false;  ///< whether the last file to change is complete
   };
 
-  void watch_folder(const std::filesystem::path& file);
+  struct Folder {
+    std::set<std::string> names;  ///< files, and folders and links on the way to them
+    bool holds_files = false;     ///< not only folders and links
+  };
+
+  /// Watches each name on the way to the file, which is absolute.
+  void watch_steps(const std::filesystem::path& file);
+  void watch_name(const std::filesystem::path& folder, const std::string& name, bool is_last);
+  /// Watches what has the names now.
+  void watch_again();
   /// Adds those that came to `changes`, waiting for the first until `timeout`. False if none came.
   bool read_changes(Nanoseconds timeout, Changes& changes);
 
   FileWatchTiming timing_;
   SteadyClock clock_;
   int inotify_;
-  std::map<std::string, int> folders_;          ///< descriptors of watched folders, by their path
-  std::map<int, std::set<std::string>> names_;  ///< of the files in each folder, by its descriptor
+  std::set<std::filesystem::path> files_;
+  std::map<int, Folder> folders_;  ///< by their descriptors
 };
 
 }  // namespace foveola

@@ -1,5 +1,7 @@
 #include "renderer/base/file_watch.h"
 
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -7,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include "tests/temporary_folder.h"
@@ -116,6 +119,65 @@ TEST_F(FileWatchTest, SeesWhatALinkLeadsTo) {
   watch_.watch({folder_ / "link.glb"});
   fs::rename(other.write("new", "second"), other / "real.glb");
   EXPECT_TRUE(changed());
+}
+
+/// Ways to a file that become other ways.
+class WayToAFile : public FileWatchTest {
+ protected:
+  WayToAFile() {
+    folder_.write("one/a/scene.glb", "first");
+    folder_.write("two/a/scene.glb", "second");
+  }
+
+  /// Whether it sees the change that was made, and the next one in the file that the name has now.
+  void expect_followed(const fs::path& name) {
+    EXPECT_TRUE(changed());
+    fs::rename(folder_.write("new", "third"), name);
+    EXPECT_TRUE(changed()) << "in the file that the name has now";
+  }
+};
+
+TEST_F(WayToAFile, AFolderIsRemovedAndMadeAgain) {
+  watch_.watch({folder_ / "one/a/scene.glb"});
+  fs::remove_all(folder_ / "one");
+  fs::rename(folder_ / "two", folder_ / "one");
+  expect_followed(folder_ / "one/a/scene.glb");
+}
+
+TEST_F(WayToAFile, FoldersAreExchanged) {
+  watch_.watch({folder_ / "one/a/scene.glb"});
+  ASSERT_EQ(::renameat2(AT_FDCWD, (folder_ / "one").c_str(), AT_FDCWD, (folder_ / "two").c_str(),
+                        RENAME_EXCHANGE),
+            0);
+  expect_followed(folder_ / "one/a/scene.glb");
+}
+
+TEST_F(WayToAFile, ALinkIsTurned) {
+  for (const auto& [link, one, two, name] :
+       {std::array{"last.glb", "one/a/scene.glb", "two/a/scene.glb", "last.glb"},
+        std::array{"middle", "one", "two", "middle/a/scene.glb"}}) {
+    fs::create_symlink(one, folder_ / link);
+    watch_.watch({folder_ / name});
+    fs::create_symlink(two, folder_ / "turned");
+    fs::rename(folder_ / "turned", folder_ / link);
+    expect_followed(folder_ / "two/a/scene.glb");
+  }
+}
+
+TEST_F(WayToAFile, AFolderThatWasMissingComes) {
+  watch_.watch({folder_ / "three/a/scene.glb"});
+  fs::rename(folder_ / "two", folder_ / "three");
+  expect_followed(folder_ / "three/a/scene.glb");
+}
+
+TEST_F(WayToAFile, AFileOrItsFolderIsGone) {
+  FileWatch watch({.quiet_after_whole_file = std::chrono::milliseconds(1),
+                   .quiet_while_open = std::chrono::milliseconds(2)});
+  watch.watch({folder_ / "one/a/scene.glb", folder_ / "two/a/scene.glb"});
+  fs::remove(folder_ / "one/a/scene.glb");
+  EXPECT_EQ(watch.wait_for_change(stop_.get_token()), FileChange::of_watched_file);
+  fs::rename(folder_ / "two", folder_ / "elsewhere");
+  EXPECT_EQ(watch.wait_for_change(stop_.get_token()), FileChange::of_watched_file);
 }
 
 TEST_F(FileWatchTest, WatchesTheFilesThatItWasToldOfLast) {

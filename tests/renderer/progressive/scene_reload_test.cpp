@@ -69,6 +69,15 @@ TEST_F(SceneReload, WhatDoesNotLoadIsRefusedAndTheNextVersionIsLoaded) {
   EXPECT_EQ(reloaded.scene->scene.bounds().upper, Vec3(2, 2, -5));
 }
 
+TEST_F(SceneReload, AFileThatIsGoneIsRefusedAndFollowedByItsName) {
+  fs::rename(file_, folder_ / "elsewhere.glb");
+  const ReloadedScene gone = wait_for(reloader_);
+  EXPECT_EQ(gone.scene, nullptr);
+  EXPECT_NE(gone.refusal.find("scene.glb"), std::string::npos) << gone.refusal;
+  replace(triangle_glb(2.0F));
+  EXPECT_NE(wait_for(reloader_).scene, nullptr);
+}
+
 TEST_F(SceneReload, WhatOnlyMovedIsNotBuiltAgain) {
   replace(triangle_glb(1.0F, 1.0F));
   const ReloadedScene first_change = wait_for(reloader_);
