@@ -1,6 +1,5 @@
 #include "scenes/generators_program.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -9,7 +8,6 @@
 #include <sstream>
 #include <string_view>
 #include <system_error>
-#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "renderer/base/cores.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/programs.h"
@@ -104,8 +103,7 @@ std::string_view last_lines(std::string_view text) {
 ProgramEnd end_of_build(const fs::path& build_folder) {
   try {
     return run_to_end({.words = {"cmake", "--build", build_folder.string(), "--parallel",
-                                 fmt::to_string(std::max(1U, std::thread::hardware_concurrency())),
-                                 "--target", program_name},
+                                 fmt::to_string(usable_cores()), "--target", program_name},
                        .on_interrupt = OnInterrupt::ends});
   } catch (const std::system_error& failure) {
     throw Error("cmake",

@@ -15,6 +15,7 @@
 #include "analysis/statistics/multiplicity.h"
 #include "analysis/statistics/order_effect.h"
 #include "analysis/statistics/ranks.h"
+#include "renderer/base/cores.h"
 #include "renderer/base/ordered_jobs.h"
 
 namespace foveola::analysis {
@@ -237,7 +238,7 @@ std::vector<MethodComparison> compare_all(const Dataset& set, const study::Analy
   OrderedJobs<MethodComparison> jobs(pairs.size(), pairs.size(), [&](std::size_t index) {
     return compare(set, plan, pairs[index], means[pairs[index].measure], models);
   });
-  jobs.run(all_cores(), [&](std::size_t /*index*/, MethodComparison comparison) {
+  jobs.run(usable_cores(), [&](std::size_t /*index*/, MethodComparison comparison) {
     compared.push_back(std::move(comparison));
     return true;
   });

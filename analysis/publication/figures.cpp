@@ -9,6 +9,7 @@
 #include "analysis/publication/scene_figure.h"
 #include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
+#include "renderer/base/cores.h"
 #include "renderer/base/ordered_jobs.h"
 
 namespace foveola::analysis {
@@ -33,7 +34,7 @@ std::vector<Figure> draw_figures(const StudyTables& tables) {
   std::vector<Figure> figures;
   OrderedJobs<std::optional<Figure>> jobs(drawings.size(), drawings.size(),
                                           [&](std::size_t index) { return drawings[index](); });
-  jobs.run(all_cores(), [&](std::size_t /*index*/, std::optional<Figure> figure) {
+  jobs.run(usable_cores(), [&](std::size_t /*index*/, std::optional<Figure> figure) {
     if (figure) {
       figures.push_back(*std::move(figure));
       if (!has_letters) {

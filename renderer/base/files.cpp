@@ -46,8 +46,9 @@ fs::path own_temporary_folder() {
 }
 
 /// Foveola's in the folder that the environment variable names, else in `usual` of the user's home.
+/// Relative paths are ignored, as the XDG Base Directory Specification asks.
 fs::path user_folder(const char* variable, const fs::path& usual) {
-  if (const fs::path chosen = path_from_environment(variable); !chosen.empty()) {
+  if (const fs::path chosen = path_from_environment(variable); chosen.is_absolute()) {
     return chosen / "foveola";
   }
   if (const fs::path home = path_from_environment("HOME"); !home.empty()) {

@@ -1,7 +1,6 @@
 // Pieces of work side by side, whose results are taken one after the other in their order.
 #pragma once
 
-#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -15,11 +14,6 @@
 #include <vector>
 
 namespace foveola {
-
-/// As many jobs as the machine has cores, or one if it does not say.
-inline int all_cores() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 /// Calls work(i) for i in [0, count) on `jobs` threads, and take(i, result) on the calling thread
 /// in the order of i, until `take` returns false or all are done. At most `ahead` results more than

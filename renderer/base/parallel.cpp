@@ -15,6 +15,8 @@
 #include <pmmintrin.h>
 #endif
 
+#include "renderer/base/cores.h"
+
 #if defined(__SANITIZE_THREAD__)
 #define FOVEOLA_THREAD_SANITIZER 1
 #elif defined(__has_feature)
@@ -110,8 +112,7 @@ struct Workers::Arena {
 };
 
 Workers::Workers(int threads)
-    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
-      arena_(std::make_unique<Arena>(threads_)) {}
+    : threads_(threads > 0 ? threads : usable_cores()), arena_(std::make_unique<Arena>(threads_)) {}
 
 Workers::~Workers() = default;
 

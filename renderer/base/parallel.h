@@ -17,7 +17,7 @@ struct BlockSizes {
 /// Embree asks of every thread that traces.
 class Workers {
  public:
-  /// threads: 0 takes every core of the machine.
+  /// threads: 0 takes every core that usable_cores() counts.
   explicit Workers(int threads = 0);
   ~Workers();
   Workers(const Workers&) = delete;

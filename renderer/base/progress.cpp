@@ -2,17 +2,39 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "renderer/base/print.h"
+#include "renderer/base/utf8.h"
 
 namespace foveola {
 
+namespace {
+
+/// Whether standard error is a terminal that moves its cursor.
+bool obeys_escapes() {
+  const char* const kind = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) == 1 && (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
+/// The beginning of the line that the terminal shows without breaking it.
+std::string_view fitting(std::string_view line) {
+  constexpr std::size_t default_columns = 80;
+  winsize size{};
+  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return line.substr(0, bytes_of_first(line, (is_known ? size.ws_col : default_columns) - 1));
+}
+
+}  // namespace
+
 Progress::Progress(std::string label)
     : label_(std::move(label)),
-      terminal_(::isatty(STDERR_FILENO) == 1),
+      terminal_(obeys_escapes()),
       start_(std::chrono::steady_clock::now()),
       last_shown_(terminal_ ? std::chrono::steady_clock::time_point() : start_) {}
 
@@ -39,9 +61,9 @@ void Progress::update(double fraction_done, const std::string& detail) {
           ? human_duration(elapsed_s * (1.0 - fraction_done) / fraction_done) + " left"
           : "";
   const std::string line =
-      fmt::format("{}  {:3.0f} %  {}  {}", label_, 100.0 * fraction_done, left, detail);
+      printable(fmt::format("{}  {:3.0f} %  {}  {}", label_, 100.0 * fraction_done, left, detail));
   std::fputs(terminal_ ? "\r" : "", stderr);
-  print_escaped(stderr, line);
+  print_escaped(stderr, terminal_ ? fitting(line) : line);
   std::fputs(terminal_ ? "\033[K" : "\n", stderr);
   std::fflush(stderr);
 }

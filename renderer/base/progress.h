@@ -7,8 +7,9 @@
 namespace foveola {
 
 /// Writes "LABEL  42 %  1 m 10 s left" over one line of standard error, at most ten times a second,
-/// and only when that is a terminal; otherwise a plain line at every tenth of the work, and when
-/// five minutes have gone by without one. The line is finished when the object goes.
+/// and only when that is a terminal that obeys escapes, cut to its width; otherwise a plain line at
+/// every tenth of the work, and when five minutes have gone by without one. The line is finished
+/// when the object goes.
 class Progress {
  public:
   explicit Progress(std::string label);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/cores.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
@@ -69,7 +69,7 @@ std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes
 /// The number of threads: at least four unless asked otherwise, also on fewer cores: bits must be
 /// equal on four threads, and TBB starts no more than the first of its users allows.
 int thread_count(const StabilityArguments& arguments) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const int cores = usable_cores();
   return arguments.threads > 0 ? arguments.threads : std::max(4, cores);
 }
 

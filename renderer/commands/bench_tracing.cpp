@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +12,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/cores.h"
 #include "renderer/base/print.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/arguments.h"
@@ -289,7 +289,7 @@ RenderSettings settings_from(const TracingArguments& arguments) {
 
 /// The numbers of threads that are measured by default: one, and all cores.
 std::vector<int> usual_threads() {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int cores = usable_cores();
   return cores == 1 ? std::vector{1} : std::vector{1, cores};
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/cores.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/ordered_jobs.h"
@@ -205,7 +206,7 @@ Verification check_sessions_in(const fs::path& path, std::span<const SessionKey>
 void check_file_and_sessions(const fs::path& path, const std::vector<SessionKey>& sessions,
                              Verification& found) {
   constexpr std::size_t most_at_once = 128;  // what they are before events is in memory
-  const auto threads = static_cast<std::size_t>(all_cores());
+  const auto threads = static_cast<std::size_t>(usable_cores());
   const std::size_t at_once =
       std::clamp<std::size_t>((sessions.size() + threads - 1) / threads, 1, most_at_once);
   const std::size_t pieces = (sessions.size() + at_once - 1) / at_once;
@@ -217,7 +218,7 @@ void check_file_and_sessions(const fs::path& path, const std::vector<SessionKey>
     return check_sessions_in(
         path, std::span(sessions).subspan(first, std::min(at_once, sessions.size() - first)));
   });
-  checks.run(all_cores(), [&](std::size_t index, const Verification& part) {
+  checks.run(usable_cores(), [&](std::size_t index, const Verification& part) {
     append(found, part);
     return index > 0 || part.faults.empty();
   });

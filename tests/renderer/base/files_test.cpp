@@ -9,6 +9,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"
 #include "tests/unprivileged.h"
 
@@ -36,6 +37,16 @@ TEST_F(Files, ReadBackWhatWasWritten) {
   write_file(folder_ / "x.bin", content);
   EXPECT_EQ(read_file(folder_ / "x.bin"), content);
   EXPECT_EQ(entries(), 1U);
+}
+
+// XDG Base Directory Specification: "All paths set in these environment variables must be absolute.
+// If an implementation encounters a relative path [...] it should [...] ignore it."
+TEST_F(Files, RelativeFoldersOfTheEnvironmentAreIgnored) {
+  const scenes::EnvironmentVariable home("HOME", folder_);
+  const scenes::EnvironmentVariable relative("XDG_DATA_HOME", "data");
+  EXPECT_EQ(data_folder(), folder_ / ".local/share/foveola");
+  const scenes::EnvironmentVariable absolute("XDG_CACHE_HOME", folder_ / "cache");
+  EXPECT_EQ(cache_folder(), folder_ / "cache/foveola");
 }
 
 TEST_F(Files, AnEmptyFileIsEmpty) {

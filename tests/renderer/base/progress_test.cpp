@@ -1,0 +1,56 @@
+#include "renderer/base/progress.h"
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "tests/scenes/environment.h"
+
+namespace foveola {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// What a progress line writes to a terminal of this kind that is 20 columns wide.
+std::string shown_on(const char* kind) {
+  const scenes::EnvironmentVariable term("TERM", kind);
+  int terminal = -1;
+  int program = -1;
+  const winsize size{.ws_row = 24, .ws_col = 20, .ws_xpixel = 0, .ws_ypixel = 0};
+  EXPECT_EQ(::openpty(&terminal, &program, nullptr, nullptr, &size), 0);
+  const int before = ::dup(STDERR_FILENO);
+  ::dup2(program, STDERR_FILENO);
+  {
+    Progress progress("Reference images of a long study");
+    progress.update(0.5, "meeting-room");
+  }
+  ::dup2(before, STDERR_FILENO);
+  std::array<char, 4096> bytes{};
+  ::fcntl(terminal, F_SETFL, O_NONBLOCK);
+  const ssize_t count = ::read(terminal, bytes.data(), bytes.size());
+  for (const int descriptor : {before, terminal, program}) {
+    ::close(descriptor);
+  }
+  return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
+TEST(Progress, StaysOnOneLineOfTheTerminal) {
+  // One column stays free: some terminals begin a new line behind the last.
+  EXPECT_EQ(shown_on("xterm"), "\rReference images of\033[K\r\033[K");
+}
+
+TEST(Progress, HasNoEscapesWhereATerminalKnowsNone) {
+  const std::string shown = shown_on("dumb");
+  EXPECT_THAT(shown, HasSubstr("Reference images of a long study   50 %"));
+  EXPECT_THAT(shown, Not(HasSubstr("\033")));
+}
+
+}  // namespace
+}  // namespace foveola
