@@ -58,7 +58,6 @@ constexpr Symbol symbols[] = {{"\\", "\\textbackslash{}"},
                               {"<", "\\textless{}"},
                               {">", "\\textgreater{}"},
                               {"|", "\\textbar{}"},
-                              {"\"", "''"},  // a command of its own in several languages' packages
                               {"--", "-{}-{}"},  // else a dash
                               {"–", "--"},
                               {"—", "---"},
@@ -148,6 +147,14 @@ bool is_minus(std::string_view text, std::size_t at) {
          std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0;
 }
 
+/// A straight quotation mark opens behind what a word does not end with. As it is, it is a command
+/// of its own in several languages' packages.
+const char* straight_quote(std::string_view text, std::size_t at) {
+  const bool opens =
+      at == 0 || std::string_view(" [({/-").find(text[at - 1]) != std::string_view::npos;
+  return opens ? "``" : "''";
+}
+
 /// Whether what stands there is part of a word that does not fit into a narrow column. LaTeX knows
 /// where to hyphenate words of a language, but not names.
 bool is_in_long_word(std::string_view text, std::size_t at) {
@@ -172,6 +179,8 @@ std::string latex_text(std::string_view text) {
       latex += symbol->latex;
     } else if (is_minus(plain, i)) {
       latex += "$-$";
+    } else if (plain[i] == '"') {
+      latex += straight_quote(plain, i);
     } else {
       latex += plain[i];
     }

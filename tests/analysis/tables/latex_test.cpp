@@ -12,7 +12,8 @@ TEST(LatexText, NamesCannotBecomeCommands) {
   EXPECT_EQ(latex_text("a_b & 50 % of #1 {x} $y$ ~^\\input"),
             "a\\_b \\& 50 \\% of \\#1 \\{x\\} \\$y\\$ \\~{}\\^{}\\textbackslash{}input");
   EXPECT_EQ(latex_text("keine & 0 % <b>"), "keine \\& 0 \\% \\textless{}b\\textgreater{}");
-  EXPECT_EQ(latex_text("über_all \"日本\""), "über\\_all ''日本''");
+  EXPECT_EQ(latex_text("über_all \"日本\""), "über\\_all ``日本''");
+  EXPECT_EQ(latex_text("(\"a\") 5\" x"), "(``a'') 5'' x");
   EXPECT_EQ(latex_text("a\nb|c\x7f"), "a b\\textbar{}c?");
 }
 
