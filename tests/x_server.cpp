@@ -94,6 +94,8 @@ OpenDisplay open_display(const std::string& name) {
   if (!display) {
     throw std::runtime_error("no X server at " + name);
   }
+  // A window that is looked at may be gone by then.
+  XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
   return display;
 }
 
@@ -235,17 +237,48 @@ void XMonitors::bring_back(const std::string& monitor) {
   Outputs(display()).show(place_of(monitor), true);
 }
 
+WindowManager::WindowManager(const std::string& name, const std::string& display) {
+  // twm would wait for a click to place each window.
+  const std::string settings = folder_.write("twmrc", "RandomPlacement\nNoGrabServer\n");
+  const OpenDisplay opened = open_display(display);
+  process_ = ::fork();
+  if (process_ == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    const bool is_twm = name == "twm";
+    ::execlp(name.c_str(), name.c_str(), is_twm ? "-f" : "--sm-disable",
+             is_twm ? settings.c_str() : nullptr, nullptr);
+    ::_exit(127);
+  }
+  wait_until("windows managed by " + name, [&] {
+    XWindowAttributes root{};
+    XGetWindowAttributes(opened.get(), DefaultRootWindow(opened.get()), &root);
+    return (root.all_event_masks & SubstructureRedirectMask) != 0;
+  });
+}
+
+WindowManager::~WindowManager() {
+  ::kill(process_, SIGTERM);
+  ::waitpid(process_, nullptr, 0);
+}
+
 struct XUser::Connection {
   explicit Connection(const std::string& name)
       : opened(open_display(name)), display(opened.get()) {}
 
-  /// 0 if there is none, or it is not shown yet.
+  /// 0 if there is none, or it is not shown yet. A window manager puts it into a frame.
   ::Window find(const std::string& title) const {
+    return find_in(DefaultRootWindow(display), title);
+  }
+
+  ::Window find_in(::Window parent, const std::string& title) const {
     ::Window root = 0;
-    ::Window parent = 0;
+    ::Window grandparent = 0;
     ::Window* children = nullptr;
     unsigned count = 0;
-    XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count);
+    XQueryTree(display, parent, &root, &grandparent, &children, &count);
     ::Window found = 0;
     for (unsigned i = 0; i < count; ++i) {
       char* name = nullptr;
@@ -256,6 +289,7 @@ struct XUser::Connection {
         found = children[i];
       }
       XFree(name);
+      found = found == 0 ? find_in(children[i], title) : found;
     }
     XFree(children);
     return found;

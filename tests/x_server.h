@@ -52,6 +52,22 @@ class XMonitors {
   XServer server_;
 };
 
+/// A program that frames windows and gives them the keyboard, for as long as it lives.
+class WindowManager {
+ public:
+  /// "openbox", where a window gets the keyboard when it opens or is clicked; or "twm", where it
+  /// has it while the pointer is in it. Returns once it manages the display's windows; throws
+  /// std::runtime_error if it never does.
+  WindowManager(const std::string& name, const std::string& display);
+  ~WindowManager();
+  WindowManager(const WindowManager&) = delete;
+  WindowManager& operator=(const WindowManager&) = delete;
+
+ private:
+  TemporaryFolder folder_;  ///< of its settings
+  pid_t process_ = -1;
+};
+
 /// A user, through the extension XTest. A window of `title` is waited for where one is named;
 /// throws std::runtime_error if there never is one.
 class XUser {

@@ -64,6 +64,9 @@ class SeatedParticipant {
   /// long as anybody needs to react.
   void wait_for_signal();
 
+  /// Windows are managed from now on: see WindowManager.
+  void manage_windows(const std::string& name) { manager_.emplace(name, server_.display()); }
+
   /// Presses a key and lets it go.
   KeyPress type(const std::string& key);
   void type_all(const std::vector<std::string>& keys);
@@ -102,6 +105,7 @@ class SeatedParticipant {
   std::vector<std::string> command() const;
 
   XServer server_;
+  std::optional<WindowManager> manager_;
   std::optional<XUser> user_{std::in_place, server_.display()};
   Hall hall_;
   Environment environment_ = hall_.environment();
