@@ -159,15 +159,12 @@ void TomlReader::read_number(std::string_view key, double& value, const TomlKeyR
 }
 
 template <typename Vector>
-void TomlReader::read_vector(std::string_view key, Vector& value, double minimum, double maximum) {
-  std::vector<float> numbers;
-  for (int i = 0; i < Vector::length(); ++i) {
-    numbers.push_back(value[i]);
-  }
+void TomlReader::read_vector(std::string_view key, Vector& value, double minimum, double maximum,
+                             const std::optional<std::string>& default_text) {
   TomlKeyRule rule = rule_of(fmt::format("list of {} numbers", Vector::length()));
   rule.minimum = minimum;
   rule.maximum = maximum;
-  rule.default_text = fmt::format("[{}]", fmt::join(numbers, ", "));
+  rule.default_text = default_text;
   const toml::node* node = find(key, rule);
   if (node == nullptr) {
     return;
@@ -189,11 +186,20 @@ void TomlReader::read_vector(std::string_view key, Vector& value, double minimum
 }
 
 void TomlReader::read(std::string_view key, Vec2& value, double minimum, double maximum) {
-  read_vector(key, value, minimum, maximum);
+  read_vector(key, value, minimum, maximum, fmt::format("[{}, {}]", value.x, value.y));
+}
+
+void TomlReader::read(std::string_view key, std::optional<Vec2>& value, double minimum,
+                      double maximum) {
+  Vec2 both(0.0F);
+  read_vector(key, both, minimum, maximum, std::nullopt);
+  if (has(key)) {
+    value = both;
+  }
 }
 
 void TomlReader::read(std::string_view key, Vec3& value, double minimum, double maximum) {
-  read_vector(key, value, minimum, maximum);
+  read_vector(key, value, minimum, maximum, fmt::format("[{}, {}, {}]", value.x, value.y, value.z));
 }
 
 std::size_t TomlReader::find_word(std::string_view key, const std::vector<std::string_view>& known,

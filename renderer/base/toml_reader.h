@@ -45,6 +45,7 @@ class TomlReader {
   void read(std::string_view key, std::optional<double>& value, double minimum, double maximum);
   /// Arrays of as many numbers as the vector has components, each of them as above.
   void read(std::string_view key, Vec2& value, double minimum, double maximum);
+  void read(std::string_view key, std::optional<Vec2>& value, double minimum, double maximum);
   void read(std::string_view key, Vec3& value, double minimum, double maximum);
   /// One of `choices`, which are in ascending order.
   void read(std::string_view key, int& value, const std::vector<int>& choices);
@@ -121,7 +122,8 @@ class TomlReader {
   std::size_t find_word(std::string_view key, const std::vector<std::string_view>& known,
                         const std::optional<std::string>& default_text);
   template <typename Vector>
-  void read_vector(std::string_view key, Vector& value, double minimum, double maximum);
+  void read_vector(std::string_view key, Vector& value, double minimum, double maximum,
+                   const std::optional<std::string>& default_text);
 
   std::string file_;
   const toml::table* table_;

@@ -18,6 +18,7 @@ bool is_demanded(SetupPart part, const PreflightGate& gate) {
     case SetupPart::machine:
     case SetupPart::speed:
       return gate.same_machine;
+    case SetupPart::refreshes:
     case SetupPart::program:
     case SetupPart::other:
       break;
@@ -39,8 +40,10 @@ SetupChanges setup_changes(const std::vector<SessionSetup>& sessions,
       if (!named.insert(found.name).second) {
         continue;
       }
+      const bool depends_on_moment =
+          found.part == SetupPart::speed || found.part == SetupPart::refreshes;
       const bool must_be_same =
-          is_demanded(found.part, gate) || (is_continued && found.part != SetupPart::speed);
+          is_demanded(found.part, gate) || (is_continued && !depends_on_moment);
       (must_be_same ? changes.demanded : changes.others)
           .push_back(fmt::format("{} {} ({}: {})", found.name, found.now,
                                  is_continued ? "before" : session.participant, found.before));

@@ -15,8 +15,8 @@ struct SetupChanges {
 };
 
 /// Of a session by `participant` that is to run on `now`, in words. A session that is continued is
-/// compared with itself, and all but its speed has to be the same; one that begins with those of
-/// people, and what `gate` demands has to be.
+/// compared with itself, and all has to be the same but what depends on the moment; one that begins
+/// is compared with those of people, and what `gate` demands has to be the same.
 SetupChanges setup_changes(const std::vector<SessionSetup>& sessions,
                            const std::string& participant, const std::string& now,
                            const PreflightGate& gate);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/clock.h"
 #include "study/person/question_entry.h"
 #include "study/protocol/texts.h"
 

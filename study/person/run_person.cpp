@@ -241,7 +241,7 @@ class PersonRun {
       }
     }
     if (!changes.demanded.empty()) {
-      accepted_changes_ = note_of_changes(changes.demanded);
+      accepted_changes_.push_back(note_of_changes(changes.demanded));
     }
   }
 
@@ -290,11 +290,15 @@ class PersonRun {
     return with_renderer(json.dump(), build_info());
   }
 
-  void check(const SceneStages& stages) const {
+  void check(const SceneStages& stages) {
     print_scene_warnings(stages);
-    const std::vector<ShownScene> shown = shown_scenes(stages);
-    if (!settings_.despite_changes) {
-      require_same_scenes(settings_.database, shown);
+    try {
+      require_same_scenes(settings_.database, shown_scenes(stages));
+    } catch (const Error& change) {
+      if (!settings_.despite_changes) {
+        throw;
+      }
+      accepted_changes_.push_back(note_of_changes({change.what()}));
     }
   }
 
@@ -375,9 +379,7 @@ class PersonRun {
     if (store_.amendment()) {
       notes.push_back(note_of(*store_.amendment()));
     }
-    if (accepted_changes_) {
-      notes.push_back(*accepted_changes_);
-    }
+    notes.insert(notes.end(), accepted_changes_.begin(), accepted_changes_.end());
     return {.participant = settings_.participant,
             .eye = eye_of(tracker_.source),
             .seed = seed,
@@ -400,8 +402,8 @@ class PersonRun {
   std::unique_ptr<Console> console_;  ///< before and after the session
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
-  std::int64_t row_ = 0;                         ///< the session's row in the store
-  std::optional<std::string> accepted_changes_;  ///< a note of those of the equipment
+  std::int64_t row_ = 0;                       ///< the session's row in the store
+  std::vector<std::string> accepted_changes_;  ///< notes of those of scenes and equipment
 };
 
 /// Nothing was acknowledged to the participant before it was durable.

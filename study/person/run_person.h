@@ -29,6 +29,7 @@ struct RunSettings {
   std::optional<int> monitor;  ///< fills this monitor
   int threads = 0;             ///< 0: one for every core
   bool resumes = false;        ///< goes on with the participant's unfinished session
+  bool undoes_end = false;     ///< which a withdrawal or an exclusion was
   bool is_blind = false;       ///< the experimenter does not read the methods before its end
   /// Even if the program, the scenes or the equipment have changed since.
   bool despite_changes = false;
@@ -46,7 +47,6 @@ struct RunSettings {
 
 struct RunReport {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
-  bool undoes_end = false;       ///< which a withdrawal or an exclusion was
   bool is_blind = false;         ///< by the settings, or since the session began
   std::filesystem::path backup;
   std::filesystem::path copy;  ///< in the backup_folder; empty if there is none

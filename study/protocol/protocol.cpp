@@ -19,6 +19,7 @@
 #include "renderer/base/toml_reader.h"
 #include "renderer/base/utf8.h"
 #include "study/protocol/built_in_texts.h"
+#include "study/protocol/measure.h"
 #include "study/protocol/protocol_places.h"
 #include "study/protocol/read_analysis.h"
 #include "study/protocol/read_methods.h"
@@ -99,6 +100,14 @@ void require_names_of_files(const Protocol& protocol) {
                   fmt::format("the id '{}' has {} characters, and the analysis names files by it",
                               id, id.size()),
                   fmt::format("write at most {}", max_id_length));
+    }
+    const bool is_of_response = id == looking_around_id ||
+                                std::ranges::any_of(protocol.ratings, [&](const Question& rating) {
+                                  return id == rating.id + response_suffix;
+                                });
+    if (is_of_response) {
+      throw Error(places.of(key), fmt::format("the id '{}' is that of a response time", id),
+                  "choose another");
     }
     const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
       return ::strcasecmp(other.c_str(), id.c_str()) == 0;

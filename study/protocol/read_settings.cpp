@@ -290,10 +290,7 @@ PreflightGate read_preflight(TomlReader reader) {
   reader.read("min_free_gb", gate.min_free_gb, 0.0, 1e6);
   reader.read("tracked_eye", gate.tracked_eye);
   reader.read("stated_display", gate.stated_display);
-  if (Vec2 degrees(0.0F); reader.has("fov_deg")) {
-    reader.read("fov_deg", degrees, narrowest_deg, widest_deg);
-    gate.fov_deg = degrees;
-  }
+  reader.read("fov_deg", gate.fov_deg, narrowest_deg, widest_deg);
   reader.read("fov_tolerance_deg", gate.fov_tolerance_deg, 0.01, 45.0);
   reader.read("full_screen", gate.full_screen);
   reader.read("same_machine", gate.same_machine);

@@ -56,8 +56,9 @@ std::optional<Amendment> amendment_in(const std::string& note) {
                       .changed = keys_in(changes.substr(0, end_of_keys)),
                       .text = note.substr(end_of_line + 1)};
   if (end_of_keys != std::string_view::npos) {
-    for (const auto& [name, text] :
-         json_in(std::string(changes.substr(end_of_keys + before_files.size()))).items()) {
+    const nlohmann::ordered_json files =
+        json_in(std::string(changes.substr(end_of_keys + before_files.size())));
+    for (const auto& [name, text] : files.items()) {
       amendment.files.emplace(name, text.is_string() ? text.get<std::string>() : "");
     }
   }

@@ -85,7 +85,7 @@ CREATE TABLE study_rating (
 -- name. seed is an unsigned 64-bit number, more than SQLite's integers hold. design_row is that of
 -- the protocol's design which the plan was made of. program_version, compiler and build_type are of
 -- the program that began the session: another that goes on with it says so in a note. devices is
--- what the display and the eye tracker turned out to be, of a simulated session how it was
+-- what the display, the eye tracker and the machine turned out to be, of a simulated session how it was
 -- simulated, and what traced the rays by which instructions. migrated_from is the schema that the session was recorded in,
 -- if it was another; such a session has no design_row. study_created_utc is created_utc of the study
 -- that the session was begun in; the study's own is the earliest of its sessions'. state is the phase

@@ -41,7 +41,7 @@ constexpr std::array facts{
     Fact{"viewing distance in mm", "/display/distance_mm", SetupPart::display},
     Fact{"full screen", "/preflight/full_screen"},
     Fact{"frame rate in Hz", "/display/refresh_rate_hz", SetupPart::other, rate_tolerance},
-    Fact{"frame rate measured", "/display/refresh_is_measured"},
+    Fact{"frame rate measured", "/display/refresh_is_measured", SetupPart::refreshes},
     Fact{"graphics", "/display/graphics", SetupPart::machine},
     Fact{"processor", "/machine/processor", SetupPart::machine},
     Fact{"threads", "/machine/threads", SetupPart::machine},
@@ -107,7 +107,9 @@ std::string in_words(const Json& value) {
   }
   if (value.is_array()) {
     std::vector<std::string> parts;
-    std::ranges::transform(value, std::back_inserter(parts), in_words);
+    for (const Json& part : value) {
+      parts.push_back(in_words(part));
+    }
     return fmt::format("{}", fmt::join(parts, " x "));
   }
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -124,8 +126,8 @@ std::string with_row(const std::string& devices, const std::string& processor,
   return json.dump();
 }
 
-/// A value of a fact, and who had it.
-struct Value {
+/// A value of a fact that was found, and who had it.
+struct FoundValue {
   Json value;
   std::vector<std::string> participants;
 };
@@ -175,7 +177,7 @@ std::vector<SessionSetup> read_session_setups(const std::filesystem::path& path)
 }
 
 std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions) {
-  std::array<std::vector<Value>, facts.size()> found;
+  std::array<std::vector<FoundValue>, facts.size()> found;
   for (const SessionSetup& session : sessions) {
     for (const std::string& devices : session.devices) {
       const std::vector<Json> values = values_in(devices);
@@ -183,11 +185,11 @@ std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions
         if (values[i].is_null() || facts[i].part == SetupPart::program) {
           continue;
         }
-        auto known = std::ranges::find_if(found[i], [&](const Value& value) {
+        auto known = std::ranges::find_if(found[i], [&](const FoundValue& value) {
           return is_same(value.value, values[i], facts[i].tolerance);
         });
         if (known == found[i].end()) {
-          known = found[i].insert(known, {values[i], {}});
+          known = found[i].insert(known, FoundValue{values[i], {}});
         }
         if (known->participants.empty() || known->participants.back() != session.participant) {
           known->participants.push_back(session.participant);
@@ -198,7 +200,7 @@ std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < facts.size(); ++i) {
     std::vector<std::string> values;
-    for (const Value& value : found[i]) {
+    for (const FoundValue& value : found[i]) {
       values.push_back(
           fmt::format("{} in {}", in_words(value.value), fmt::join(value.participants, ", ")));
     }

@@ -11,8 +11,9 @@ class Database;
 
 namespace foveola::study {
 
-/// What belongs together where a protocol asks for the same.
-enum class SetupPart { display, machine, speed, program, other };
+/// What belongs together where a protocol asks for the same. Speeds, and whether refreshes were
+/// measured, depend on the moment.
+enum class SetupPart { display, machine, speed, refreshes, program, other };
 
 /// A fact that two sessions have otherwise, in words.
 struct SetupDifference {

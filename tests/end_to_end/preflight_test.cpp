@@ -96,7 +96,7 @@ TEST_F(PreflightRun, ItsFiguresAreInTheRecord) {
                                " devices ->> '$.preflight.free_bytes' > 1,"
                                " devices ->> '$.preflight.film_px',"
                                " json_array_length(devices, '$.preflight.checks') FROM session"),
-              ElementsAre("hall|1|1|1|[128,64]|10"));
+              ElementsAre("hall|1|1|1|[128,64]|12"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "analysis/koskela2018/background.h"
 #include "analysis/koskela2018/met_means.h"
+#include "tests/analysis/golden.h"
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/analysis/made_up_study.h"
 

@@ -67,7 +67,7 @@ TEST_F(ProtocolsLabels, AreInEveryFileAndOnTheTerminal) {
                     Not(HasSubstr("<b>"))));
   EXPECT_THAT(texts_.at("ratings-artifacts.tex"),
               HasSubstr("1 keine \\& 0 \\% \\textless{}b\\textgreater{} to 5 über\\_all "
-                        "''日本'', \\#1 \\{x\\} \\$y\\$ \\~{} \\^{} \\textbackslash{}"));
+                        "``日本'', \\#1 \\{x\\} \\$y\\$ \\~{} \\^{} \\textbackslash{}"));
   const std::string described = "Artefakte? Answers: " + words;
   bool is_in_codebook = false;
   for (const CsvRow& row : parse_csv(texts_.at("codebook.csv"), "codebook")) {

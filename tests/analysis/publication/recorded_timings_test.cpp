@@ -155,7 +155,7 @@ TEST_F(RecordedTimings, OfExcludedSessionsComeOutToo) {
   EXPECT_EQ(rows_in("trials_timed_again.csv").size(), 1U + 2U * 3U);
   const std::string answers = read_file(folder_ / "out" / "answers_long.csv");
   EXPECT_THAT(answers, HasSubstr("P02,completed,analysed,,debrief,"));
-  EXPECT_THAT(answers, HasSubstr(",comments,,\"a, \"\"b\"\"\",,,simulated,verified\r\n"));
+  EXPECT_THAT(answers, HasSubstr(",comments,,\"a, \"\"b\"\"\",,,,simulated,verified\r\n"));
   EXPECT_EQ(rows_in("catch_trials.csv").at(1).at(0), "P02");
 }
 

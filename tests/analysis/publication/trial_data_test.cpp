@@ -142,7 +142,8 @@ TEST(TrialData, EveryMeasureOfTheProtocolHasItsColumns) {
 TEST(TrialData, NoIdOfAMarkMakesAColumnOfThisName) {
   study::StudyRecords records = complete_study(1);
   const Dataset set = select_for_analysis(records);
-  for (const Column& own : TrialColumns(records, set).columns()) {
+  const TrialColumns columns(records, set);
+  for (const Column& own : columns.columns()) {
     if (own.name.starts_with("material_")) {
       continue;  // the other mark's
     }

@@ -59,7 +59,7 @@ TEST(FormTest, TimesEachQuestionForAsLongAsItIsShown) {
   form.was_shown(63s);
   press_at(63125ms, {FormKey::enter, FormKey::enter});  // 0.125 s more
   EXPECT_THAT(form.answers(),
-              ElementsAre(Answer{"age", 42.0, 3500ms}, Answer{"gender", 0.0, 2125ms},
+              ElementsAre(Answer{"age", 42.0, 3500ms}, Answer{"gender", 5.0, 2125ms},
                           Answer{"experience", 1.0, 250ms}));
 }
 

@@ -223,7 +223,7 @@ TEST(Procedure, KeysOfEarlierVersionsAreReadWithANote) {
       protocol.notes,
       ElementsAre(AllOf(HasSubstr(":6:23: "), HasSubstr("'film.spare_done_contrast' is now called "
                                                         "'film.adaptive_contrast'"))));
-  EXPECT_THAT(load(minimal + "[film]\nadaptive_contrast = 0.02\n").notes, IsEmpty());
+  EXPECT_THAT(load(minimal + "[film]\nadaptive_contrast = 0.02\n").notes, testing::IsEmpty());
   EXPECT_THROW(load(minimal + "[film]\nadaptive_contrast = 0.02\nspare_done_contrast = 0.02\n"),
                Error);
 }

@@ -34,6 +34,11 @@ TEST_F(ProtocolFile, IdsNameFilesOnEveryFileSystem) {
   EXPECT_THAT([&] { (void)load(of_rating("if") + of_rating("IF").substr(minimal.size())); },
               ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:9:"),
                                          HasSubstr("the id 'IF' differs from 'if' in capital"))));
+  EXPECT_THAT(
+      [&] {
+        (void)load(of_rating("if") + "[[mark]]\nid = \"if_response\"\ninstruction = \"Now.\"\n");
+      },
+      ThrowsMessage<Error>(HasSubstr("'if_response' is that of a response time")));
   // A record that has such ids can be read.
   EXPECT_NO_THROW((void)read_protocol(of_rating(std::string(65, 'x')), "p.toml"));
 }

@@ -245,7 +245,7 @@ TEST(Database, WriterRefusesAnotherProfile) {
   const auto before = folder.content();
   EXPECT_THAT(refusal([&] { const StudyStore store(path, protocol_with_another_tracker()); }),
               AllOf(StartsWith(path.string()),
-                    HasSubstr("was begun with another tracker than camera, as its profile is now"),
+                    HasSubstr("was begun with another tracker than camera, as its file is now"),
                     testing::Not(HasSubstr("\n"))));
   EXPECT_EQ(folder.content(), before);
 }

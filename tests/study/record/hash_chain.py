@@ -20,7 +20,7 @@ FACTS = [
     ("position, rating, question", "study_rating ORDER BY position"),
 ]
 SESSION_FACTS = [
-    ("session", "id", "id state", "1"),
+    ("session", "id", "id state site", "1"),
     ("session_scene", "session", "session", "scene"),
     ("planned_trial", "session", "session", "trial"),
     ("planned_step", "session", "session", "step"),
@@ -41,8 +41,12 @@ def hash_before_events(study, session):
     for table, key, left_out, order in SESSION_FACTS:
         rows = study.execute(f"SELECT * FROM {table} WHERE {key} = ? ORDER BY {order}", [session])
         names = [column[0] for column in rows.description]
-        lines += [as_line(value for name, value in zip(names, row) if name not in left_out.split())
-                  for row in rows]
+        for row in rows:
+            values = dict(zip(names, row))
+            if values.get("site"):
+                values["participant"] = values["participant"].removeprefix(values["site"] + "-")
+            lines.append(as_line(value for name, value in values.items()
+                                 if name not in left_out.split()))
     return sha256(lines)
 
 

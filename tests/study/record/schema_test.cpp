@@ -130,14 +130,14 @@ TEST_F(Schema, RefusesImpossibleValues) {
   const std::string check = "CHECK constraint failed";
   const std::string foreign = "FOREIGN KEY constraint failed";
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"INSERT INTO rating VALUES (2, 0, 1, 'artifacts', 6)", check},
-      {"INSERT INTO rating VALUES (2, 0, 1, 'artifacts', x'00')", check},
-      {"INSERT INTO rating VALUES (2, 0, 1, 'beauty', 1.0)", foreign},
+      {"INSERT INTO rating VALUES (2, 0, 1, 'artifacts', 6, NULL)", check},
+      {"INSERT INTO rating VALUES (2, 0, 1, 'artifacts', x'00', NULL)", check},
+      {"INSERT INTO rating VALUES (2, 0, 1, 'beauty', 1.0, NULL)", foreign},
       {"INSERT INTO mark VALUES (2, 0, 1, 'outline', -1, 0)", check},
       {"INSERT INTO mark VALUES (2, 0, 1, 'colour', 1, 0)", foreign},
       {"INSERT INTO mark VALUES (2, 3, 1, 'outline', 1, 0)", foreign},
-      {"INSERT INTO attempt VALUES (2, 9, 1, 'vase', NULL, 'open')", foreign},
-      {"INSERT INTO attempt VALUES (2, 3, 1, 'vase', NULL, 'lost')", check},
+      {"INSERT INTO attempt VALUES (2, 9, 1, 'vase', NULL, 'open', NULL)", foreign},
+      {"INSERT INTO attempt VALUES (2, 3, 1, 'vase', NULL, 'lost', NULL)", check},
       {"INSERT INTO planned_trial VALUES (1, 9, 'test', 'box', 'vp', 0, 0)", foreign},
       {"INSERT INTO planned_trial VALUES (1, 9, 'exam', 'box', 'fv', 0, 0)", check},
       {"INSERT INTO planned_step VALUES (1, 20, 'consent', 'background', NULL, NULL, NULL)", check},
@@ -156,9 +156,9 @@ TEST_F(Schema, RefusesImpossibleValues) {
       {"INSERT INTO forgotten VALUES (event_hash, -1, event_hash, '')", check},
       {"INSERT INTO event VALUES (3, 1, 0, '', 'withdrawn', '{}', NULL, NULL, NULL, event_hash)",
        foreign},
-      {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', 1.0, 'one')", check},
-      {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', NULL, NULL)", check},
-      {"INSERT INTO questionnaire_answer VALUES (1, 99, 'a', 'b', 1.0, NULL)", foreign},
+      {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', 1.0, 'one', NULL)", check},
+      {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', NULL, NULL, NULL)", check},
+      {"INSERT INTO questionnaire_answer VALUES (1, 99, 'a', 'b', 1.0, NULL, NULL)", foreign},
       {"INSERT INTO reaction VALUES (1, 9, 10, 9, 0)", check},
       {"UPDATE session SET state = 'asleep' WHERE id = 2", check},
       {"INSERT INTO frame_chunk SELECT 1, 0, 1, 1, 0, encoding, data, data_sha256"
