@@ -15,7 +15,6 @@
 #include "analysis/commands/bench_calibration.h"
 #include "analysis/commands/bench_compare.h"
 #include "analysis/commands/bench_convergence.h"
-#include "analysis/commands/bench_merge.h"
 #include "analysis/commands/bench_statistics.h"
 #include "analysis/commands/commands.h"
 #include "analysis/commands/manual_text.h"
@@ -29,7 +28,6 @@
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
-#include "renderer/cluster/cluster_command.h"
 #include "renderer/command_line/commands.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/bench_commands.h"
@@ -198,7 +196,6 @@ int run(int argc, char** argv) {
   analysis::add_bench_convergence(bench, find_scene, signals.token());
   analysis::add_bench_calibration(bench, find_scene_beside, signals.token());
   analysis::add_bench_compare(bench);
-  analysis::add_bench_merge(bench);
   study::add_bench_prediction(bench, find_scene_beside, signals.token());
   study::add_bench_sensitivity(bench, find_scene_beside, signals.token());
   analysis::add_bench_statistics(bench, signals.token());
@@ -213,7 +210,6 @@ int run(int argc, char** argv) {
       {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
       signals.token());
   analysis::add_analysis_commands(app, signals.token());
-  add_cluster(app, signals.token());
   add_command_line_commands(app, analysis::manual_text());
   try {
     check_numbers(app);

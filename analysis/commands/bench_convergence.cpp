@@ -1,23 +1,28 @@
 #include "analysis/commands/bench_convergence.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/commands/convergence_part.h"
 #include "analysis/commands/convergence_run.h"
 #include "analysis/convergence/convergence_figures.h"
 #include "analysis/convergence/convergence_files.h"
+#include "analysis/convergence/pooled_runs.h"
 #include "analysis/publication/output_folder.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
+#include "renderer/base/shard.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/former_option.h"
@@ -33,7 +38,8 @@ struct ConvergenceArguments {
   std::vector<std::string> scenes;
   std::string methods = "od,vp,fv,hybrid:0.9*fv+0.1*od";
   std::vector<std::string> options = {"independent"};
-  fs::path output;  ///< a folder, or the file of a part
+  std::vector<std::string> from;
+  fs::path output;
   std::string shard;
   std::optional<std::string> size;
   std::optional<int> samples_per_pixel;
@@ -41,6 +47,7 @@ struct ConvergenceArguments {
   std::optional<int> view_size;
   int max_depth = TraceSettings{}.max_depth;
   int gazes = 1;
+  std::uint32_t seed = 0;
   int threads = 0;
   bool quick = false;
   bool references = false;
@@ -75,6 +82,7 @@ ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
   plan.samples_per_pixel = arguments.samples_per_pixel.value_or(plan.samples_per_pixel);
   plan.view_size = arguments.view_size.value_or(plan.view_size);
   plan.max_depth = arguments.max_depth;
+  plan.seed = arguments.seed;
   if (arguments.repetitions) {
     plan.least_repetitions = *arguments.repetitions;
     plan.most_repetitions = *arguments.repetitions;
@@ -94,10 +102,13 @@ ConvergenceRun run_of(const ConvergenceArguments& arguments, const SceneFinder& 
   return run;
 }
 
-void write_results(const fs::path& folder, const MeasuredGazes& results,
-                   const ConvergenceTables& tables, const std::string& json) {
+void write_results(const ConvergenceArguments& arguments, const nlohmann::ordered_json& facts,
+                   const MeasuredGazes& results) {
+  const ConvergenceTables tables = tabulate(results.measurements);
+  const std::string json = convergence_json(facts, results.measurements, tables);
   std::vector<TextFile> files = convergence_csv(results.measurements, tables);
   files.push_back({"convergence.json", json});
+  const fs::path& folder = arguments.output;
   make_output_folder(folder);
   for (std::size_t i = 0; i < results.crops.size(); ++i) {
     write_image(folder / fmt::format("crops-{}.png", i + 1), results.crops[i],
@@ -110,41 +121,38 @@ void write_results(const fs::path& folder, const MeasuredGazes& results,
   for (const Figure& figure : draw_convergence(results.measurements)) {
     write_file(folder / (figure.name + ".svg"), figure.svg);
   }
+  if (arguments.json) {
+    print_text("{}", json);
+  } else {
+    print_text("{}Tables and figures: {}\n", convergence_summary(tables), folder.string());
+  }
 }
 
-void run_whole(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
-               const std::stop_token& stop) {
-  check_output_folder(arguments.output);
+void measure(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
+             const std::stop_token& stop) {
   const ConvergenceRun run = run_of(arguments, find_scene);
   const MeasuredGazes results = measure_all(run, stop);
   if (results.measurements.empty()) {
     throw Error(arguments.output.string(), "is not written: no repetition was finished",
                 "let it run longer, or try --quick");
   }
-  const ConvergenceTables tables = tabulate(results.measurements);
-  const std::string json = convergence_json(bench_facts(), run.plan, results.measurements, tables);
-  write_results(arguments.output, results, tables, json);
-  if (arguments.json) {
-    print_text("{}", json);
-  } else {
-    print_text("{}Tables, figures and crops: {}\n", convergence_summary(tables),
-               arguments.output.string());
-  }
+  nlohmann::ordered_json facts = bench_facts();
+  facts["threads"] = Workers(run.threads).threads();
+  facts["gazes"] = run.gazes;
+  facts.update(plan_facts(run.plan));
+  write_results(arguments, facts, results);
 }
 
-void run_part(const ConvergenceArguments& arguments, const Shard& shard,
-              const SceneFinder& find_scene, const std::stop_token& stop) {
-  require_writable(arguments.output);
-  const ConvergenceRun run = run_of(arguments, find_scene);
-  const std::vector<MeasuredPart> measured = measure_part(run, shard, stop);
-  require_finished(arguments.output, stop.stop_requested());
-  const BenchPart part = convergence_part(run, shard, measured);
-  write_bench_part(arguments.output, part);
-  print_written(arguments.output, part, arguments.json);
+void pool(const ConvergenceArguments& arguments) {
+  PooledRuns pooled = pool_runs({arguments.from.begin(), arguments.from.end()});
+  write_results(
+      arguments, pooled.facts,
+      {.measurements = std::move(pooled.measurements), .crops = {}, .exposure_stops = {}});
 }
 
-void run_references(const ConvergenceArguments& arguments, const Shard& shard,
-                    const SceneFinder& find_scene, const std::stop_token& stop) {
+void run_references(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
+                    const std::stop_token& stop) {
+  const Shard shard = arguments.shard.empty() ? Shard{} : parse_shard("--shard", arguments.shard);
   const std::int64_t halves = render_references(run_of(arguments, find_scene), shard, stop);
   const std::string folder = (cache_folder() / "references").string();
   if (arguments.json) {
@@ -157,22 +165,34 @@ void run_references(const ConvergenceArguments& arguments, const Shard& shard,
   }
 }
 
+/// Throws UsageError for options that only measuring has.
+void require_pooling_alone(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() > 0 && name != "--from" && name != "--output" && name != "--json") {
+      throw UsageError("--from", fmt::format("cannot be combined with {}", name),
+                       "remove one of them");
+    }
+  }
+}
+
 void run(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
          const std::stop_token& stop) {
-  const bool is_part = !arguments.shard.empty();
-  const Shard shard = is_part ? parse_shard("--shard", arguments.shard) : Shard{};
-  if (is_part && arguments.quick) {
-    throw UsageError("--shard", "does not go with --quick, which ends by the clock",
-                     "give --size, --spp and --repetitions instead");
+  if (arguments.scenes.empty() && arguments.from.empty()) {
+    throw UsageError("SCENE", "is required", "name at least one scene");
   }
   if (arguments.references) {
-    run_references(arguments, shard, find_scene, stop);
-  } else if (arguments.output.empty()) {
-    throw UsageError("--output", "is required", "name a folder, or the file of a part");
-  } else if (is_part) {
-    run_part(arguments, shard, find_scene, stop);
+    run_references(arguments, find_scene, stop);
+    return;
+  }
+  if (arguments.output.empty()) {
+    throw UsageError("--output", "is required", "name a folder");
+  }
+  check_output_folder(arguments.output);
+  if (arguments.from.empty()) {
+    measure(arguments, find_scene, stop);
   } else {
-    run_whole(arguments, find_scene, stop);
+    pool(arguments);
   }
 }
 
@@ -183,12 +203,10 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   const auto arguments = std::make_shared<ConvergenceArguments>();
   CLI::App* command = bench.add_subcommand(
       "convergence", "Measure how much faster each method reaches the error of the first one");
-  command->add_option("SCENE", arguments->scenes, "Scenes' names, or .glb, .gltf or .obj files")
-      ->required();
+  command->add_option("SCENE", arguments->scenes, "Scenes' names, or .glb, .gltf or .obj files");
   CLI::Option* const output = command->add_option(
       "-o,--output", arguments->output,
-      "A folder for tables (CSV, JSON), figures (SVG) and crops (PNG), made if its parent exists; "
-      "with --shard, a file, a .json");
+      "A folder for tables (CSV, JSON), figures (SVG) and crops (PNG), made if its parent exists");
   command
       ->add_option(
           "--methods", arguments->methods,
@@ -239,41 +257,40 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       command
           ->add_option("--repetitions", arguments->repetitions,
                        "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
-          ->check(CLI::Range(2, 1000));
+          ->check(CLI::Range(2U, max_repetitions));
   accept_former_name(*command, *repetitions, "--rounds");
+  command
+      ->add_option("--seed", arguments->seed,
+                   "Seed of the renders: runs with different seeds can be pooled by --from")
+      ->check(CLI::Range(0U, max_seed))
+      ->capture_default_str();
   command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->add_flag("--quick", arguments->quick,
                     "Measure a smaller and coarser plan, in about two minutes");
+  CLI::Option* const references =
+      command
+          ->add_flag("--references", arguments->references,
+                     "Only render what the cache of references lacks of those that these options "
+                     "need")
+          ->excludes(output);
   command
-      ->add_flag("--references", arguments->references,
-                 "Only render what the cache of references lacks of those that these options need; "
-                 "with --shard, of the Kth part of them")
-      ->excludes(output);
-  add_shard_option(*command, arguments->shard);
+      ->add_option("--shard", arguments->shard,
+                   "With --references, the Kth of N parts of them, as K/N")
+      ->needs(references);
+  command->add_option("--from", arguments->from,
+                      "Pool the runs in these folders, which differ in scenes or --seed alone, "
+                      "instead of measuring");
   command->add_flag("--json", arguments->json, "Print the tables as JSON");
   command->footer("Example: foveola bench convergence arcade church -o convergence --quick");
-  command->callback([arguments, find = with_scene_file_options(*command, find_scene), stop] {
-    run(*arguments, find, stop);
-  });
-}
-
-void merge_convergence(const std::vector<BenchPart>& parts, const fs::path& folder, bool json) {
-  check_output_folder(folder);
-  MergedConvergence merged = merged_convergence(parts);
-  const ConvergenceTables tables = tabulate(merged.measurements);
-  const std::string text =
-      convergence_json(program_facts(), merged.plan, merged.measurements, tables, merged.machines);
-  write_results(folder,
-                {.measurements = std::move(merged.measurements), .crops = {}, .exposure_stops = {}},
-                tables, text);
-  if (json) {
-    print_text("{}", text);
-  } else {
-    print_text("{}Tables and figures, without crops, of {} parts: {}\n",
-               convergence_summary(tables), parts.size(), folder.string());
-  }
+  command->callback(
+      [arguments, command, find = with_scene_file_options(*command, find_scene), stop] {
+        if (!arguments->from.empty()) {
+          require_pooling_alone(*command);
+        }
+        run(*arguments, find, stop);
+      });
 }
 
 }  // namespace foveola::analysis

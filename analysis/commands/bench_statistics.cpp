@@ -1,19 +1,19 @@
 #include "analysis/commands/bench_statistics.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "analysis/commands/coverage_report.h"
-#include "analysis/commands/statistics_part.h"
 #include "analysis/monte_carlo/censored_coverage.h"
 #include "analysis/monte_carlo/coverage.h"
 #include "analysis/monte_carlo/crossed_coverage.h"
@@ -28,44 +28,33 @@ namespace {
 
 struct StatisticsArguments {
   CoverageSettings settings;
-  std::optional<int> studies;  ///< empty: the default, which differs with R
+  std::optional<std::size_t> studies;  ///< empty: the default, which differs with R
   bool by_r = false;
   std::string only;
   bool json = false;
-  BenchPartArguments part;
 };
 
-// --- Without R ---
-
-template <typename Item>
-void append(std::vector<Item> items, std::vector<Item>& all) {
-  std::ranges::move(items, std::back_inserter(all));
-}
-
-std::vector<CoverageFigure> all_figures() {
-  std::vector<CoverageFigure> figures = injected_figures();
-  append(crossed_figures(), figures);
-  append(censored_figures(), figures);
-  return figures;
-}
-
-/// The counts of all_figures(); empty when stopped.
-StudyCounts count_all(const CoverageSettings& settings, const ItemRange& studies,
-                      const std::stop_token& stop) {
-  Progress progress("Studies with injected effects");
-  /// The shares of the time that they take.
-  const auto share = [&](double begin, double end) {
-    return [&progress, begin, end](double done) { progress.update(begin + (end - begin) * done); };
-  };
-  StudyCounts counts = count_injected_coverage(settings, studies, share(0.0, 0.5), stop);
-  append(count_crossed_coverage(settings, studies, share(0.5, 0.6), stop), counts);
-  append(count_censored_coverage(settings, studies, share(0.6, 1.0), stop), counts);
-  return stop.stop_requested() ? StudyCounts() : counts;
-}
-
-void report(const CoverageSettings& settings, const StudyCounts& counts, bool json) {
-  const std::vector<CoverageFigure> figures = measured(all_figures(), counts);
-  if (json) {
+void run_without_r(const StatisticsArguments& arguments, const std::stop_token& stop) {
+  CoverageSettings settings = arguments.settings;
+  settings.studies = arguments.studies.value_or(settings.studies);
+  std::vector<CoverageFigure> figures;
+  {
+    Progress progress("Studies with injected effects");
+    // Adds the figures of one kind, which take the time from begin to end.
+    const auto measure = [&](const auto& measure_coverage, double begin, double end) {
+      std::ranges::move(
+          measure_coverage(
+              settings, [&](double done) { progress.update(begin + (end - begin) * done); }, stop),
+          std::back_inserter(figures));
+    };
+    measure(measure_injected_coverage, 0.0, 0.5);
+    measure(measure_crossed_coverage, 0.5, 0.6);
+    measure(measure_censored_coverage, 0.6, 1.0);
+  }
+  if (stop.stop_requested()) {
+    return;
+  }
+  if (arguments.json) {
     print_json({{"participants", settings.participants},
                 {"seed", settings.seed},
                 {"resamples", settings.resamples}},
@@ -75,8 +64,6 @@ void report(const CoverageSettings& settings, const StudyCounts& counts, bool js
   }
   require_all(figures);
 }
-
-// --- With R ---
 
 std::vector<ModelCell> cells_of(const std::string& only) {
   std::vector<ModelCell> cells = model_cells();
@@ -89,17 +76,19 @@ std::vector<ModelCell> cells_of(const std::string& only) {
   return cells;
 }
 
-/// Where the counts of a cell come from; empty when stopped.
-using CellCounts = std::function<StudyCounts(const ModelCell& cell)>;
-
 /// Prints the figures of each cell as soon as there are any: R takes its time.
-void report(const ModelBench& bench, const CellCounts& counts_of, bool json) {
-  const std::vector<ModelCell> cells = cells_of(bench.only);
+void run_by_r(const StatisticsArguments& arguments, const std::stop_token& stop) {
+  ModelCoverageSettings settings{.seed = arguments.settings.seed,
+                                 .threads = arguments.settings.threads};
+  settings.studies = arguments.studies.value_or(settings.studies);
+  const std::vector<ModelCell> cells = cells_of(arguments.only);
   std::size_t width = 0;
   for (const ModelCell& cell : cells) {
     width = std::max(width, cell.name.size());
   }
-  if (!json) {
+  if (!arguments.json) {
+    print_text(stderr, "This takes about {}.\n",
+               human_duration(expected_seconds(cells, settings, fit_studies)));
     print_text(
         "Studies with models by R, {} of nineteen cells; in brackets, 95 % intervals of the "
         "shares.\n",
@@ -108,117 +97,18 @@ void report(const ModelBench& bench, const CellCounts& counts_of, bool json) {
   }
   std::vector<CoverageFigure> figures;
   for (const ModelCell& cell : cells) {
-    for (CoverageFigure& figure : measured(model_figures(cell), counts_of(cell))) {
-      if (!json) {
+    for (CoverageFigure& figure : measure_model_coverage(cell, settings, fit_studies, stop)) {
+      if (!arguments.json) {
         print_figure(figure, width);
         std::fflush(stdout);
       }
       figures.push_back(std::move(figure));
     }
   }
-  if (json) {
-    print_json({{"seed", bench.settings.seed}}, figures);
+  if (arguments.json) {
+    print_json({{"seed", settings.seed}}, figures);
   }
   require_all(figures);
-}
-
-void print_time_needed(const ModelBench& bench, const Shard& shard) {
-  const double seconds = expected_seconds(cells_of(bench.only), bench.settings, fit_studies);
-  print_text(stderr, "This takes about {}.\n",
-             human_duration(seconds / static_cast<double>(shard.count)));
-}
-
-/// The counts of all cells, one after the other.
-StudyCounts count_part(const ModelBench& bench, const Shard& shard, const std::stop_token& stop) {
-  StudyCounts counts;
-  for (const ModelCell& cell : cells_of(bench.only)) {
-    append(count_model_coverage(cell, bench.settings, studies_of(cell, bench.settings, shard),
-                                fit_studies, stop),
-           counts);
-  }
-  return counts;
-}
-
-void merge_models(const std::vector<BenchPart>& parts, bool json) {
-  const ModelBench bench = model_bench_of(parts.front());
-  std::size_t figures = 0;
-  for (const ModelCell& cell : cells_of(bench.only)) {
-    figures += model_figures(cell).size();
-  }
-  const StudyCounts counts = merged_counts(parts, figures);
-  auto next = counts.begin();
-  report(
-      bench,
-      [&](const ModelCell& cell) {
-        const auto first = next;
-        next += static_cast<std::ptrdiff_t>(model_figures(cell).size());
-        return StudyCounts(first, next);
-      },
-      json);
-}
-
-// --- The command ---
-
-void write_part(const StatisticsArguments& arguments, const BenchPart& part,
-                const std::stop_token& stop) {
-  require_finished(arguments.part.output, stop.stop_requested());
-  write_bench_part(arguments.part.output, part);
-  print_written(arguments.part.output, part, arguments.json);
-}
-
-void run_without_r(const StatisticsArguments& arguments, const std::stop_token& stop) {
-  CoverageSettings settings = arguments.settings;
-  settings.studies = arguments.studies.value_or(settings.studies);
-  const std::optional<Shard> shard = shard_of(arguments.part);
-  const StudyCounts counts =
-      count_all(settings, part_of(shard.value_or(Shard{}), settings.studies), stop);
-  if (shard) {
-    write_part(arguments,
-               {.command = statistics_command,
-                .shard = *shard,
-                .settings = settings_json(settings),
-                .results = counts_json(counts),
-                .file = {}},
-               stop);
-  } else if (!stop.stop_requested()) {
-    report(settings, counts, arguments.json);
-  }
-}
-
-void run_by_r(const StatisticsArguments& arguments, const std::stop_token& stop) {
-  ModelBench bench{
-      .settings = {.seed = arguments.settings.seed, .threads = arguments.settings.threads},
-      .only = arguments.only,
-      .fitted_by = {}};
-  if (arguments.studies) {
-    bench.settings.studies = static_cast<std::size_t>(*arguments.studies);
-  }
-  const std::vector<ModelCell> cells = cells_of(bench.only);
-  const std::optional<Shard> shard = shard_of(arguments.part);
-  if (shard) {
-    bench.fitted_by = fitted_by(cells.front(), bench.settings, fit_studies);
-  }
-  if (!arguments.json) {
-    print_time_needed(bench, shard.value_or(Shard{}));
-  }
-  if (shard) {
-    const StudyCounts counts = count_part(bench, *shard, stop);
-    write_part(arguments,
-               {.command = statistics_command,
-                .shard = *shard,
-                .settings = settings_json(bench),
-                .results = counts_json(counts),
-                .file = {}},
-               stop);
-    return;
-  }
-  report(
-      bench,
-      [&](const ModelCell& cell) {
-        return count_model_coverage(cell, bench.settings, studies_of(cell, bench.settings),
-                                    fit_studies, stop);
-      },
-      arguments.json);
 }
 
 }  // namespace
@@ -257,21 +147,11 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
       ->add_option("--only", arguments->only,
                    "With --r, only the cells with this in their names: Tobit")
       ->needs(by_r);
-  add_bench_part_options(*command, arguments->part);
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench statistics --studies 4000");
   command->callback([arguments, stop] {
     arguments->by_r ? run_by_r(*arguments, stop) : run_without_r(*arguments, stop);
   });
-}
-
-void merge_statistics(const std::vector<BenchPart>& parts, bool json) {
-  if (is_of_models(parts.front())) {
-    merge_models(parts, json);
-    return;
-  }
-  const CoverageSettings settings = coverage_settings_of(parts.front());
-  report(settings, merged_counts(parts, all_figures().size()), json);
 }
 
 }  // namespace foveola::analysis

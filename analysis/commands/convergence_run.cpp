@@ -1,6 +1,7 @@
 #include "analysis/commands/convergence_run.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -15,8 +16,6 @@
 
 namespace foveola::analysis {
 namespace {
-
-constexpr int reference_halves_each = 2;
 
 /// A progress line for each thing that is done.
 class ProgressLines {
@@ -124,94 +123,34 @@ class WholeMeasurement {
   MeasuredGazes results_;
 };
 
-/// The scenes of a run, of which the one that was last asked for is loaded: two would need twice
-/// the memory.
-class CurrentScene {
- public:
-  /// With tracers for the configurations.
-  CurrentScene(const std::vector<SceneSource>& sources,
-               const std::vector<Configuration>& configurations, const Workers& workers)
-      : sources_(sources), configurations_(configurations), workers_(workers) {}
-
-  const LoadedSubject& at(std::size_t index) {
-    if (!scene_ || index != index_) {
-      scene_.reset();
-      scene_.emplace(sources_[index], workers_);
-      scene_->subject.add_tracers_for(configurations_, workers_);
-      index_ = index;
-    }
-    return *scene_;
-  }
-
- private:
-  const std::vector<SceneSource>& sources_;
-  const std::vector<Configuration>& configurations_;
-  const Workers& workers_;
-  std::optional<LoadedSubject> scene_;
-  std::size_t index_ = 0;
-};
-
 }  // namespace
 
 MeasuredGazes measure_all(const ConvergenceRun& run, const std::stop_token& stop) {
   return WholeMeasurement(run, stop).measure();
 }
 
-std::vector<GazePart> gaze_parts(const Shard& shard, std::size_t scenes, int gazes,
-                                 int repetitions) {
-  const std::int64_t each = repetitions;
-  const ItemRange items = part_of(shard, static_cast<std::int64_t>(scenes) * gazes * each);
-  std::vector<GazePart> parts;
-  for (std::int64_t next = items.begin; next < items.end;) {
-    const std::int64_t gaze = next / each;
-    const std::int64_t first = next % each;
-    const std::int64_t end = std::min(each, first + items.end - next);
-    parts.push_back({.scene = static_cast<std::size_t>(gaze / gazes),
-                     .gaze = static_cast<int>(gaze % gazes),
-                     .repetitions = {.begin = first, .end = end}});
-    next += end - first;
-  }
-  return parts;
-}
-
-std::vector<MeasuredPart> measure_part(const ConvergenceRun& run, const Shard& shard,
-                                       const std::stop_token& stop) {
-  const Workers workers(run.threads);
-  std::vector<MeasuredPart> measured;
-  CurrentScene scenes(run.scenes, run.plan.configurations, workers);
-  for (const GazePart& part :
-       gaze_parts(shard, run.scenes.size(), run.gazes, run.plan.most_repetitions)) {
-    const LoadedSubject& scene = scenes.at(part.scene);
-    ProgressLines lines;
-    const ReportProgress progress = [&lines](const std::string& what, double fraction) {
-      lines.update(what, fraction);
-    };
-    const GazeBench bench(scene.subject, run.plan, gaze_of(scene.loaded, part.gaze, run.gazes),
-                          workers, reference_cache(), progress, stop);
-    measured.push_back({scene.subject.key, bench.measure(part.repetitions, progress)});
-  }
-  return measured;
-}
-
 std::int64_t render_references(const ConvergenceRun& run, const Shard& shard,
                                const std::stop_token& stop) {
+  constexpr std::int64_t halves = 2;
+  const std::int64_t halves_of_scene = halves * run.gazes;
+  const ItemRange part =
+      part_of(shard, static_cast<std::int64_t>(run.scenes.size()) * halves_of_scene);
   const Workers workers(run.threads);
-  const std::vector<Configuration> none;
-  CurrentScene scenes(run.scenes, none, workers);
-  std::int64_t halves = 0;
-  for (const GazePart& part :
-       gaze_parts(shard, run.scenes.size(), run.gazes, reference_halves_each)) {
-    const LoadedSubject& scene = scenes.at(part.scene);
-    const Vec3 gaze = direction_from(gaze_of(scene.loaded, part.gaze, run.gazes));
-    for (std::int64_t half = part.repetitions.begin; half < part.repetitions.end; ++half) {
-      Progress progress("reference of " + scene.loaded.source.name);
-      (void)reference_half(
-          scene.subject, run.plan, gaze, static_cast<std::uint32_t>(half), workers,
-          reference_cache(), [&](double fraction) { progress.update(fraction); }, stop);
-      ++halves;
+  std::optional<LoadedSubject> scene;
+  for (std::int64_t i = part.begin; i < part.end; ++i) {
+    const SceneSource& source = run.scenes[static_cast<std::size_t>(i / halves_of_scene)];
+    if (i == part.begin || i % halves_of_scene == 0) {
+      scene.reset();  // two would need twice the memory
+      scene.emplace(source, workers);
     }
+    const auto gaze = static_cast<int>(i % halves_of_scene / halves);
+    Progress progress("reference of " + source.name);
+    (void)reference_half(
+        scene->subject, run.plan, direction_from(gaze_of(scene->loaded, gaze, run.gazes)),
+        static_cast<std::uint32_t>(i % halves), workers, reference_cache(),
+        [&](double fraction) { progress.update(fraction); }, stop);
   }
-  return halves;
+  return part.size();
 }
 
 }  // namespace foveola::analysis

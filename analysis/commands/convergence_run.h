@@ -1,10 +1,8 @@
-// Measuring convergence gaze after gaze in scene after scene: all of it, a part of it, or only what
-// it needs of references.
+// Measures convergence gaze after gaze in scene after scene, or renders the references alone.
 #pragma once
 
 #include <cstdint>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "analysis/convergence/measurement.h"
@@ -31,28 +29,6 @@ struct MeasuredGazes {
 /// Everything, and of the time that is left each gaze's share; what was finished when stopped.
 /// Throws Error for a scene that cannot be loaded, and as reference_image unless stopped.
 MeasuredGazes measure_all(const ConvergenceRun& run, const std::stop_token& stop);
-
-/// Some of a gaze's repetitions.
-struct GazePart {
-  std::size_t scene = 0;
-  int gaze = 0;
-  ItemRange repetitions;
-};
-
-/// The repetitions of a shard of a run with so many scenes, gazes in each of them and repetitions
-/// of each gaze, in this order.
-std::vector<GazePart> gaze_parts(const Shard& shard, std::size_t scenes, int gazes,
-                                 int repetitions);
-
-struct MeasuredPart {
-  std::string scene_key;  ///< see Subject::key
-  GazeMeasurement measurement;
-};
-
-/// What the shard has of a run without a limit, in the order of gaze_parts(). Renders only the
-/// references that it needs. Of no use when stopped. Throws Error as measure_all.
-std::vector<MeasuredPart> measure_part(const ConvergenceRun& run, const Shard& shard,
-                                       const std::stop_token& stop);
 
 /// Renders what the cache lacks of the shard's halves of references. Returns how many halves the
 /// shard has. Throws Error as measure_all, and if stopped.

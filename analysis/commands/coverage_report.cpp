@@ -40,10 +40,11 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
 void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageFigure>& figures) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const CoverageFigure& figure : figures) {
-    nlohmann::ordered_json row = {
-        {"name", figure.name},        {"claim", figure.claim},        {"percent", figure.percent},
-        {"low", figure.interval.low}, {"high", figure.interval.high}, {"studies", figure.studies},
-        {"asked", nullptr},           {"met", figure.is_met()}};
+    nlohmann::ordered_json row = {{"name", figure.name},          {"claim", figure.claim},
+                                  {"percent", figure.percent},    {"low", figure.interval.low},
+                                  {"high", figure.interval.high}, {"studies", figure.studies},
+                                  {"hits", figure.hits},          {"asked", nullptr},
+                                  {"met", figure.is_met()}};
     if (figure.mean_ratio) {
       row["mean_ratio"] = *figure.mean_ratio;
     }

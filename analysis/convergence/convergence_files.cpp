@@ -29,15 +29,15 @@ void append(const std::optional<Estimate>& estimate, CsvRow& row) {
 }
 
 void add_points(const GazeMeasurement& measurement, std::vector<CsvRow>& rows) {
-  for (std::size_t repetition = 0; repetition < measurement.repetitions.size(); ++repetition) {
+  for (const Repetition& repetition : measurement.repetitions) {
     for (std::size_t i = 0; i < measurement.configurations.size(); ++i) {
-      const RenderLog& log = measurement.repetitions[repetition][i];
+      const RenderLog& log = repetition[i];
       for (const Checkpoint& checkpoint : log.checkpoints) {
         for (std::size_t region = 0; region < measurement.regions.size(); ++region) {
           const Score& score = checkpoint.scores[region];
           const RegionError& error = score.error;
           rows.push_back({measurement.scene, measurement.gaze, measurement.configurations[i],
-                          std::to_string(repetition), measurement.regions[region],
+                          std::to_string(log.seed), measurement.regions[region],
                           std::to_string(checkpoint.samples), csv_number(checkpoint.seconds),
                           finite(error.samples_per_pixel), finite(error.mse),
                           finite(std::sqrt(error.mse)), finite(error.relative_mse),
@@ -51,10 +51,10 @@ void add_points(const GazeMeasurement& measurement, std::vector<CsvRow>& rows) {
 }
 
 std::string points_csv(const std::vector<GazeMeasurement>& measurements) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "repetition", "region",
-                               "samples", "seconds", "samples_per_pixel", "mse", "rmse",
-                               "relative_mse", "flip", "pixels", "empty_pixels", "empty_share",
-                               "non_finite_pixels", "non_finite_samples_of_render"}};
+  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "seed", "region", "samples",
+                               "seconds", "samples_per_pixel", "mse", "rmse", "relative_mse",
+                               "flip", "pixels", "empty_pixels", "empty_share", "non_finite_pixels",
+                               "non_finite_samples_of_render"}};
   for (const GazeMeasurement& measurement : measurements) {
     add_points(measurement, rows);
   }
@@ -151,21 +151,6 @@ json crops_json(const ConvergencePlan& plan) {
   return {{"seconds", plan.crop_seconds}, {"fov_deg", plan.crop_fov_deg}, {"left_to_right", order}};
 }
 
-json machines_json(const std::vector<MeasuringMachine>& machines) {
-  json list = json::array();
-  for (const MeasuringMachine& machine : machines) {
-    list.push_back({{"shard", machine.shard},
-                    {"processor", machine.processor},
-                    {"cores", machine.cores},
-                    {"threads", machine.threads},
-                    {"repetitions", machine.repetitions}});
-  }
-  return {{"machines", std::move(list)},
-          {"times",
-           "Each part's times are those of its own machine: they can only be compared and averaged "
-           "where machines are alike. The configurations of a repetition took turns on one."}};
-}
-
 json plan_json(const ConvergencePlan& plan) {
   return {{"width", plan.size.x},
           {"height", plan.size.y},
@@ -188,6 +173,7 @@ json measured_json(const std::vector<GazeMeasurement>& measurements) {
       }
     }
     list.push_back({{"scene", measurement.scene},
+                    {"scene_sha256", measurement.scene_sha256},
                     {"gaze", measurement.gaze},
                     {"repetitions", measurement.repetitions.size()},
                     {"non_finite_samples", dropped}});
@@ -279,23 +265,20 @@ std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measur
           {"overall.csv", overall_csv(tables)}};
 }
 
-std::string convergence_json(const nlohmann::ordered_json& facts, const ConvergencePlan& plan,
-                             const std::vector<GazeMeasurement>& measurements,
-                             const ConvergenceTables& tables,
-                             const std::vector<MeasuringMachine>& machines) {
-  json result = facts;
-  if (!machines.empty()) {
-    result.update(machines_json(machines));
-  }
-  result.update({{"baseline", plan.configurations.front().name},
-                 {"plan", plan_json(plan)},
-                 {"crops", machines.empty() ? crops_json(plan) : json(nullptr)},
-                 {"measured", measured_json(measurements)},
-                 {"overall", overall_json(tables)},
-                 {"speed_ups", speed_ups_json(tables)},
-                 {"costs", costs_json(tables)},
-                 {"convergence", convergence_rows_json(tables)}});
-  return result.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+json plan_facts(const ConvergencePlan& plan) {
+  return {{"baseline", plan.configurations.front().name},
+          {"plan", plan_json(plan)},
+          {"crops", crops_json(plan)}};
+}
+
+std::string convergence_json(json facts, const std::vector<GazeMeasurement>& measurements,
+                             const ConvergenceTables& tables) {
+  facts.update(json{{"measured", measured_json(measurements)},
+                    {"overall", overall_json(tables)},
+                    {"speed_ups", speed_ups_json(tables)},
+                    {"costs", costs_json(tables)},
+                    {"convergence", convergence_rows_json(tables)}});
+  return facts.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 std::string convergence_summary(const ConvergenceTables& tables) {

@@ -16,22 +16,14 @@ namespace foveola::analysis {
 std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measurements,
                                       const ConvergenceTables& tables);
 
-/// Who measured one part of a measurement that was split, and what.
-struct MeasuringMachine {
-  std::string shard;  ///< "3/8"
-  std::string processor;
-  int cores = 0;
-  int threads = 0;
-  std::vector<std::string> repetitions;  ///< "0 to 3 of arcade at 0,0"
-};
+/// The baseline, the plan, and what the crops show.
+nlohmann::ordered_json plan_facts(const ConvergencePlan& plan);
 
-/// The tables with the plan, as a JSON object that begins with `facts`: the program's, and the
-/// machine's unless there are `machines`, those of all parts; then there are no crops. Every
-/// estimate is {"value", "low", "high"}, or null.
-std::string convergence_json(const nlohmann::ordered_json& facts, const ConvergencePlan& plan,
+/// The tables as a JSON object that begins with `facts`: of the program, the machine and the plan.
+/// Every estimate is {"value", "low", "high"}, or null.
+std::string convergence_json(nlohmann::ordered_json facts,
                              const std::vector<GazeMeasurement>& measurements,
-                             const ConvergenceTables& tables,
-                             const std::vector<MeasuringMachine>& machines = {});
+                             const ConvergenceTables& tables);
 
 /// The summary for the terminal: speed-ups in mean squared error at equal error, by region, with
 /// costs.

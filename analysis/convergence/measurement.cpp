@@ -8,6 +8,7 @@
 #include "analysis/convergence/prediction.h"
 #include "analysis/convergence/progressive_run.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/digest.h"
 #include "renderer/film/viewport_image.h"
 
 namespace foveola::analysis {
@@ -81,6 +82,7 @@ GazeBench::GazeBench(const Subject& subject, const ConvergencePlan& plan,
 
 GazeMeasurement GazeBench::without_repetitions() const {
   GazeMeasurement measurement{.scene = subject_->loaded.source.name,
+                              .scene_sha256 = sha256(std::string_view(subject_->key)),
                               .gaze = gaze_,
                               .configurations = {},
                               .regions = {},
@@ -91,22 +93,6 @@ GazeMeasurement GazeBench::without_repetitions() const {
   }
   for (const Region& region : regions_) {
     measurement.regions.push_back(region.name);
-  }
-  return measurement;
-}
-
-GazeMeasurement GazeBench::measure(const ItemRange& repetitions,
-                                   const ReportProgress& progress) const {
-  GazeMeasurement measurement = without_repetitions();
-  for (std::int64_t repetition = repetitions.begin; repetition < repetitions.end; ++repetition) {
-    const auto in_repetition = [&](double fraction) {
-      const double done = static_cast<double>(repetition - repetitions.begin) + fraction;
-      progress("repetitions in " + subject_->loaded.source.name,
-               done / static_cast<double>(repetitions.size()));
-    };
-    if (!add_repetition(repetition, in_repetition, measurement)) {
-      break;
-    }
   }
   return measurement;
 }
@@ -125,20 +111,14 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
       progress("repetitions in " + subject_->loaded.source.name,
                fraction_done(*plan_, repetition + fraction, limit_s, seconds(clock.now() - start)));
     };
-    if (!add_repetition(repetition, in_repetition, measurement)) {
+    std::optional<Repetition> logs = run_repetition(
+        plan_->seed * max_repetitions + static_cast<std::uint32_t>(repetition), in_repetition);
+    if (!logs) {
       break;
     }
-  }
-  return measurement;
-}
-
-bool GazeBench::add_repetition(std::int64_t repetition, const std::function<void(double)>& progress,
-                               GazeMeasurement& measurement) const {
-  std::optional<Repetition> logs = run_repetition(static_cast<std::uint32_t>(repetition), progress);
-  if (logs) {
     measurement.repetitions.push_back(std::move(*logs));
   }
-  return logs.has_value();
+  return measurement;
 }
 
 std::optional<Repetition> GazeBench::run_repetition(
@@ -167,6 +147,7 @@ std::optional<Repetition> GazeBench::run_repetition(
     }
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    logs[i].seed = seed;
     logs[i].dropped = runs[i].dropped();
   }
   return logs;

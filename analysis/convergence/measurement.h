@@ -11,7 +11,6 @@
 
 #include "analysis/convergence/plan.h"
 #include "analysis/convergence/scorer.h"
-#include "renderer/base/shard.h"
 
 namespace foveola::analysis {
 
@@ -24,6 +23,7 @@ struct Checkpoint {
 
 /// One progressive render from its first sample to its last.
 struct RenderLog {
+  std::uint32_t seed = 0;
   std::uint64_t dropped = 0;  ///< samples that were not finite
   std::vector<Checkpoint> checkpoints;
 };
@@ -34,6 +34,7 @@ using Repetition = std::vector<RenderLog>;
 /// Everything that was measured at one gaze in one scene.
 struct GazeMeasurement {
   std::string scene;
+  std::string scene_sha256;                 ///< of Subject::key
   std::string gaze;                         ///< "azimuth,elevation", as gaze_name() writes it
   std::vector<std::string> configurations;  ///< the first is the baseline
   std::vector<std::string> regions;
@@ -60,18 +61,13 @@ class GazeBench {
   /// measuring errors nor the reference counts as their time.
   GazeMeasurement measure(double limit_s, const ReportProgress& progress) const;
 
-  /// These repetitions of the plan alone, without any limit: those that measure() would have made.
-  GazeMeasurement measure(const ItemRange& repetitions, const ReportProgress& progress) const;
-
   /// What the display shows around the gaze after the plan's crop_seconds: a linear image of each
   /// configuration, from left to right, and of the reference.
   RgbImage crops() const;
 
  private:
   GazeMeasurement without_repetitions() const;
-  /// False, and nothing was added, when stopped.
-  bool add_repetition(std::int64_t repetition, const std::function<void(double)>& progress,
-                      GazeMeasurement& measurement) const;
+  /// Empty when stopped.
   std::optional<Repetition> run_repetition(std::uint32_t seed,
                                            const std::function<void(double)>& progress) const;
   std::vector<std::vector<std::optional<double>>> predictions() const;

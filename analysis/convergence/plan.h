@@ -53,14 +53,17 @@ std::vector<std::string> split_methods(std::string_view text);
 std::vector<Configuration> make_configurations(const std::vector<std::string>& methods,
                                                const std::vector<std::string>& options);
 
+/// Of a plan. Plans with different seeds have no repetition in common.
+inline constexpr std::uint32_t max_repetitions = 1000;
+inline constexpr std::uint32_t max_seed = 1'000'000;
+
 struct ConvergencePlan {
   std::vector<Configuration> configurations;
   IVec2 size{1024, 512};       ///< film size in pixels
   int samples_per_pixel = 32;  ///< samples of every render, on average over the film; at least 16
   int least_repetitions = 4;   ///< renders of each configuration, each with another seed
   int most_repetitions = 4;
-  double seconds =
-      0.0;  ///< no repetition is begun that would probably not end by then; 0: no limit
+  std::uint32_t seed = 0;  ///< what the repetitions' seeds are made from
   /// The viewport's field of view, both ways; the head points at the gaze.
   double fov_deg = FieldOfView{}.horizontal_deg;
   int view_size = usual_view_size.x;  ///< pixels of the display along each side

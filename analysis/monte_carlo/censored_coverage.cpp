@@ -1,9 +1,7 @@
 #include "analysis/monte_carlo/censored_coverage.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -42,29 +40,13 @@ StudyCounts count_stand_ins(const CrossedDesign& design, double censored, std::u
 
 }  // namespace
 
-std::vector<CoverageFigure> censored_figures() {
-  std::vector<CoverageFigure> figures;
-  for (const CrossedDesign& design : crossed_designs()) {
-    for (const double censored : censored_shares) {
-      for (const study::SceneEffects effect : effects) {
-        figures.push_back(
-            {.name = fmt::format("without R, scenes {}, {:.0f} % censored, {}", name_of(effect),
-                                 100.0 * censored, design_in_words(design)),
-             .claim = "covers in other scenes, too",
-             .estimates_ratios = true});
-      }
-    }
-  }
-  return figures;
-}
-
-StudyCounts count_censored_coverage(const CoverageSettings& settings, const ItemRange& studies,
-                                    const std::function<void(double)>& on_progress,
-                                    const std::stop_token& stop) {
+std::vector<CoverageFigure> measure_censored_coverage(
+    const CoverageSettings& settings, const std::function<void(double)>& on_progress,
+    const std::stop_token& stop) {
   constexpr std::size_t studies_at_once = 50;
   const std::vector<CrossedDesign> designs = crossed_designs();
   const Workers workers(settings.threads);
-  StudyCounts counts;
+  std::vector<CoverageFigure> figures;
   for (std::size_t i = 0; i < designs.size(); ++i) {
     for (const double censored : censored_shares) {
       if (stop.stop_requested()) {
@@ -73,13 +55,21 @@ StudyCounts count_censored_coverage(const CoverageSettings& settings, const Item
       const auto count_block = [&](std::size_t first, std::size_t last) {
         return count_stand_ins(designs[i], censored, settings.seed, first, last);
       };
-      std::ranges::move(
-          sum_of_blocks(effects.size(), studies, studies_at_once, workers, count_block),
-          std::back_inserter(counts));
+      const StudyCounts counts =
+          sum_of_blocks(effects.size(), settings.studies, studies_at_once, workers, count_block);
+      for (std::size_t effect = 0; effect < effects.size(); ++effect) {
+        figures.push_back(
+            measured({.name = fmt::format("without R, scenes {}, {:.0f} % censored, {}",
+                                          name_of(effects[effect]), 100.0 * censored,
+                                          design_in_words(designs[i])),
+                      .claim = "covers in other scenes, too",
+                      .estimates_ratios = true},
+                     counts[effect]));
+      }
     }
     on_progress(static_cast<double>(i + 1) / static_cast<double>(designs.size()));
   }
-  return counts;
+  return figures;
 }
 
 }  // namespace foveola::analysis

@@ -1,6 +1,5 @@
 #include "analysis/monte_carlo/coverage.h"
 
-#include <cassert>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -216,6 +215,8 @@ StudyCount count(const Criterion& criterion, const CoverageSettings& settings, s
   return counts;
 }
 
+}  // namespace
+
 CoverageFigure measured(CoverageFigure figure, const StudyCount& count) {
   figure.studies = count.studies;
   figure.hits = count.hits;
@@ -230,37 +231,13 @@ CoverageFigure measured(CoverageFigure figure, const StudyCount& count) {
   return figure;
 }
 
-}  // namespace
-
-std::vector<CoverageFigure> measured(std::vector<CoverageFigure> figures,
-                                     const StudyCounts& counts) {
-  if (counts.empty()) {
-    return {};
-  }
-  assert(counts.size() == figures.size());
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    figures[i] = measured(std::move(figures[i]), counts[i]);
-  }
-  return figures;
-}
-
-std::vector<CoverageFigure> injected_figures() {
-  std::vector<CoverageFigure> figures;
-  for (const Criterion& criterion : all_criteria({})) {
-    figures.push_back({.name = std::string(criterion.name),
-                       .claim = std::string(criterion.claim),
-                       .required = criterion.required});
-  }
-  return figures;
-}
-
-StudyCounts count_injected_coverage(const CoverageSettings& settings, const ItemRange& studies,
-                                    const std::function<void(double)>& on_progress,
-                                    const std::stop_token& stop) {
+std::vector<CoverageFigure> measure_injected_coverage(
+    const CoverageSettings& settings, const std::function<void(double)>& on_progress,
+    const std::stop_token& stop) {
   constexpr std::size_t studies_at_once = 50;
   const std::vector<Criterion> criteria = all_criteria(settings);
   const Workers workers(settings.threads);
-  StudyCounts counts;
+  std::vector<CoverageFigure> figures;
   for (std::size_t i = 0; i < criteria.size(); ++i) {
     if (stop.stop_requested()) {
       return {};
@@ -268,10 +245,14 @@ StudyCounts count_injected_coverage(const CoverageSettings& settings, const Item
     const auto count_block = [&](std::size_t first, std::size_t last) -> StudyCounts {
       return {count(criteria[i], settings, i, first, last)};
     };
-    counts.push_back(sum_of_blocks(1, studies, studies_at_once, workers, count_block).front());
+    figures.push_back(measured(
+        {.name = std::string(criteria[i].name),
+         .claim = std::string(criteria[i].claim),
+         .required = criteria[i].required},
+        sum_of_blocks(1, settings.studies, studies_at_once, workers, count_block).front()));
     on_progress(static_cast<double>(i + 1) / static_cast<double>(criteria.size()));
   }
-  return counts;
+  return figures;
 }
 
 }  // namespace foveola::analysis

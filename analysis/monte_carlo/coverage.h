@@ -2,6 +2,7 @@
 // over thousands of studies with injected effects.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,7 +12,6 @@
 
 #include "analysis/monte_carlo/study_count.h"
 #include "analysis/statistics/descriptive.h"
-#include "renderer/base/shard.h"
 
 namespace foveola::analysis {
 
@@ -35,29 +35,22 @@ struct CoverageFigure {
   }
 };
 
-/// The figures with what was counted of each; none if there are no counts.
-std::vector<CoverageFigure> measured(std::vector<CoverageFigure> figures,
-                                     const StudyCounts& counts);
+/// The figure with the studies that were counted.
+CoverageFigure measured(CoverageFigure figure, const StudyCount& count);
 
 struct CoverageSettings {
-  int studies = 4000;
+  std::size_t studies = 4000;
   int participants = 16;
   std::uint64_t seed = 1;
   int resamples = 1999;  ///< Resamples of each bootstrap interval.
   int threads = 0;       ///< 0 takes every core; the figures do not depend on it.
-
-  ItemRange all_studies() const { return {.begin = 0, .end = studies}; }
 };
 
-/// What count_injected_coverage() counts, before it is counted: the coverage of intervals over
-/// studies with injected effects, and the rejections of every test over studies without an effect.
-std::vector<CoverageFigure> injected_figures();
-
-/// The counts of injected_figures() over these studies, each of which is a function of the seed and
-/// its number alone: those of parts may be added. Calls `on_progress` with the share that is done.
-/// Empty when `stop` was requested.
-StudyCounts count_injected_coverage(const CoverageSettings& settings, const ItemRange& studies,
-                                    const std::function<void(double)>& on_progress,
-                                    const std::stop_token& stop);
+/// The coverage of intervals over studies with injected effects, and the rejections of every test
+/// over studies without an effect. Each study is a function of the seed and its number alone. Calls
+/// `on_progress` with the share that is done. Empty when `stop` was requested.
+std::vector<CoverageFigure> measure_injected_coverage(
+    const CoverageSettings& settings, const std::function<void(double)>& on_progress,
+    const std::stop_token& stop);
 
 }  // namespace foveola::analysis

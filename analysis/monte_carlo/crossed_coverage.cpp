@@ -1,8 +1,6 @@
 #include "analysis/monte_carlo/crossed_coverage.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -19,10 +17,6 @@ StudyCounts count(const CrossedDesign& design, std::uint64_t seed, std::size_t f
   const CrossedCoverage found = count_coverage(design, design.mean, seed, first, last);
   return {{.studies = found.studies, .hits = found.crossed_model, .estimates = {}},
           {.studies = found.studies, .hits = found.over_participants, .estimates = {}}};
-}
-
-std::string named(const std::string& analysis, const CrossedDesign& design) {
-  return fmt::format("{}, {}", analysis, design_in_words(design));
 }
 
 }  // namespace
@@ -47,37 +41,34 @@ std::string design_in_words(const CrossedDesign& design) {
                      design.participant_sd, design.scene_sd);
 }
 
-std::vector<CoverageFigure> crossed_figures() {
-  std::vector<CoverageFigure> figures;
-  for (const CrossedDesign& design : crossed_designs()) {
-    figures.push_back({.name = named("crossed model", design),
-                       .claim = other_scenes,
-                       .required = crossed_required});
-    figures.push_back({.name = named("t over participants", design), .claim = other_scenes});
-  }
-  return figures;
-}
-
-StudyCounts count_crossed_coverage(const CoverageSettings& settings, const ItemRange& studies,
-                                   const std::function<void(double)>& on_progress,
-                                   const std::stop_token& stop) {
+std::vector<CoverageFigure> measure_crossed_coverage(const CoverageSettings& settings,
+                                                     const std::function<void(double)>& on_progress,
+                                                     const std::stop_token& stop) {
   constexpr std::size_t analyses = 2;
   constexpr std::size_t studies_at_once = 200;
-  const std::vector<CrossedDesign> all = crossed_designs();
+  const std::vector<CrossedDesign> designs = crossed_designs();
   const Workers workers(settings.threads);
-  StudyCounts counts;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  std::vector<CoverageFigure> figures;
+  for (std::size_t i = 0; i < designs.size(); ++i) {
     if (stop.stop_requested()) {
       return {};
     }
     const auto count_block = [&](std::size_t first, std::size_t last) {
-      return count(all[i], settings.seed, first, last);
+      return count(designs[i], settings.seed, first, last);
     };
-    std::ranges::move(sum_of_blocks(analyses, studies, studies_at_once, workers, count_block),
-                      std::back_inserter(counts));
-    on_progress(static_cast<double>(i + 1) / static_cast<double>(all.size()));
+    const StudyCounts counts =
+        sum_of_blocks(analyses, settings.studies, studies_at_once, workers, count_block);
+    const std::string design = design_in_words(designs[i]);
+    figures.push_back(measured({.name = fmt::format("crossed model, {}", design),
+                                .claim = other_scenes,
+                                .required = crossed_required},
+                               counts.front()));
+    figures.push_back(
+        measured({.name = fmt::format("t over participants, {}", design), .claim = other_scenes},
+                 counts.back()));
+    on_progress(static_cast<double>(i + 1) / static_cast<double>(designs.size()));
   }
-  return counts;
+  return figures;
 }
 
 }  // namespace foveola::analysis

@@ -17,18 +17,14 @@ std::vector<CrossedDesign> crossed_designs();
 /// "16 × 5, SD 0.1 people, 0.2 scenes"
 std::string design_in_words(const CrossedDesign& design);
 
-/// What count_crossed_coverage() counts, before it is counted: the coverage of the crossed mixed
-/// model and of the paired t over participants, for the ratio in other scenes, too, in each of
-/// crossed_designs(). The error of the first kind is 100 % less the coverage. Required of the
-/// crossed model alone, and above 95 % no more than is due to variances that cannot be below zero
-/// (data/golden/README.md); t does not speak of other scenes.
-std::vector<CoverageFigure> crossed_figures();
-
-/// The counts of crossed_figures() over these studies, each of which is a function of the seed and
-/// its number alone. Uses the settings' seed and threads. Calls `on_progress` with the share that
-/// is done. Empty when `stop` was requested.
-StudyCounts count_crossed_coverage(const CoverageSettings& settings, const ItemRange& studies,
-                                   const std::function<void(double)>& on_progress,
-                                   const std::stop_token& stop);
+/// The coverage of the crossed mixed model and of the paired t over participants, for the ratio in
+/// other scenes, too, in each of crossed_designs(). The error of the first kind is 100 % less the
+/// coverage. Required of the crossed model alone, and above 95 % no more than is due to variances
+/// that cannot be below zero (data/golden/README.md); t does not speak of other scenes. Each study
+/// is a function of the seed and its number alone. Uses the settings' studies, seed and threads.
+/// Calls `on_progress` with the share that is done. Empty when `stop` was requested.
+std::vector<CoverageFigure> measure_crossed_coverage(const CoverageSettings& settings,
+                                                     const std::function<void(double)>& on_progress,
+                                                     const std::stop_token& stop);
 
 }  // namespace foveola::analysis

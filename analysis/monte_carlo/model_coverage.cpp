@@ -128,6 +128,43 @@ bool tests_equivalence(const ModelCell& cell) {
   return !cell.expected.protocol.analysis.equivalence_margins.empty();
 }
 
+std::vector<CoverageFigure> model_figures(const ModelCell& cell) {
+  const bool is_fixed = has_fixed_scenes(cell);
+  const auto figure = [&](const char* claim) -> CoverageFigure {
+    return {.name = cell.name, .claim = claim, .estimates_ratios = !cell.is_rating};
+  };
+  if (is_separated(cell)) {
+    std::vector<CoverageFigure> found = {figure("finds the difference"),
+                                         figure("finds it without R")};
+    found.front().required = Interval{99.0, 100.0};
+    found.front().few_studies = true;
+    return found;
+  }
+  if (tests_equivalence(cell)) {
+    const bool is_equal = cell.expected.times.front().ratios.back() == 1.0;
+    std::vector<CoverageFigure> declared = {figure(is_equal ? "declared" : "wrongly declared"),
+                                            figure("declared without R")};
+    for (CoverageFigure& of_tests : declared) {
+      of_tests.estimates_ratios = false;
+    }
+    if (!is_equal) {
+      declared.front().required = Interval{0.0, 6.8};
+      declared.front().few_studies = true;
+    }
+    return declared;
+  }
+  std::vector<CoverageFigure> figures = {figure(cell.is_rating ? "covers no difference"
+                                                : is_fixed     ? "covers in these scenes"
+                                                               : "covers")};
+  figures.front().required = nominal_range;
+  figures.front().few_studies = true;
+  if (is_fixed) {
+    figures.push_back(figure("covers in other scenes, too"));
+  }
+  figures.push_back(figure("covers without R"));
+  return figures;
+}
+
 /// As many as model_figures() has, in its order.
 StudyCounts count_study(const ModelCell& cell, const study::StudyRecords& records,
                         const FittedModels& models, const Truth& truth) {
@@ -175,12 +212,6 @@ StudyCounts count_study(const ModelCell& cell, const study::StudyRecords& record
   return counts;
 }
 
-void require_fitted(const FittedModels& models) {
-  if (const std::string why = missing_for(models); !why.empty()) {
-    throw Error("bench statistics --r", why, "install it, or leave --r out");
-  }
-}
-
 StudyCounts count_block(const ModelCell& cell, const ModelCoverageSettings& settings,
                         const ModelFitter& fit, std::size_t first, std::size_t last) {
   std::vector<study::StudyRecords> studies;
@@ -190,7 +221,9 @@ StudyCounts count_block(const ModelCell& cell, const ModelCoverageSettings& sett
   const std::vector<FittedModels> models = fit(studies);
   StudyCounts counts(model_figures(cell).size());
   for (std::size_t i = 0; i < studies.size(); ++i) {
-    require_fitted(models[i]);
+    if (const std::string why = missing_for(models[i]); !why.empty()) {
+      throw Error("bench statistics --r", why, "install it, or leave --r out");
+    }
     const Truth truth = truth_of(cell, seed_of(cell, settings, first + i));
     add(count_study(cell, studies[i], models[i], truth), counts);
   }
@@ -246,74 +279,24 @@ double expected_seconds(const std::vector<ModelCell>& cells, const ModelCoverage
          Workers(settings.threads).threads();
 }
 
-std::vector<CoverageFigure> model_figures(const ModelCell& cell) {
-  const bool is_fixed = has_fixed_scenes(cell);
-  const auto figure = [&](const char* claim) -> CoverageFigure {
-    return {.name = cell.name, .claim = claim, .estimates_ratios = !cell.is_rating};
-  };
-  if (is_separated(cell)) {
-    std::vector<CoverageFigure> found = {figure("finds the difference"),
-                                         figure("finds it without R")};
-    found.front().required = Interval{99.0, 100.0};
-    found.front().few_studies = true;
-    return found;
-  }
-  if (tests_equivalence(cell)) {
-    const bool is_equal = cell.expected.times.front().ratios.back() == 1.0;
-    std::vector<CoverageFigure> declared = {figure(is_equal ? "declared" : "wrongly declared"),
-                                            figure("declared without R")};
-    for (CoverageFigure& of_tests : declared) {
-      of_tests.estimates_ratios = false;
-    }
-    if (!is_equal) {
-      declared.front().required = Interval{0.0, 6.8};
-      declared.front().few_studies = true;
-    }
-    return declared;
-  }
-  std::vector<CoverageFigure> figures = {figure(cell.is_rating ? "covers no difference"
-                                                : is_fixed     ? "covers in these scenes"
-                                                               : "covers")};
-  figures.front().required = nominal_range;
-  figures.front().few_studies = true;
-  if (is_fixed) {
-    figures.push_back(figure("covers in other scenes, too"));
-  }
-  figures.push_back(figure("covers without R"));
-  return figures;
-}
-
-ItemRange studies_of(const ModelCell& cell, const ModelCoverageSettings& settings,
-                     const Shard& shard) {
-  const auto studies = static_cast<std::int64_t>(study_count_of(cell, settings));
-  constexpr auto batch = static_cast<std::int64_t>(studies_drawn_together);
-  const ItemRange batches = part_of(shard, (studies + batch - 1) / batch);
-  return {.begin = std::min(batches.begin * batch, studies),
-          .end = std::min(batches.end * batch, studies)};
-}
-
-StudyCounts count_model_coverage(const ModelCell& cell, const ModelCoverageSettings& settings,
-                                 const ItemRange& studies, const ModelFitter& fit,
-                                 const std::stop_token& stop) {
-  const std::size_t figures = model_figures(cell).size();
+std::vector<CoverageFigure> measure_model_coverage(const ModelCell& cell,
+                                                   const ModelCoverageSettings& settings,
+                                                   const ModelFitter& fit,
+                                                   const std::stop_token& stop) {
+  std::vector<CoverageFigure> figures = model_figures(cell);
   const StudyCounts counts =
-      sum_of_blocks(figures, studies, studies_drawn_together, Workers(settings.threads),
-                    [&](std::size_t first, std::size_t last) {
-                      return stop.stop_requested() ? StudyCounts(figures)
+      sum_of_blocks(figures.size(), study_count_of(cell, settings), studies_drawn_together,
+                    Workers(settings.threads), [&](std::size_t first, std::size_t last) {
+                      return stop.stop_requested() ? StudyCounts(figures.size())
                                                    : count_block(cell, settings, fit, first, last);
                     });
-  return stop.stop_requested() ? StudyCounts() : counts;
-}
-
-std::string fitted_by(const ModelCell& cell, const ModelCoverageSettings& settings,
-                      const ModelFitter& fit) {
-  const FittedModels models = fit({draw(cell, seed_of(cell, settings, 0))}).front();
-  require_fitted(models);
-  std::string programs;
-  for (const auto& [name, version] : models.versions) {
-    programs += fmt::format("{}{} {}", programs.empty() ? "" : ", ", name, version);
+  if (stop.stop_requested()) {
+    return {};
   }
-  return programs;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    figures[i] = measured(std::move(figures[i]), counts[i]);
+  }
+  return figures;
 }
 
 }  // namespace foveola::analysis

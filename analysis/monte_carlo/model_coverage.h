@@ -43,31 +43,18 @@ struct ModelCoverageSettings {
 double expected_seconds(const std::vector<ModelCell>& cells, const ModelCoverageSettings& settings,
                         const ModelFitter& fit);
 
-/// What count_model_coverage() counts, before it is counted: in how many studies of a cell the
-/// interval of the model covers the planned ratio, or no difference between ratings; what is not
-/// covered is the test's error of the first kind. With a margin it is instead in how many the
-/// methods are declared equivalent; at the margin at most 6.8 % are required. Of separated ratings
-/// it is in how many the difference is found: 99 % at least. With fixed scenes it is the ratio in
-/// the scenes of the study, and the one in all scenes like these is reported, too; so is what
-/// stands in without R. Required is 95 ± 1.5 %, as far as so few studies show. Studies that the
-/// model could not be fitted to are not among them; those in which nothing is censored, or missing,
-/// have what is planned for them without R.
-std::vector<CoverageFigure> model_figures(const ModelCell& cell);
-
-/// The studies that a shard has of a cell, or all of them: whole batches of those that are drawn
-/// together, each of which is a function of the seed and its number alone.
-ItemRange studies_of(const ModelCell& cell, const ModelCoverageSettings& settings,
-                     const Shard& shard = {});
-
-/// The counts of model_figures() over these studies. Empty when `stop` was requested. Throws Error
-/// if R, or a package, is missing.
-StudyCounts count_model_coverage(const ModelCell& cell, const ModelCoverageSettings& settings,
-                                 const ItemRange& studies, const ModelFitter& fit,
-                                 const std::stop_token& stop);
-
-/// What models are fitted by, with its packages: "R 4.2.2, lme4 1.1-31". Fits one study's. Throws
-/// Error if R, or a package, is missing.
-std::string fitted_by(const ModelCell& cell, const ModelCoverageSettings& settings,
-                      const ModelFitter& fit);
+/// In how many studies of a cell the interval of the model covers the planned ratio, or no
+/// difference between ratings; what is not covered is the test's error of the first kind. With a
+/// margin it is instead in how many the methods are declared equivalent; at the margin at most 6.8
+/// % are required. Of separated ratings it is in how many the difference is found: 99 % at least.
+/// With fixed scenes it is the ratio in the scenes of the study, and the one in all scenes like
+/// these is reported, too; so is what stands in without R. Required is 95 ± 1.5 %, as far as so few
+/// studies show. Studies that the model could not be fitted to are not among them; those in which
+/// nothing is censored, or missing, have what is planned for them without R. Empty when `stop` was
+/// requested. Throws Error if R, or a package, is missing.
+std::vector<CoverageFigure> measure_model_coverage(const ModelCell& cell,
+                                                   const ModelCoverageSettings& settings,
+                                                   const ModelFitter& fit,
+                                                   const std::stop_token& stop);
 
 }  // namespace foveola::analysis

@@ -33,13 +33,11 @@ void add(const StudyCounts& counts, StudyCounts& sums) {
 }
 
 StudyCounts sum_of_blocks(
-    std::size_t figures, const ItemRange& studies, std::size_t block, const Workers& workers,
+    std::size_t figures, std::size_t studies, std::size_t block, const Workers& workers,
     const std::function<StudyCounts(std::size_t first, std::size_t last)>& count) {
-  const auto first = static_cast<std::size_t>(studies.begin);
-  const auto size = static_cast<std::size_t>(studies.size());
-  std::vector<StudyCounts> parts((size + block - 1) / block, StudyCounts(figures));
-  workers.for_each_block(size, block, [&](std::size_t begin, std::size_t end) {
-    parts[begin / block] = count(first + begin, first + end);
+  std::vector<StudyCounts> parts((studies + block - 1) / block, StudyCounts(figures));
+  workers.for_each_block(studies, block, [&](std::size_t first, std::size_t last) {
+    parts[first / block] = count(first, last);
   });
   StudyCounts sums(figures);
   for (const StudyCounts& part : parts) {

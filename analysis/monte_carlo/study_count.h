@@ -1,4 +1,4 @@
-// Counting in how many studies something holds, in parts whose order does not matter.
+// Counts in how many studies something holds, on all threads.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,6 @@
 #include "analysis/dataset/primary_analysis.h"
 #include "renderer/base/exact_sum.h"
 #include "renderer/base/parallel.h"
-#include "renderer/base/shard.h"
 
 namespace foveola::analysis {
 
@@ -33,10 +32,10 @@ using StudyCounts = std::vector<StudyCount>;
 /// Adds count by count: there are as many of both.
 void add(const StudyCounts& counts, StudyCounts& sums);
 
-/// The sums of the `figures` counts that count(first, last) returns for blocks of `block` of the
-/// studies, on all threads.
+/// The sums of the `figures` counts that count(first, last) returns for blocks of `block` of so
+/// many studies, on all threads.
 StudyCounts sum_of_blocks(
-    std::size_t figures, const ItemRange& studies, std::size_t block, const Workers& workers,
+    std::size_t figures, std::size_t studies, std::size_t block, const Workers& workers,
     const std::function<StudyCounts(std::size_t first, std::size_t last)>& count);
 
 }  // namespace foveola::analysis

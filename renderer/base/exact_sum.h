@@ -17,9 +17,6 @@ class ExactSum {
   /// The double that is nearest to the sum; of two, the even one.
   double rounded() const;
 
-  /// Doubles whose exact sum this is: added elsewhere, they give the same sum.
-  const std::vector<double>& parts() const { return parts_; }
-
   void clear() { parts_.clear(); }
 
  private:

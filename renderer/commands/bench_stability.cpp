@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -13,12 +12,10 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/cores.h"
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/bench_facts.h"
-#include "renderer/stability/finite_radiance.h"
 #include "renderer/stability/stability.h"
 
 namespace foveola {
@@ -32,7 +29,6 @@ struct StabilityArguments {
   int threads = 0;
   std::uint64_t scene_paths = 0;
   std::uint32_t scene_seed = 1;
-  BenchPartArguments part;
 };
 
 StabilityEffort effort_of(const StabilityArguments& arguments) {
@@ -91,15 +87,15 @@ nlohmann::json json_of(const StabilityFigure& figure) {
           {"unit", figure.unit}, {"passes", figure.passes()}, {"details", figure.details}};
 }
 
-/// about: what is known of the run beside its figures.
-void print_json(const std::vector<StabilityFigure>& figures, nlohmann::json about) {
+void print_json(const std::vector<StabilityFigure>& figures, int threads, double duration_s) {
   nlohmann::json list = nlohmann::json::array();
   for (const StabilityFigure& figure : figures) {
     list.push_back(json_of(figure));
   }
-  about.update(nlohmann::json(bench_facts()));
-  about["figures"] = std::move(list);
-  print_text("{}\n", about.dump(2));
+  nlohmann::json json(bench_facts());
+  json.update(
+      {{"threads", threads}, {"seconds", measured_once(duration_s)}, {"figures", std::move(list)}});
+  print_text("{}\n", json.dump(2));
 }
 
 void print_table(const std::vector<StabilityFigure>& figures, double duration_s) {
@@ -143,71 +139,11 @@ void run_stability(const StabilityArguments& arguments, const std::vector<SceneS
   }
   const double duration_s = seconds(clock.now() - start);
   if (arguments.json) {
-    print_json(figures, {{"threads", workers.threads()}, {"seconds", measured_once(duration_s)}});
+    print_json(figures, workers.threads(), duration_s);
   } else {
     print_table(figures, duration_s);
   }
   require_all(figures);
-}
-
-// --- Parts ---
-
-constexpr std::uint64_t most_paths = std::uint64_t{1} << 53;
-
-void require_finite_radiance_alone(const std::string& only) {
-  const std::vector<StabilityCheck> checks = chosen_checks({}, only);
-  if (checks.size() != 1 || checks.front().name != finite_radiance_name) {
-    throw UsageError("--shard", "is for the paths over the scenes alone",
-                     "add --only finite; the other stress tests take minutes and have no parts");
-  }
-}
-
-nlohmann::json settings_json(const StabilityEffort& effort,
-                             const std::vector<SceneSource>& scenes) {
-  nlohmann::json json = {{"paths", effort.scene_paths},
-                         {"paths_a_round", effort.round_paths},
-                         {"seed", effort.scene_seed},
-                         {"scenes", nlohmann::json::array()}};
-  for (const SceneSource& scene : scenes) {
-    json["scenes"].push_back(scene.name);
-    json[fmt::format("sha256 of {}", scene.name)] = sha256_of_file(scene.file);
-  }
-  return json;
-}
-
-void run_part(const StabilityArguments& arguments, const Shard& shard,
-              const std::vector<SceneSource>& scenes, const std::stop_token& stop) {
-  const Workers workers(thread_count(arguments));
-  const StabilityEffort effort = effort_of(arguments);
-  const SteadyClock clock;
-  const Nanoseconds start = clock.now();
-  FiniteRadiance found;
-  {
-    Progress progress("numerical stability");
-    found = trace_rounds({.workers = workers,
-                          .effort = effort,
-                          .stop = stop,
-                          .progress = [&](double fraction) { progress.update(fraction); }},
-                         scenes, part_of(shard, finite_radiance_rounds(effort, scenes.size())));
-  }
-  require_finished(arguments.part.output, stop.stop_requested());
-  const BenchPart part{.command = stability_command,
-                       .shard = shard,
-                       .settings = settings_json(effort, scenes),
-                       .results = {{"paths", found.paths},
-                                   {"faults", found.faults},
-                                   {"first_fault", found.first_fault},
-                                   {"seconds", seconds(clock.now() - start)}},
-                       .file = {}};
-  write_bench_part(arguments.part.output, part);
-  print_written(arguments.part.output, part, arguments.json);
-}
-
-FiniteRadiance found_in(const BenchPart& part) {
-  const std::uint64_t paths = whole_number(part.results.at("paths"), most_paths);
-  return {.paths = paths,
-          .faults = whole_number(part.results.at("faults"), paths),
-          .first_fault = part.results.at("first_fault").get<std::string>()};
 }
 
 }  // namespace
@@ -233,38 +169,11 @@ void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes
   command->add_option(
       "--seed", arguments->scene_seed,
       "Seed of these paths: many can be traced in several runs, each with its own seed");
-  add_bench_part_options(*command, arguments->part);
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench stability --quick");
   command->callback([arguments, scenes, find_scene, stop] {
-    const std::optional<Shard> shard = shard_of(arguments->part);
-    if (shard) {
-      require_finite_radiance_alone(arguments->only);
-    }
-    const std::vector<SceneSource> sources = found(scenes, find_scene);
-    shard ? run_part(*arguments, *shard, sources, stop) : run_stability(*arguments, sources, stop);
+    run_stability(*arguments, found(scenes, find_scene), stop);
   });
-}
-
-void merge_stability(const std::vector<BenchPart>& parts, bool json) {
-  FiniteRadiance all;
-  double duration_s = 0.0;
-  for (const BenchPart& part : parts) {
-    all.add(read_part(part, found_in));
-    duration_s += read_part(part, [](const BenchPart& read) {
-      return read.results.at("seconds").template get<double>();
-    });
-  }
-  const auto scenes = read_part(parts.front(), [](const BenchPart& read) {
-    return read.settings.at("scenes").template get<std::vector<std::string>>();
-  });
-  const std::vector<StabilityFigure> figures = {figure_of(all, scenes)};
-  if (json) {
-    print_json(figures, {{"parts", parts.size()}, {"seconds", measured_once(duration_s)}});
-  } else {
-    print_table(figures, duration_s);
-  }
-  require_all(figures);
 }
 
 }  // namespace foveola

@@ -20,7 +20,6 @@ struct StabilityEffort {
   std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
   std::uint64_t scene_paths = 1'000'000;     ///< over all given scenes
   std::uint32_t scene_seed = 1;              ///< seed of these paths
-  std::uint64_t round_paths = 1 << 22;       ///< most of them that are traced with one seed
   std::uint64_t film_samples = 100'000'000;  ///< into one pixel
 };
 

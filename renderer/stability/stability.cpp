@@ -13,7 +13,7 @@ std::vector<StabilityCheck> stability_checks(const std::vector<SceneSource>& sce
           {"degenerate input", 5.0, check_degenerate_input},
           {"accumulation", 2.0, check_accumulation},
           {"bit equality", 5.0, check_bit_equality},
-          {finite_radiance_name, 10.0,
+          {"finite radiance", 10.0,
            [scenes](const StabilityRun& run) { return check_finite_radiance(run, scenes); }}};
 }
 

@@ -18,9 +18,6 @@ struct StabilityCheck {
   std::function<std::vector<StabilityFigure>(const StabilityRun&)> run;
 };
 
-/// The check of paths over scenes, whose rounds can be traced apart (see finite_radiance.h).
-inline constexpr const char* finite_radiance_name = "finite radiance";
-
 /// All of checks.h, in its order. The scenes are those whose radiance must be finite; their camera
 /// positions must be known.
 std::vector<StabilityCheck> stability_checks(const std::vector<SceneSource>& scenes);

@@ -1,5 +1,7 @@
 // The benchmarks as a user runs them: what they print and what they leave behind.
-#include <cstdlib>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,6 +77,78 @@ TEST_F(BenchConvergence, RefusesBadWishesBeforeTheWork) {
   expect_refused({"-o", results(), "--spp", "1"}, 2, "--spp");
   expect_refused({"-o", (folder_ / "no" / "where").string()}, 1, "where");
   expect_refused({"-o", (folder_ / "room.gltf").string()}, 1, "is read by the command, too");
+}
+
+/// Two gazes with two repetitions each.
+const std::vector<std::string> small = {
+    "--gazes", "2",     "--repetitions", "2",  "--methods",   "od,vp", "--options",   "none",
+    "--size",  "32x16", "--spp",         "16", "--view-size", "32",    "--max-depth", "3"};
+
+std::vector<std::string> operator+(std::vector<std::string> options,
+                                   const std::vector<std::string>& others) {
+  options.insert(options.end(), others.begin(), others.end());
+  return options;
+}
+
+TEST_F(BenchConvergence, PoolsRunsWithDifferentSeeds) {
+  const std::string first = (folder_ / "first").string();
+  const std::string second = (folder_ / "second").string();
+  ASSERT_EQ(run(small + std::vector<std::string>{"-o", first}).exit_code, 0);
+  ASSERT_EQ(run(small + std::vector<std::string>{"-o", second, "--seed", "1"}).exit_code, 0);
+  const ProgramResult pooled =
+      run_foveola({"bench", "convergence", "--from", first, second, "-o", results(), "--json"});
+  ASSERT_EQ(pooled.exit_code, 0) << pooled.errors;
+  EXPECT_EQ(pooled.output, read_file(folder_ / "results" / "convergence.json"));
+  const auto json = nlohmann::json::parse(pooled.output);
+  EXPECT_EQ(json["measured"][1]["repetitions"], 4);
+  const auto plan_of = [](const std::string& text) { return nlohmann::json::parse(text)["plan"]; };
+  EXPECT_EQ(json["plan"], plan_of(read_file(folder_ / "first" / "convergence.json")));
+  EXPECT_TRUE(fs::exists(folder_ / "results" / "error-2-rmse-sphere.svg"));
+  const auto expect_refused = [&](const std::vector<std::string>& options, int exit_code,
+                                  const std::string& says) {
+    expect_one_line(
+        run_foveola(std::vector<std::string>{"bench", "convergence", "--from", first} + options),
+        exit_code, says);
+  };
+  const std::string output = (folder_ / "refused").string();
+  expect_refused({first, "-o", output}, 1, "with seed 0, as has a run before it");
+  expect_refused({"-o", output, "--spp", "16"}, 2, "--from: cannot be combined with --spp");
+  expect_refused({}, 2, "--output: is required");
+  EXPECT_FALSE(fs::exists(output));
+  expect_one_line(run_foveola({"bench", "convergence", "-o", output}), 2, "SCENE: is required");
+}
+
+TEST_F(BenchConvergence, RendersShardsOfItsReferences) {
+  // References, each of which has a file with its digest beside it.
+  const auto cached = [this] {
+    return std::ranges::count_if(
+        fs::directory_iterator(folder_ / "cache" / "foveola" / "references"),
+        [](const fs::directory_entry& entry) { return entry.path().extension() == ".exr"; });
+  };
+  const ProgramResult third =
+      run(small + std::vector<std::string>{"--references", "--shard", "3/4"});
+  ASSERT_EQ(third.exit_code, 0) << third.errors;
+  EXPECT_THAT(third.output, HasSubstr("1 half of a reference"));
+  EXPECT_EQ(cached(), 1);
+  EXPECT_EQ(run(small + std::vector<std::string>{"--references"}).exit_code, 0);
+  EXPECT_EQ(cached(), 4);
+  EXPECT_EQ(run(small + std::vector<std::string>{"-o", results()}).exit_code, 0);
+  EXPECT_EQ(cached(), 4) << "nothing was rendered again under another name";
+  expect_one_line(run({"-o", results(), "--shard", "1/2"}), 2, "--references");
+}
+
+// Seeds are pooled by their counts, as docs/CLUSTER.md shows.
+TEST(BenchStatistics, CountsStudiesAndHits) {
+  const ProgramResult result =
+      run_foveola({"bench", "statistics", "--studies", "3", "--resamples", "99", "--json"});
+  EXPECT_EQ(result.exit_code, 1) << "of three studies no share is within the required range";
+  for (const auto& figure : nlohmann::json::parse(result.output).at("figures")) {
+    if (figure.at("studies") > 0) {
+      EXPECT_NEAR(figure.at("percent").get<double>() * figure.at("studies").get<double>(),
+                  100.0 * figure.at("hits").get<double>(), 1e-9)
+          << figure.at("name");
+    }
+  }
 }
 
 TEST(BenchCompare, PrintsRatiosOfWhatABenchPrinted) {

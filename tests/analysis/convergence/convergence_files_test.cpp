@@ -57,8 +57,9 @@ TEST(ConvergenceCsv, HasEveryPointAndEveryTable) {
 
 TEST(ConvergenceJson, HasEstimatesWithTheirIntervals) {
   const std::vector<GazeMeasurement> measured = measurements();
-  const auto json = nlohmann::json::parse(
-      convergence_json({{"version", "7"}}, plan(), measured, tabulate(measured)));
+  nlohmann::ordered_json facts = {{"version", "7"}};
+  facts.update(plan_facts(plan()));
+  const auto json = nlohmann::json::parse(convergence_json(facts, measured, tabulate(measured)));
   EXPECT_EQ(json["version"], "7");
   EXPECT_EQ(json["baseline"], "od");
   EXPECT_EQ(json["plan"]["width"], 1024);
@@ -77,8 +78,7 @@ TEST(ConvergenceJson, HasEstimatesWithTheirIntervals) {
 TEST(ConvergenceJson, WhatDoesNotExistIsNull) {
   const std::vector<GazeMeasurement> measured = {
       made_up_measurement({{.name = "od"}, {.name = "magic", .noise = 1e-4}}, 1)};
-  const auto json = nlohmann::json::parse(
-      convergence_json({{"version", "7"}}, plan(), measured, tabulate(measured)));
+  const auto json = nlohmann::json::parse(convergence_json({}, measured, tabulate(measured)));
   EXPECT_TRUE(json["speed_ups"][0]["samples"].is_null());
   EXPECT_TRUE(json["costs"][0]["ratio"]["low"].is_null());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,12 @@ struct MadeUpConfiguration {
 };
 
 /// One region, "5deg", seen by FLIP too: the root of the squared error. Checkpoints at 1000, 2000,
-/// ..., 64000 samples. Repetition r is r * spread noisier than the first.
+/// ..., 64000 samples. Repetition r has the seed r and is
+/// r * spread noisier than the first.
 inline GazeMeasurement made_up_measurement(const std::vector<MadeUpConfiguration>& configurations,
                                            std::size_t repetitions, double spread = 0.0) {
   GazeMeasurement measurement{.scene = "aula",
+                              .scene_sha256 = "aula's",
                               .gaze = "10,0",
                               .configurations = {},
                               .regions = {"5deg"},
@@ -35,6 +38,7 @@ inline GazeMeasurement made_up_measurement(const std::vector<MadeUpConfiguration
     Repetition logs;
     for (const MadeUpConfiguration& configuration : configurations) {
       RenderLog log;
+      log.seed = static_cast<std::uint32_t>(repetition);
       for (std::uint64_t samples = 1000; samples <= 64000; samples *= 2) {
         const auto count = static_cast<double>(samples);
         Score score;

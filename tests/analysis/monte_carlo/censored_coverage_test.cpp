@@ -6,8 +6,7 @@ namespace foveola::analysis {
 namespace {
 
 std::vector<CoverageFigure> measure_censored(int threads) {
-  return measured(censored_figures(),
-                  count_censored_coverage({.threads = threads}, {.end = 60}, [](double) {}, {}));
+  return measure_censored_coverage({.studies = 60, .threads = threads}, [](double) {}, {});
 }
 
 // Where slow times are left out, what is left of the baseline's are those that were fast.
@@ -33,27 +32,10 @@ TEST(CensoredCoverage, DoesNotDependOnThreads) {
   }
 }
 
-// Ratios are averaged over what no order of adding changes.
-TEST(CensoredCoverage, OfPartsInAnyOrderIsThatOfTheWhole) {
-  const auto count = [](const ItemRange& studies) {
-    return count_censored_coverage({}, studies, [](double) {}, {});
-  };
-  const StudyCounts whole = count({0, 12});
-  StudyCounts sums(whole.size());
-  for (const ItemRange& part : {ItemRange{9, 12}, ItemRange{0, 2}, ItemRange{2, 9}}) {
-    add(count(part), sums);
-  }
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    EXPECT_EQ(sums[i].studies, whole[i].studies);
-    EXPECT_EQ(sums[i].hits, whole[i].hits);
-    EXPECT_EQ(sums[i].mean_ratio(), whole[i].mean_ratio());
-  }
-}
-
 TEST(CensoredCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(count_censored_coverage({}, {.end = 10}, [](double) {}, stop.get_token()).empty());
+  EXPECT_TRUE(measure_censored_coverage({}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

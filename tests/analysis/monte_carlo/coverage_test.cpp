@@ -6,8 +6,7 @@ namespace foveola::analysis {
 namespace {
 
 std::vector<CoverageFigure> measure(const CoverageSettings& settings) {
-  return measured(injected_figures(),
-                  count_injected_coverage(settings, settings.all_studies(), [](double) {}, {}));
+  return measure_injected_coverage(settings, [](double) {}, {});
 }
 
 TEST(Coverage, DoesNotDependOnThreads) {
@@ -32,23 +31,10 @@ TEST(Coverage, IntervalsCoverAndTestsSeldomReject) {
   }
 }
 
-TEST(Coverage, OfPartsIsThatOfTheWhole) {
-  const CoverageSettings settings{.studies = 11, .participants = 8, .resamples = 99};
-  const StudyCounts whole = count_injected_coverage(settings, {.end = 11}, [](double) {}, {});
-  StudyCounts sums(whole.size());
-  for (const ItemRange& part : {ItemRange{7, 11}, ItemRange{0, 7}, ItemRange{4, 4}}) {
-    add(count_injected_coverage(settings, part, [](double) {}, {}), sums);
-  }
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    EXPECT_EQ(sums[i].studies, whole[i].studies);
-    EXPECT_EQ(sums[i].hits, whole[i].hits);
-  }
-}
-
 TEST(Coverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(count_injected_coverage({}, {.end = 10}, [](double) {}, stop.get_token()).empty());
+  EXPECT_TRUE(measure_injected_coverage({}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

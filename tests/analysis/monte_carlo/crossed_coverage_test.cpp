@@ -6,8 +6,7 @@ namespace foveola::analysis {
 namespace {
 
 std::vector<CoverageFigure> measure(int threads) {
-  return measured(crossed_figures(),
-                  count_crossed_coverage({.threads = threads}, {.end = 300}, [](double) {}, {}));
+  return measure_crossed_coverage({.studies = 300, .threads = threads}, [](double) {}, {});
 }
 
 TEST(CrossedCoverage, IsNearlyNominalWherePeopleAndScenesDiffer) {
@@ -33,7 +32,7 @@ TEST(CrossedCoverage, DoesNotDependOnThreads) {
 TEST(CrossedCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(count_crossed_coverage({}, {.end = 10}, [](double) {}, stop.get_token()).empty());
+  EXPECT_TRUE(measure_crossed_coverage({}, [](double) {}, stop.get_token()).empty());
 }
 
 }  // namespace

@@ -44,8 +44,7 @@ ModelFitter fitter(Interval interval) {
 
 std::vector<CoverageFigure> measure(const ModelCell& cell, const ModelCoverageSettings& settings,
                                     const ModelFitter& fit) {
-  return measured(model_figures(cell),
-                  count_model_coverage(cell, settings, studies_of(cell, settings), fit, {}));
+  return measure_model_coverage(cell, settings, fit, {});
 }
 
 const ModelCoverageSettings few = {.studies = 50, .threads = 2};
@@ -128,40 +127,11 @@ TEST(ModelCoverage, MissingPackagesAreAnError) {
   }
 }
 
-TEST(ModelCoverage, PartsHaveWholeBatchesAndAddUp) {
-  const ModelCoverageSettings settings{.studies = 90, .threads = 2};
-  const ModelCell tobit = model_cells()[6];
-  const StudyCounts whole =
-      count_model_coverage(tobit, settings, studies_of(tobit, settings), fitter({-2.0, 2.0}), {});
-  for (const std::int64_t parts : {1, 3, 7}) {
-    StudyCounts sums(whole.size());
-    std::int64_t next = 0;
-    for (std::int64_t number = 1; number <= parts; ++number) {
-      const ItemRange studies = studies_of(tobit, settings, {number, parts});
-      EXPECT_EQ(studies.begin, next);
-      EXPECT_TRUE(studies.end % studies_drawn_together == 0 || studies.end == 90);
-      next = studies.end;
-      add(count_model_coverage(tobit, settings, studies, fitter({-2.0, 2.0}), {}), sums);
-    }
-    EXPECT_EQ(next, 90);
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-      EXPECT_EQ(sums[i].hits, whole[i].hits);
-      EXPECT_EQ(sums[i].mean_ratio(), whole[i].mean_ratio());
-    }
-  }
-}
-
-TEST(FittedBy, NamesRAndItsPackages) {
-  EXPECT_EQ(fitted_by(model_cells().front(), few, fitter({})),
-            "R 1, lme4 1, lmerTest 1, survival 1, ordinal 1");
-}
-
 TEST(ModelCoverage, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_TRUE(
-      count_model_coverage(model_cells().back(), few, {.end = 50}, fitter({}), stop.get_token())
-          .empty());
+      measure_model_coverage(model_cells().back(), few, fitter({}), stop.get_token()).empty());
 }
 
 TEST(ExpectedSeconds, TimesOneOfAHundredStudies) {

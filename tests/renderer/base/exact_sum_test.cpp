@@ -42,14 +42,8 @@ TEST(ExactSum, OfSumsIsTheSumOfAll) {
   for (const double value : {-1e100, 1.0}) {
     right.add(value);
   }
-  ExactSum again;  // from what a sum consists of
-  for (const double part : left.parts()) {
-    again.add(part);
-  }
   left.add(right);
-  again.add(right);
   EXPECT_EQ(left.rounded(), sum_of({1.0, 0.1, 0x1p-53}));
-  EXPECT_EQ(again.rounded(), left.rounded());
 }
 
 TEST(ExactSum, IsRoundedToTheNearestAndOfTwoToTheEvenOne) {
