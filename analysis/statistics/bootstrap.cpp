@@ -11,30 +11,26 @@
 namespace foveola::analysis {
 namespace {
 
-std::vector<double> resampled(std::span<const double> values, const Statistic& statistic,
-                              const BootstrapSettings& settings) {
+double plain_mean(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value;
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+std::vector<double> resampled_means(std::span<const double> values,
+                                    const BootstrapSettings& settings) {
   Pcg32 generator(settings.seed);
   const auto n = static_cast<std::uint32_t>(values.size());
   std::vector<double> sample(values.size());
-  std::vector<double> replicates;
-  replicates.reserve(static_cast<std::size_t>(settings.resamples));
+  std::vector<double> means;
+  means.reserve(static_cast<std::size_t>(settings.resamples));
   for (int i = 0; i < settings.resamples; ++i) {
     std::generate(sample.begin(), sample.end(), [&] { return values[generator.below(n)]; });
-    replicates.push_back(statistic(sample));
+    means.push_back(plain_mean(sample));
   }
-  return replicates;
-}
-
-std::vector<double> without_each(std::span<const double> values, const Statistic& statistic) {
-  std::vector<double> sample(values.begin() + 1, values.end());
-  std::vector<double> results;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    results.push_back(statistic(sample));
-    if (i < sample.size()) {
-      sample[i] = values[i];
-    }
-  }
-  return results;
+  return means;
 }
 
 /// The acceleration: a sixth of the skewness of the values' influence, with its sign.
@@ -66,7 +62,7 @@ double normal_scale_quantile(const std::vector<double>& sorted, double probabili
   return sorted[below - 1] + part * (sorted[below] - sorted[below - 1]);
 }
 
-/// The means without each value, from one sum: without_each would take n times as long.
+/// The means without each value, from one sum.
 std::vector<double> means_without_each(std::span<const double> values) {
   const auto others = static_cast<long double>(values.size() - 1);
   const long double sum = extended_mean(values) * (others + 1.0L);
@@ -76,14 +72,6 @@ std::vector<double> means_without_each(std::span<const double> values) {
     means.push_back(static_cast<double>((sum - value) / others));
   }
   return means;
-}
-
-double plain_mean(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum / static_cast<double>(values.size());
 }
 
 }  // namespace
@@ -107,15 +95,6 @@ std::optional<Interval> bca_from_replicates(double observed, std::vector<double>
   return Interval{end(-z), end(z)};
 }
 
-std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
-                                     const BootstrapSettings& settings) {
-  if (values.size() < fewest_for_bca) {
-    return std::nullopt;
-  }
-  return bca_from_replicates(statistic(values), resampled(values, statistic, settings),
-                             without_each(values, statistic), settings.confidence);
-}
-
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings) {
   const std::vector<double> logs = logarithms(values);
@@ -123,7 +102,7 @@ std::optional<Interval> bca_geometric_mean(std::span<const double> values,
     return std::nullopt;
   }
   const std::optional<Interval> interval =
-      bca_from_replicates(plain_mean(logs), resampled(logs, plain_mean, settings),
+      bca_from_replicates(plain_mean(logs), resampled_means(logs, settings),
                           means_without_each(logs), settings.confidence);
   return interval ? std::optional(Interval{std::exp(interval->low), std::exp(interval->high)})
                   : std::nullopt;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,9 +10,6 @@
 #include "analysis/statistics/descriptive.h"
 
 namespace foveola::analysis {
-
-/// A statistic of a sample; called with samples of one size, and one less for the jackknife.
-using Statistic = std::function<double(std::span<const double>)>;
 
 struct BootstrapSettings {
   int resamples = 9999;
@@ -26,14 +22,10 @@ struct BootstrapSettings {
 /// with 10, 92 % with 16 and 94 % with 24 (2000 studies each), where t covers 95 % with any number.
 inline constexpr std::size_t fewest_for_bca = 8;
 
-/// The bias-corrected and accelerated interval (Efron 1987) of `statistic`, with the acceleration
-/// from the jackknife, which calls `statistic` once for each value. Empty for fewer than
-/// fewest_for_bca values or when every resample gives the same value.
-std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
-                                     const BootstrapSettings& settings = {});
-
-/// The BCa interval of the geometric mean: exp of the interval of the mean of logarithms. It takes
-/// a few milliseconds. Throws Error as logarithms does.
+/// The bias-corrected and accelerated interval (Efron 1987) of the geometric mean: exp of the
+/// interval of the mean of logarithms, with the acceleration from the jackknife. It takes a few
+/// milliseconds. Empty for fewer than fewest_for_bca values or when every resample gives the same
+/// mean. Throws Error as logarithms does.
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings = {});
 

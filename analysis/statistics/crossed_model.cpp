@@ -139,7 +139,6 @@ CrossedModel model_of(Strata strata, double confidence) {
   model.participants = strata.participant_count;
   model.scenes = strata.scene_count;
   model.mean = static_cast<double>(strata.mean);
-  model.ratio = std::exp(model.mean);
   model.participant_variance = component(strata.participants, strata.residual, strata.scene_count);
   model.scene_variance = component(strata.scenes, strata.residual, strata.participant_count);
   model.residual_variance = static_cast<double>(strata.residual.mean_square());
@@ -157,7 +156,6 @@ CrossedModel model_of(Strata strata, double confidence) {
   const double half_width =
       student_t_quantile(confidence, test.degrees_of_freedom) * standard_error;
   test.interval = {model.mean - half_width, model.mean + half_width};
-  test.ratio_interval = exp_of(test.interval);
   model.test = test;
   return model;
 }

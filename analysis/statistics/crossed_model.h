@@ -15,9 +15,8 @@ struct CrossedTest {
   double standard_error = 0.0;
   double degrees_of_freedom = 0.0;  ///< Satterthwaite's; not a whole number in general.
   double t = 0.0;
-  double p = 0.0;           ///< Two-sided, of the hypothesis that the mean is 0.
-  Interval interval;        ///< Interval of the mean log ratio.
-  Interval ratio_interval;  ///< exp of `interval`.
+  double p = 0.0;     ///< Two-sided, of the hypothesis that the mean is 0.
+  Interval interval;  ///< Interval of the mean log ratio.
 };
 
 /// Estimates of d[p][s] = mean + P_p + S_s + e_ps by restricted maximum likelihood.
@@ -25,7 +24,6 @@ struct CrossedModel {
   std::size_t participants = 0;
   std::size_t scenes = 0;
   double mean = 0.0;                  ///< The mean log ratio.
-  double ratio = 1.0;                 ///< exp of `mean`.
   double participant_variance = 0.0;  ///< Between participants, in their gain; 0 at the boundary.
   double scene_variance = 0.0;        ///< Between scenes, in their gain; 0 at the boundary.
   double residual_variance = 0.0;     ///< Residual variance of one difference.

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "renderer/commands/bench_equation7.h"
 #include "renderer/commands/bench_preview.h"
 #include "renderer/commands/bench_sampling.h"
 #include "renderer/commands/bench_stability.h"
@@ -17,7 +16,6 @@ CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scen
   bench->require_subcommand(1);
   add_bench_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);
-  add_bench_equation7(*bench);
   add_bench_tracing(*bench, find_scene);
   add_bench_preview(*bench, find_scene, stop);
   return *bench;

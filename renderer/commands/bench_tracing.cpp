@@ -14,7 +14,6 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/cores.h"
 #include "renderer/base/print.h"
-#include "renderer/base/random.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/former_option.h"
@@ -40,7 +39,6 @@ struct TracingArguments {
   std::uint64_t paths = 1 << 18;
   int max_depth = TraceSettings{}.max_depth;
   int repetitions = 7;
-  bool diffuse = false;
   bool no_fast_path = false;
   bool json = false;
 };
@@ -118,28 +116,14 @@ class RepeatedRender {
   /// Once through, from the first sample to the film. Returns the seconds.
   double render(RayCounts& rays) const {
     ProgressiveRender render = begin();
-    return run(render, rays);
-  }
-
-  RgbImage picture() const {
-    RayCounts rays;
-    ProgressiveRender render = begin();
-    run(render, rays);
-    return render.film().resolve().color;
-  }
-
-  /// What drawing the directions takes of that, on one thread. Returns the seconds.
-  double draw_directions() const {
-    std::vector<Vec2> points(pass_points);
-    std::vector<ViewSample> samples(pass_points);
+    rays = {};
     const SteadyClock clock;
     const Nanoseconds start = clock.now();
-    for (std::uint64_t first = 0; first < settings_.budget.samples; first += pass_points) {
-      const std::uint64_t count = next_pass(first);
-      for (std::uint64_t i = 0; i < count; ++i) {
-        points[i] = sobol_2d(first + i, settings_.progressive.trace.seed);
+    while (render.points_drawn() < settings_.budget.samples) {
+      const TracedSamples traced = render.advance(*sampler_, next_pass(render.points_drawn()));
+      for (const RayKind& kind : ray_kinds) {
+        rays.*kind.count += traced.rays.*kind.count;
       }
-      sampler_->sample(std::span(points).first(count), std::span(samples).first(count));
     }
     return seconds(clock.now() - start);
   }
@@ -173,42 +157,11 @@ class RepeatedRender {
     return std::min(pass_points, settings_.budget.samples - drawn);
   }
 
-  double run(ProgressiveRender& render, RayCounts& rays) const {
-    rays = {};
-    const SteadyClock clock;
-    const Nanoseconds start = clock.now();
-    while (render.points_drawn() < settings_.budget.samples) {
-      const TracedSamples traced = render.advance(*sampler_, next_pass(render.points_drawn()));
-      for (const RayKind& kind : ray_kinds) {
-        rays.*kind.count += traced.rays.*kind.count;
-      }
-    }
-    return seconds(clock.now() - start);
-  }
-
   const LoadedScene& loaded_;
   const RenderSettings& settings_;
   const Workers& workers_;
   std::unique_ptr<ViewSampler> sampler_;
 };
-
-/// How the general path's picture differs; both have the same samples.
-void compare_pictures(const RepeatedRender& usual, const RepeatedRender& general,
-                      GeneralFigures& figures) {
-  const RgbImage a = usual.picture();
-  const RgbImage b = general.picture();
-  std::size_t differing = 0;
-  DVec3 sum_a(0.0);
-  DVec3 sum_b(0.0);
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb difference = glm::abs(a.pixels[i] - b.pixels[i]);
-    differing += max_component(difference) > 1e-3F * max_component(a.pixels[i]) ? 1 : 0;
-    sum_a += DVec3(a.pixels[i]);
-    sum_b += DVec3(b.pixels[i]);
-  }
-  figures.share_of_pixels = static_cast<double>(differing) / static_cast<double>(a.pixels.size());
-  figures.relative_mean = luminance(sum_b) / luminance(sum_a);
-}
 
 /// Full renders and Embree alone take turns, so that a busy machine slows both.
 TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int repetitions,
@@ -223,7 +176,6 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   TracingFigures figures{
       .threads = workers.threads(), .warnings = loaded.warnings, .rays = {}, .embree = {}};
   std::vector<double> render_s;
-  std::vector<double> sampling_s;
   std::vector<double> general_s;
   std::array<EmbreeRepetitions, ray_kinds.size()> embree;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
@@ -232,7 +184,6 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
       RayCounts rays;
       general_s.push_back(general.render(rays));
     }
-    sampling_s.push_back(usual.draw_directions());
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       embree[i].add(time_embree(loaded.tracer.ray_scene(), log.*ray_kinds[i].rays,
                                 ray_kinds[i].query, workers));
@@ -243,15 +194,11 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   }
   const std::vector<double> embree_s = embree_seconds(embree);
   figures.seconds = median_of(render_s);
-  figures.sampling_seconds = median_of(sampling_s);
-  figures.sampling_share =
-      median_of(ratios(sampling_s, render_s)) * (1.0 / static_cast<double>(figures.threads));
   figures.ratio_to_embree = median_of(ratios(render_s, embree_s));
   figures.embree_seconds = median_of(embree_s);
   if (with_general) {
     figures.general.emplace().gain = median_of(ratios(general_s, render_s));
     figures.general->seconds = median_of(general_s);
-    compare_pictures(usual, general, *figures.general);
   }
   return figures;
 }
@@ -283,7 +230,6 @@ RenderSettings settings_from(const TracingArguments& arguments) {
   }
   settings.budget.samples = arguments.paths;
   settings.progressive.trace = {.max_depth = arguments.max_depth, .seed = 1};
-  settings.scene.diffuse = arguments.diffuse;
   return settings;
 }
 
@@ -341,8 +287,6 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
   command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  command->add_flag("--diffuse", arguments->diffuse,
-                    "Show every material as Lambertian, as render's --diffuse");
   CLI::Option* const no_fast_path =
       command->add_flag("--no-fast-path", arguments->no_fast_path,
                         "Measure the general path too, and what the fast path gains over it");

@@ -25,9 +25,7 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
   nlohmann::ordered_json general;
   if (figures.general) {
     general = {{"seconds", json_of(figures.general->seconds)},
-               {"gain", json_of(figures.general->gain)},
-               {"share_of_pixels_that_differ", figures.general->share_of_pixels},
-               {"relative_mean", figures.general->relative_mean}};
+               {"gain", json_of(figures.general->gain)}};
   }
   return {{"threads", figures.threads},
           {"seconds", json_of(figures.seconds)},
@@ -35,9 +33,6 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
           {"paths_per_second", json_of(static_cast<double>(paths) / figures.seconds)},
           {"rays", rays},
           {"rays_per_second", rays_per_second},
-          {"sampling_ns_per_path",
-           json_of(figures.sampling_seconds * (1e9 / static_cast<double>(paths)))},
-          {"sampling_share", json_of(figures.sampling_share)},
           {"embree_seconds", json_of(figures.embree_seconds)},
           {"ratio_to_embree", json_of(figures.ratio_to_embree)},
           {"embree", embree}};
@@ -64,16 +59,9 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
         figures.threads, figures.threads == 1 ? "" : "s", static_cast<double>(paths) / time_s,
         figures.ratio_to_embree.value, interval_text(figures.ratio_to_embree),
         runs.front().seconds.value / time_s);
-    print_text("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
-               1e9 * figures.sampling_seconds.value / static_cast<double>(paths),
-               100.0 * figures.sampling_share.value);
     if (figures.general) {
-      print_text(
-          "  the general path takes {:.2f}{} times as long; {:.2f} % of its picture's pixels "
-          "differ "
-          "by more than a thousandth, its mean by {:+.4f} %\n",
-          figures.general->gain.value, interval_text(figures.general->gain),
-          100.0 * figures.general->share_of_pixels, 100.0 * (figures.general->relative_mean - 1.0));
+      print_text("  the general path takes {:.2f}{} times as long\n", figures.general->gain.value,
+                 interval_text(figures.general->gain));
     }
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);

@@ -40,9 +40,7 @@ struct EmbreeFigure {
 /// The general path compared with the fast path.
 struct GeneralFigures {
   Median seconds;
-  Median gain;                   ///< its seconds over the usual path's, repetition by repetition
-  double share_of_pixels = 0.0;  ///< part of the pixels that differ by more than a thousandth
-  double relative_mean = 1.0;    ///< mean of the general path's picture over the usual one's
+  Median gain;  ///< its seconds over the usual path's, repetition by repetition
 };
 
 /// Times are medians over the repetitions.
@@ -50,8 +48,6 @@ struct TracingFigures {
   int threads = 0;
   std::vector<std::string> warnings;  ///< what loading the scene warned of
   Median seconds;                     ///< seconds for all paths: sampled, traced and filmed
-  Median sampling_seconds;            ///< seconds for points and directions alone, on one thread
-  Median sampling_share;              ///< the part of the time of all threads that draws directions
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
   Median embree_seconds;   ///< seconds for the same rays, each kind by its fastest entry point

@@ -19,12 +19,6 @@ EyeMovement joined(const EyeMovement& first, const EyeMovement& second) {
 
 }  // namespace
 
-double amplitude_deg(const EyeMovement& movement) {
-  return movement.kind == EyeMovementKind::no_data
-             ? 0.0
-             : degrees(angle_between(movement.from, movement.to));
-}
-
 std::vector<EyeMovement> EyeMovementDetector::push(const GazeSample& sample) {
   std::vector<EyeMovement> over;
   if (last_time_ && sample.time <= *last_time_) {

@@ -22,9 +22,6 @@ struct EyeMovement {
   double fastest_deg_per_s = 0.0;  ///< the largest velocity between its samples
 };
 
-/// The true angle between its ends.
-double amplitude_deg(const EyeMovement& movement);
-
 struct EyeMovementSettings {
   /// Faster is a saccade (100 degrees per second: Salvucci and Goldberg 2000). Noise must stay well
   /// below it: samples at 120 Hz that scatter by 0.1 degrees along each axis seem to move at more

@@ -12,27 +12,13 @@ namespace {
 
 // Entries of the usage page.
 constexpr std::uint16_t tracking_data = 0x10;
-constexpr std::uint16_t capabilities = 0x11;
 constexpr std::uint16_t configuration = 0x12;
 constexpr std::uint16_t tracker_status = 0x13;
 constexpr std::uint16_t tracker_control = 0x14;
 constexpr std::uint16_t sensor_timestamp = 0x20;
 constexpr std::uint16_t position_x = 0x21;
 constexpr std::uint16_t position_y = 0x22;
-constexpr std::uint16_t position_z = 0x23;
 constexpr std::uint16_t gaze_point = 0x24;
-constexpr std::uint16_t left_eye_position = 0x25;
-constexpr std::uint16_t right_eye_position = 0x26;
-constexpr std::uint16_t head_position = 0x27;
-constexpr std::uint16_t rotation_about_x = 0x29;
-constexpr std::uint16_t rotation_about_y = 0x2A;
-constexpr std::uint16_t rotation_about_z = 0x2B;
-constexpr std::uint16_t tracker_quality = 0x100;
-constexpr std::uint16_t minimum_tracking_distance = 0x101;
-constexpr std::uint16_t optimum_tracking_distance = 0x102;
-constexpr std::uint16_t maximum_tracking_distance = 0x103;
-constexpr std::uint16_t maximum_screen_plane_width = 0x104;
-constexpr std::uint16_t maximum_screen_plane_height = 0x105;
 constexpr std::uint16_t calibrated_screen_width = 0x204;
 constexpr std::uint16_t calibrated_screen_height = 0x205;
 constexpr std::uint16_t sampling_frequency = 0x300;
@@ -96,40 +82,21 @@ std::optional<HidNumber> find_length(const HidReport& report, Within collections
   return without_largest(find_number(report, collections, usage, HidQuantity::length_m));
 }
 
-HidPoint find_position(const HidReport& report, std::uint16_t collection) {
-  const Within within = {tracking_data, collection};
-  return {.x = find_length(report, within, position_x),
-          .y = find_length(report, within, position_y),
-          .z = find_length(report, within, position_z)};
-}
-
-/// The rotations are the head's, whatever collection they are in.
-HidPoint find_head_rotation(const HidReport& report) {
-  const auto angle_about = [&](std::uint16_t axis) {
-    return without_largest(find_number(report, {tracking_data}, axis, HidQuantity::angle_rad));
-  };
-  return {.x = angle_about(rotation_about_x),
-          .y = angle_about(rotation_about_y),
-          .z = angle_about(rotation_about_z)};
-}
-
 HidReportShape shape_of(const HidReport& report) {
   return {.id = report.id, .size_bytes = report.size_bytes};
 }
 
 std::optional<HidTrackingReport> as_tracking(const HidReport& report) {
-  const HidPoint gaze = find_position(report, gaze_point);
+  const Within within = {tracking_data, gaze_point};
+  const HidPoint gaze{.x = find_length(report, within, position_x),
+                      .y = find_length(report, within, position_y)};
   if (!gaze.x || !gaze.y) {
     return std::nullopt;
   }
   return HidTrackingReport{.shape = shape_of(report),
                            .sensor_time = find_number(report, {tracking_data}, sensor_timestamp,
                                                       HidQuantity::time_s, true),
-                           .gaze_point = gaze,
-                           .left_eye = find_position(report, left_eye_position),
-                           .right_eye = find_position(report, right_eye_position),
-                           .head = find_position(report, head_position),
-                           .head_rotation = find_head_rotation(report)};
+                           .gaze_point = gaze};
 }
 
 std::optional<HidStatusReport> as_status(const HidReport& report) {
@@ -155,24 +122,6 @@ std::optional<HidConfigurationReport> as_configuration(const HidReport& report) 
       .screen_width = find_length(report, {configuration}, calibrated_screen_width),
       .screen_height = find_length(report, {configuration}, calibrated_screen_height)};
   return found.screen_width || found.screen_height ? std::optional(found) : std::nullopt;
-}
-
-std::optional<HidCapabilitiesReport> as_capabilities(const HidReport& report) {
-  const auto length = [&](std::uint16_t usage) {
-    return find_length(report, {capabilities}, usage);
-  };
-  const HidCapabilitiesReport found{
-      .shape = shape_of(report),
-      .tracker_quality = find_number(report, {capabilities}, tracker_quality, HidQuantity::count),
-      .minimum_distance = length(minimum_tracking_distance),
-      .optimum_distance = length(optimum_tracking_distance),
-      .maximum_distance = length(maximum_tracking_distance),
-      .maximum_screen_width = length(maximum_screen_plane_width),
-      .maximum_screen_height = length(maximum_screen_plane_height)};
-  const bool is_one = found.tracker_quality || found.minimum_distance || found.optimum_distance ||
-                      found.maximum_distance || found.maximum_screen_width ||
-                      found.maximum_screen_height;
-  return is_one ? std::optional(found) : std::nullopt;
 }
 
 /// The first report of this kind of which `read_as` makes something.
@@ -203,14 +152,7 @@ std::optional<double> read_number(const std::optional<HidNumber>& number,
   return number ? value_of(*number, bytes) : std::nullopt;
 }
 
-std::optional<DVec3> read_point(const HidPoint& point, std::span<const std::uint8_t> bytes) {
-  const auto x = read_number(point.x, bytes);
-  const auto y = read_number(point.y, bytes);
-  const auto z = read_number(point.z, bytes);
-  return x && y && z ? std::optional(DVec3(*x, *y, *z)) : std::nullopt;
-}
-
-std::optional<DVec2> read_plane_point(const HidPoint& point, std::span<const std::uint8_t> bytes) {
+std::optional<DVec2> read_point(const HidPoint& point, std::span<const std::uint8_t> bytes) {
   const auto x = read_number(point.x, bytes);
   const auto y = read_number(point.y, bytes);
   return x && y ? std::optional(DVec2(*x, *y)) : std::nullopt;
@@ -249,8 +191,7 @@ HidEyeReports find_eye_reports(const HidReportDescriptor& descriptor) {
       .status_input = first_of(descriptor, HidReportKind::input, as_status),
       .status_feature = first_of(descriptor, HidReportKind::feature, as_status),
       .control = first_of(descriptor, HidReportKind::feature, as_control),
-      .configuration = first_of(descriptor, HidReportKind::feature, as_configuration),
-      .capabilities = first_of(descriptor, HidReportKind::feature, as_capabilities)};
+      .configuration = first_of(descriptor, HidReportKind::feature, as_configuration)};
   for (const HidReport& report : descriptor.reports) {
     if (report.kind == HidReportKind::input) {
       reports.inputs.push_back(shape_of(report));
@@ -265,12 +206,7 @@ std::optional<HidTrackingData> read_report(const HidTrackingReport& report,
     return std::nullopt;
   }
   return HidTrackingData{.sensor_time_s = read_number(report.sensor_time, bytes),
-                         .gaze_point_m = read_plane_point(report.gaze_point, bytes),
-                         .gaze_point_z_m = read_number(report.gaze_point.z, bytes),
-                         .left_eye_m = read_point(report.left_eye, bytes),
-                         .right_eye_m = read_point(report.right_eye, bytes),
-                         .head_m = read_point(report.head, bytes),
-                         .head_rotation_rad = read_point(report.head_rotation, bytes)};
+                         .gaze_point_m = read_point(report.gaze_point, bytes)};
 }
 
 std::optional<HidStatus> read_report(const HidStatusReport& report,
@@ -291,28 +227,13 @@ std::optional<HidConfiguration> read_report(const HidConfigurationReport& report
                           .screen_height_m = read_number(report.screen_height, bytes)};
 }
 
-std::optional<HidCapabilities> read_report(const HidCapabilitiesReport& report,
-                                           std::span<const std::uint8_t> bytes) {
-  if (fit_of(report.shape, bytes) != HidReportFit::fits) {
-    return std::nullopt;
-  }
-  HidCapabilities read{.minimum_distance_m = read_number(report.minimum_distance, bytes),
-                       .optimum_distance_m = read_number(report.optimum_distance, bytes),
-                       .maximum_distance_m = read_number(report.maximum_distance, bytes),
-                       .maximum_screen_width_m = read_number(report.maximum_screen_width, bytes),
-                       .maximum_screen_height_m = read_number(report.maximum_screen_height, bytes)};
-  if (const auto quality = read_number(report.tracker_quality, bytes)) {
-    read.tracks_fine_gaze = *quality == 1.0;
-  }
-  return read;
-}
-
-std::vector<std::uint8_t> mode_request(const HidControlReport& report, std::uint64_t mode) {
+std::vector<std::uint8_t> encode_gaze_request(const HidControlReport& report) {
+  constexpr std::uint64_t gaze_point_mode = 1;
   std::vector<std::uint8_t> bytes(report.shape.size_bytes, 0);
   if (report.shape.id != 0) {
     bytes.front() = report.shape.id;
   }
-  put_bits(report.mode_request, mode, bytes);
+  put_bits(report.mode_request, gaze_point_mode, bytes);
   return bytes;
 }
 

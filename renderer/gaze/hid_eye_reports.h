@@ -29,18 +29,14 @@ enum class HidReportFit { fits, wrong_id, too_short };
 HidReportFit fit_of(const HidReportShape& shape, std::span<const std::uint8_t> bytes);
 
 struct HidPoint {
-  std::optional<HidNumber> x, y, z;
+  std::optional<HidNumber> x, y;
 };
 
 /// The tracker's measurements, an input report. Whatever a device does not measure is empty.
 struct HidTrackingReport {
   HidReportShape shape;
   std::optional<HidNumber> sensor_time;  ///< seconds since any origin
-  HidPoint gaze_point;     ///< metres, from the top left of the screen rightwards and downwards
-  HidPoint left_eye;       ///< metres
-  HidPoint right_eye;      ///< metres
-  HidPoint head;           ///< metres
-  HidPoint head_rotation;  ///< radians about the axes
+  HidPoint gaze_point;  ///< metres, from the top left of the screen rightwards and downwards
 };
 
 struct HidStatusReport {
@@ -60,13 +56,6 @@ struct HidConfigurationReport {
   std::optional<HidNumber> screen_height;  ///< metres
 };
 
-struct HidCapabilitiesReport {
-  HidReportShape shape;
-  std::optional<HidNumber> tracker_quality;
-  std::optional<HidNumber> minimum_distance, optimum_distance, maximum_distance;  ///< metres
-  std::optional<HidNumber> maximum_screen_width, maximum_screen_height;           ///< metres
-};
-
 /// The reports of the first eye tracker that a descriptor describes.
 struct HidEyeReports {
   std::vector<HidReportShape> inputs;  ///< all that the device sends, in the descriptor's order
@@ -75,7 +64,6 @@ struct HidEyeReports {
   std::optional<HidStatusReport> status_feature;
   std::optional<HidControlReport> control;              ///< a feature
   std::optional<HidConfigurationReport> configuration;  ///< a feature
-  std::optional<HidCapabilitiesReport> capabilities;    ///< a feature
 };
 
 /// Throws Error if the descriptor describes no eye tracker or one that sends no gaze point in a
@@ -87,11 +75,6 @@ HidEyeReports find_eye_reports(const HidReportDescriptor& descriptor);
 struct HidTrackingData {
   std::optional<double> sensor_time_s;
   std::optional<DVec2> gaze_point_m;
-  std::optional<double> gaze_point_z_m;
-  std::optional<DVec3> left_eye_m;
-  std::optional<DVec3> right_eye_m;
-  std::optional<DVec3> head_m;
-  std::optional<DVec3> head_rotation_rad;
 };
 
 enum class HidConfigurationStatus {
@@ -112,12 +95,6 @@ struct HidConfiguration {
   std::optional<double> screen_height_m;
 };
 
-struct HidCapabilities {
-  std::optional<bool> tracks_fine_gaze;  ///< the quality that the standard defines
-  std::optional<double> minimum_distance_m, optimum_distance_m, maximum_distance_m;
-  std::optional<double> maximum_screen_width_m, maximum_screen_height_m;
-};
-
 /// Each reads the report that `bytes` begin with; empty unless it fits.
 std::optional<HidTrackingData> read_report(const HidTrackingReport& report,
                                            std::span<const std::uint8_t> bytes);
@@ -125,18 +102,9 @@ std::optional<HidStatus> read_report(const HidStatusReport& report,
                                      std::span<const std::uint8_t> bytes);
 std::optional<HidConfiguration> read_report(const HidConfigurationReport& report,
                                             std::span<const std::uint8_t> bytes);
-std::optional<HidCapabilities> read_report(const HidCapabilitiesReport& report,
-                                           std::span<const std::uint8_t> bytes);
 
-/// What a device can be asked to measure, to be or-ed.
-struct HidMode {
-  static constexpr std::uint64_t gaze_point = 1;
-  static constexpr std::uint64_t eye_positions = 2;
-  static constexpr std::uint64_t head_position = 4;
-};
-
-/// The bytes of a control report that requests `mode`.
-std::vector<std::uint8_t> mode_request(const HidControlReport& report, std::uint64_t mode);
+/// The bytes of a control report that requests the gaze point.
+std::vector<std::uint8_t> encode_gaze_request(const HidControlReport& report);
 
 /// After how many seconds the sensor's clock starts again from 0; empty if it has none.
 std::optional<double> sensor_clock_period_s(const HidTrackingReport& report);

@@ -31,8 +31,7 @@ auto get_feature(HidDevice& device, const std::optional<Report>& report)
 
 /// Returns whether the device took it, or needs none.
 bool request_gaze(HidDevice& device, const std::optional<HidControlReport>& control) {
-  return !control ||
-         device.send_feature_report(control->shape.id, mode_request(*control, HidMode::gaze_point));
+  return !control || device.send_feature_report(control->shape.id, encode_gaze_request(*control));
 }
 
 }  // namespace
@@ -79,7 +78,6 @@ std::string HidEyeTracker::connect_and_read(const std::stop_token& stop) {
 void HidEyeTracker::set_up(const HidConnection& connection, const HidEyeReports& reports) {
   HidDevice& device = *connection.device;
   const auto configuration = get_feature(device, reports.configuration);
-  const auto capabilities = get_feature(device, reports.capabilities);
   const auto status = get_feature(device, reports.status_feature);
   // Only now: a host reads the configuration before it asks a device to measure.
   const bool will_measure = request_gaze(device, reports.control);
@@ -96,7 +94,6 @@ void HidEyeTracker::set_up(const HidConnection& connection, const HidEyeReports&
   state_.device = connection.info;
   state_.status = stream_->status();
   state_.configuration = configuration;
-  state_.capabilities = capabilities;
   ++state_.connections;
   state_.status_text = will_measure ? "" : "the eye tracker refuses to be asked for gaze";
 }

@@ -34,7 +34,6 @@ struct HidTrackerState {
   HidDeviceInfo device;  ///< the last that was open
   HidStatus status;
   std::optional<HidConfiguration> configuration;
-  std::optional<HidCapabilities> capabilities;
   HidGazeCounters counters;       ///< sums over all connections
   std::uint64_t connections = 0;  ///< connections so far
   std::string status_text;  ///< why it is not connected, or does not do all; empty if all well

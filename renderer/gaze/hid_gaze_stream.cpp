@@ -55,7 +55,6 @@ void HidGazeStream::learn(const HidConfiguration& configuration) {
 
 void HidGazeStream::reconnect(const HidEyeReports& reports) {
   reports_ = reports;
-  earlier_restarts_ += clock_.restarts();
   clock_ = HidSensorClock(sensor_clock_period_s(reports.tracking));
   status_ = {};
   arrivals_.clear();
@@ -93,7 +92,6 @@ GazeSample HidGazeStream::take_tracking(const HidTrackingData& data, Nanoseconds
   if (data.sensor_time_s && settings_.use_sensor_clock) {
     sample.time = clock_.host_time(*data.sensor_time_s, arrival);
     sensor_interval_s = clock_.last_interval_s();
-    counters_.clock_restarts = earlier_restarts_ + clock_.restarts();
   }
   sample.time -= nanoseconds_from_seconds(settings_.latency_s);
   const Screen& screen = settings_.screen;

@@ -35,8 +35,7 @@ struct HidGazeCounters {
   /// Times that longer than one and a half periods went by between two reports. A device that does
   /// not see the eyes may send nothing.
   std::uint64_t gaps = 0;
-  std::uint64_t clock_restarts = 0;  ///< see HidSensorClock
-  double rate_hz = 0.0;              ///< rate of the latest tracking reports; 0 before the second
+  double rate_hz = 0.0;  ///< rate of the latest tracking reports; 0 before the second
 };
 
 /// Reads reports as they arrive, in their order. Its samples depend on its arguments alone.
@@ -75,8 +74,7 @@ class HidGazeStream {
   HidGazeSettings settings_;
   HidStatus status_;
   HidSensorClock clock_;
-  std::uint64_t earlier_restarts_ = 0;  ///< restarts of the sensor's clock in earlier connections
-  std::deque<Nanoseconds> arrivals_;    ///< arrival times of the latest tracking reports
+  std::deque<Nanoseconds> arrivals_;  ///< arrival times of the latest tracking reports
   HidGazeCounters counters_;
 };
 

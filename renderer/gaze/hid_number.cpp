@@ -4,19 +4,16 @@
 #include <cmath>
 #include <cstddef>
 
-#include "renderer/base/angles.h"
-
 namespace foveola {
 namespace {
 
 // The systems of units, in a unit's lowest nibble.
 constexpr std::uint32_t si_linear = 1;
-constexpr std::uint32_t si_rotation = 2;
 constexpr std::uint32_t english_linear = 3;
 constexpr std::uint32_t english_rotation = 4;
 
-// A unit of which only the length, or angle, or the time has an exponent that is not 0.
-constexpr std::uint32_t length_or_angle = 0x10;
+// A unit of which only the length or the time has an exponent that is not 0.
+constexpr std::uint32_t centimetres_or_inches = 0x10;
 constexpr std::uint32_t seconds_to_one = 0x1000;
 constexpr std::uint32_t seconds_to_minus_one = 0xF000;
 
@@ -32,13 +29,8 @@ std::optional<double> si_units_in_base(std::uint32_t unit, HidQuantity quantity)
     case HidQuantity::count:
       break;
     case HidQuantity::length_m:
-      if (dimension == length_or_angle && (system == si_linear || system == english_linear)) {
+      if (dimension == centimetres_or_inches && (system == si_linear || system == english_linear)) {
         return system == si_linear ? metres_per_centimetre : metres_per_inch;
-      }
-      return std::nullopt;
-    case HidQuantity::angle_rad:
-      if (dimension == length_or_angle && (system == si_rotation || system == english_rotation)) {
-        return system == si_rotation ? 1.0 : radians(1.0);
       }
       return std::nullopt;
     case HidQuantity::time_s:

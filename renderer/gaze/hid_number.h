@@ -15,7 +15,6 @@ enum class HidQuantity {
   length_m,      ///< sent in centimetres or inches, times a power of ten
   time_s,        ///< sent in a unit of time
   frequency_hz,  ///< sent in a unit of frequency
-  angle_rad,     ///< sent in radians or degrees
 };
 
 /// One HID unit (HID 1.11, section 6.2.2.7: a nibble for the system of units and one for the

@@ -314,9 +314,7 @@ class DescriptorParser {
             .physical_maximum = physical.maximum,
             .unit = global_.unit,
             .unit_exponent = global_.unit_exponent,
-            .is_constant = (item.data.bits & 1) != 0,
-            .is_variable = (item.data.bits & 2) != 0,
-            .is_relative = (item.data.bits & 4) != 0};
+            .is_variable = (item.data.bits & 2) != 0};
   }
 
   bool all_or_none_have_ids() const {

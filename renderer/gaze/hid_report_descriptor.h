@@ -38,9 +38,7 @@ struct HidField {
   std::int64_t physical_maximum = 0;  ///< both 0: the physical range is the logical one
   std::uint32_t unit = 0;             ///< as sent, see hid_number.h
   int unit_exponent = 0;              ///< exponent of ten, in [-20, 20]
-  bool is_constant = false;           ///< marked constant, as some devices mark even their data
   bool is_variable = false;           ///< else an array
-  bool is_relative = false;
 
   /// Negative numbers are in two's complement (section 5.8).
   bool is_signed() const { return logical_minimum < 0; }

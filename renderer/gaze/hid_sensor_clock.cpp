@@ -17,7 +17,6 @@ Nanoseconds HidSensorClock::host_time(double sensor_time_s, Nanoseconds arrival)
   if (delay_s <= longest_delay_s) {
     return arrival - nanoseconds_from_seconds(delay_s);
   }
-  ++restarts_;
   last_interval_s_.reset();
   ahead_s_.clear();
   ahead_s_.add(arrival, ahead_s);

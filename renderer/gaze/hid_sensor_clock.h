@@ -1,7 +1,6 @@
 // Converts the time that a sensor stamps on its reports to the host's.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "renderer/base/clock.h"
@@ -29,9 +28,6 @@ class HidSensorClock {
   /// the two cannot be compared.
   std::optional<double> last_interval_s() const { return last_interval_s_; }
 
-  /// How often the clocks had to be compared anew.
-  std::uint64_t restarts() const { return restarts_; }
-
  private:
   /// The sensor's time, as if it had never started again.
   double continued(double sensor_time_s);
@@ -42,7 +38,6 @@ class HidSensorClock {
   std::optional<double> last_interval_s_;
   /// By how many seconds the host's clock was ahead of the sensor's as reports arrived.
   SlidingMinimum<double> ahead_s_{std::chrono::seconds(5)};
-  std::uint64_t restarts_ = 0;
 };
 
 }  // namespace foveola

@@ -185,7 +185,6 @@ OpenGazeRecord record_from(const OpenGazeElement& element) {
   using Whole = std::numeric_limits<std::int64_t>;
   return {.count = number(element, "CNT", std::int64_t{0}, Whole::max()),
           .time_s = number(element, "TIME", 0.0, 1e9),
-          .time_tick = number(element, "TIME_TICK", Whole::min(), Whole::max()),
           .best = point_of(element, "B"),
           .left = point_of(element, "L"),
           .right = point_of(element, "R")};

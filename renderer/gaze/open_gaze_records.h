@@ -71,12 +71,11 @@ struct PointOfGaze {
 /// The numbers of a record that are used here, with a decimal point or comma; empty are those that
 /// it has not, or not as numbers.
 struct OpenGazeRecord {
-  std::optional<std::int64_t> count;      ///< CNT: one more for each of the tracker's samples
-  std::optional<double> time_s;           ///< TIME, by the tracker's clock, in [0, 1e9]
-  std::optional<std::int64_t> time_tick;  ///< TIME_TICK, by its processor's counter
-  std::optional<PointOfGaze> best;        ///< BPOGX, BPOGY, BPOGV
-  std::optional<PointOfGaze> left;        ///< LPOGX, LPOGY, LPOGV
-  std::optional<PointOfGaze> right;       ///< RPOGX, RPOGY, RPOGV
+  std::optional<std::int64_t> count;  ///< CNT: one more for each of the tracker's samples
+  std::optional<double> time_s;       ///< TIME, by the tracker's clock, in [0, 1e9]
+  std::optional<PointOfGaze> best;    ///< BPOGX, BPOGY, BPOGV
+  std::optional<PointOfGaze> left;    ///< LPOGX, LPOGY, LPOGV
+  std::optional<PointOfGaze> right;   ///< RPOGX, RPOGY, RPOGV
 };
 
 /// A point whose coordinates are no numbers, or lie a hundred screens away, is invalid.

@@ -32,7 +32,6 @@ class XrSessionOwner {
   XrSessionOwner& operator=(const XrSessionOwner&) = delete;
 
   XrSession handle() const { return session_; }
-  XrSpace room() const { return room_; }
 
   /// Follows what happened since it was asked last, and appends what of it matters to others.
   /// Throws HeadsetLost if the session is lost.

@@ -20,13 +20,9 @@ class Equation7Distribution final : public RadialDistribution {
   /// Where the second branch takes over from the first, which still holds there.
   static constexpr double switch_u = 0.0965;
 
-  /// The ring without samples: the radius of either branch at the switch.
-  double gap_begin_deg() const { return gap_begin_deg_; }
-  double gap_end_deg() const { return gap_end_deg_; }
-
   /// The radius at u = 1.
   double cutoff_deg() const override { return cutoff_deg_; }
-  /// The two ends of the gap.
+  /// The two ends of the ring without samples, the gap: the radius of either branch at the switch.
   std::vector<double> knees_deg() const override { return {gap_begin_deg_, gap_end_deg_}; }
   /// The u whose radius it is; in the gap that of the switch.
   double cumulative(double eccentricity_deg) const override;

@@ -67,7 +67,6 @@ class SessionDriver {
   std::size_t trial_index() const;
   const PlannedTrial& trial() const { return session_.plan[trial_index()]; }
   AttemptKey attempt_key() const { return {.trial = trial_index(), .attempt = seen_.attempt}; }
-  bool is_rendering() const { return attempt_ != nullptr; }
   /// When the participant has looked around for long enough to rate the trial.
   Nanoseconds look_around_until() const { return look_around_until_; }
   /// What the gaze goes through.

@@ -156,7 +156,6 @@ FoundDisplay found_display(const Window& window, const std::optional<int>& full_
 FoundDisplay as_measured(FoundDisplay found, const SessionDisplay& display) {
   found.window_px = display.framebuffer();
   found.refresh_rate_hz = display.refresh().rate_hz();
-  found.is_refresh_measured = display.refresh().is_measured();
   return found;
 }
 

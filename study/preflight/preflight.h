@@ -50,7 +50,6 @@ struct FoundDisplay {
   IVec2 monitor_px{0};
   double monitor_width_m = 0.0;  ///< 0 if the system does not say
   double refresh_rate_hz = 0.0;
-  bool is_refresh_measured = false;
 };
 
 struct Preflight {

@@ -16,11 +16,9 @@ namespace fs = std::filesystem;
 namespace foveola::test {
 namespace {
 
-using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
-using testing::StartsWith;
 
 class BenchConvergence : public testing::Test {
  protected:
@@ -184,24 +182,6 @@ TEST(BenchCompare, PrintsRatiosOfWhatABenchPrinted) {
             1);
 }
 
-TEST(BenchEquation7, PrintsItsFiguresBesideThePapers) {
-  const ProgramResult table = run_foveola({"bench", "equation7"});
-  ASSERT_EQ(table.exit_code, 0) << table.errors;
-  EXPECT_THAT(table.output, ContainsRegex("what +the program's figure +the paper's\n"));
-  EXPECT_THAT(table.output, ContainsRegex("jump at u = 0.0965 +5.7904 deg +-\n"));
-  EXPECT_THAT(table.output, ContainsRegex("radius, relative +-0.224 % at u = 0.15.* 1.8 % "));
-  const ProgramResult json = run_foveola({"bench", "equation7", "--json"});
-  ASSERT_EQ(json.exit_code, 0) << json.errors;
-  const auto figures = nlohmann::json::parse(json.output).at("figures");
-  for (const auto& figure : figures) {
-    if (figure.at("what") == "mean absolute difference over the mean radius") {
-      EXPECT_NEAR(figure.at("value").get<double>(), 0.0327, 5e-5);
-      EXPECT_EQ(figure.at("unit"), "%");
-      EXPECT_THAT(figure.at("published").get<std::string>(), StartsWith("< 0.04 %"));
-    }
-  }
-}
-
 TEST(BenchPreview, TellsWhichFramesAreLate) {
   const ProgramResult result =
       run_foveola({"bench", "preview", "studio-car", "--frames", "20", "--restart-every", "5",
@@ -242,13 +222,11 @@ TEST(Bench, TracingIsMeasuredAgainstEmbreeAlone) {
   const std::size_t entry_points = ray_tracer.starts_with("Embree 3.") ? 5 : 3;
   for (const auto& run : json["runs"]) {
     EXPECT_GT(run["general_path"]["gain"]["median"], 0.0);
-    EXPECT_LT(run["general_path"]["share_of_pixels_that_differ"], 0.1);
-    EXPECT_NEAR(run["general_path"]["relative_mean"], 1.0, 0.01);
     EXPECT_EQ(run["rays"], json["runs"][0]["rays"]);
     EXPECT_GE(run["rays"]["primary"], 20000);
     EXPECT_GT(run["rays_per_second"]["shadow"]["low"], 0.0);
-    for (const char* figure : {"seconds", "paths_per_second", "embree_seconds", "ratio_to_embree",
-                               "sampling_ns_per_path", "sampling_share"}) {
+    for (const char* figure :
+         {"seconds", "paths_per_second", "embree_seconds", "ratio_to_embree"}) {
       const auto& median = run[figure];
       EXPECT_GT(median["low"], 0.0) << figure;
       EXPECT_LE(median["low"], median["median"]) << figure;

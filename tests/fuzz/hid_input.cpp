@@ -49,29 +49,18 @@ void check(const std::optional<HidNumber>& number, const HidReportShape& shape) 
 
 void check(const HidTrackingReport& report) {
   check(report.sensor_time, report.shape);
-  for (const HidPoint& point :
-       {report.gaze_point, report.left_eye, report.right_eye, report.head, report.head_rotation}) {
-    check(point.x, report.shape);
-    check(point.y, report.shape);
-    check(point.z, report.shape);
-  }
+  check(report.gaze_point.x, report.shape);
+  check(report.gaze_point.y, report.shape);
 }
 
 void check(const std::optional<double>& value) {
   check_that(!value || std::isfinite(*value), "a value is not finite");
 }
 
-void check(const std::optional<DVec3>& point) {
-  check_that(!point || std::isfinite(glm::dot(*point, *point)), "a point is not finite");
-}
-
 void check(const HidTrackingData& data) {
   check(data.sensor_time_s);
-  check(data.gaze_point_z_m);
-  check(data.left_eye_m);
-  check(data.right_eye_m);
-  check(data.head_m);
-  check(data.head_rotation_rad);
+  check_that(!data.gaze_point_m || std::isfinite(glm::dot(*data.gaze_point_m, *data.gaze_point_m)),
+             "a point is not finite");
 }
 
 void check(const GazeSample& sample, Nanoseconds arrival) {
@@ -89,14 +78,8 @@ void learn_from(const HidEyeReports& reports, Bytes read, HidGazeStream& stream)
   if (reports.configuration) {
     stream.learn(read_report(*reports.configuration, read).value_or(HidConfiguration{}));
   }
-  if (reports.capabilities) {
-    if (const auto capabilities = read_report(*reports.capabilities, read)) {
-      check(capabilities->optimum_distance_m);
-    }
-  }
   if (reports.control) {
-    check_that(mode_request(*reports.control, HidMode::gaze_point).size() ==
-                   reports.control->shape.size_bytes,
+    check_that(encode_gaze_request(*reports.control).size() == reports.control->shape.size_bytes,
                "a request has another size");
   }
 }

@@ -44,8 +44,7 @@ UhidSettings reference_device() {
           .name = "Reference Eye Tracker",
           .serial_number = "4711",
           .report_descriptor = test::reference_descriptor(),
-          .features = {{0x11, test::capabilities_report()},
-                       {0x12, test::configuration_report(600'000, 300'000)},
+          .features = {{0x12, test::configuration_report(600'000, 300'000)},
                        {0x13, test::status_report(1, 120)}}};
 }
 
@@ -134,11 +133,10 @@ TEST(KernelHid, ListsTheDeviceOnceWithWhatItSaysOfItself) {
 
   const HidConnection connection = open_hid_device(info);
   EXPECT_EQ(connection.report_descriptor, test::reference_descriptor());
-  EXPECT_EQ(connection.device->get_feature_report(0x11, 22), test::capabilities_report());
   EXPECT_EQ(connection.device->get_feature_report(0x12, 19),
             test::configuration_report(600'000, 300'000));
   EXPECT_EQ(connection.device->get_feature_report(0x13, 4), test::status_report(1, 120));
-  EXPECT_THAT(device.requests(), ElementsAre("get 11", "get 12", "get 13"));
+  EXPECT_THAT(device.requests(), ElementsAre("get 12", "get 13"));
 }
 
 TEST(KernelHid, ReadsTheConfigurationBeforeItRequestsGaze) {
@@ -146,12 +144,11 @@ TEST(KernelHid, ReadsTheConfigurationBeforeItRequestsGaze) {
   const WatchedTracker tracker = watched(reference_product);
   const HidTrackerState state = tracker.wait_for(
       "a connection", [](const HidTrackerState& reached) { return reached.is_connected; });
-  EXPECT_THAT(device.requests(), ElementsAre("get 12", "get 11", "get 13", gaze_request));
+  EXPECT_THAT(device.requests(), ElementsAre("get 12", "get 13", gaze_request));
   EXPECT_EQ(state.status_text, "");
   EXPECT_EQ(state.counters.reports, 0U);
   EXPECT_NEAR(state.configuration.value().screen_width_m.value(), 0.6, 1e-12);
   EXPECT_NEAR(state.configuration.value().screen_height_m.value(), 0.3, 1e-12);
-  EXPECT_NEAR(state.capabilities.value().optimum_distance_m.value(), 0.65, 1e-12);
   EXPECT_EQ(state.status.sampling_frequency_hz, 120.0);
   EXPECT_EQ(state.status.configuration, HidConfigurationStatus::ready);
 }
@@ -229,7 +226,7 @@ TEST(KernelHid, ComesBackIfItWasUnpluggedWhileItWasAsked) {
 // The kernel waits five seconds for the answer that never comes.
 TEST(KernelHid, ReadsADeviceThatAnswersBadly) {
   UhidSettings rude = reference_device();
-  rude.features = {{0x11, Bytes{}}, {0x12, from_hex("12 11 11")}};
+  rude.features = {{0x12, from_hex("12 11 11")}, {0x13, Bytes{}}};
   const UhidDevice device(rude);
   const WatchedTracker tracker = watched(reference_product);
   device.wait_for_request(gaze_request);
@@ -238,7 +235,6 @@ TEST(KernelHid, ReadsADeviceThatAnswersBadly) {
   // The middle of the screen that the settings state.
   EXPECT_LT(glm::distance(sample.direction, Vec3(0, 0, -1)), 1e-6F);
   EXPECT_FALSE(tracker.state().configuration);
-  EXPECT_FALSE(tracker.state().capabilities);
   EXPECT_FALSE(tracker.state().status.sampling_frequency_hz);
 }
 

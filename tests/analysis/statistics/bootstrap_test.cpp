@@ -54,37 +54,10 @@ TEST(Bootstrap, IsNearTheTIntervalOfManyValues) {
   EXPECT_NEAR(interval.high, estimate.interval->high, 0.05);
 }
 
-TEST(Bootstrap, TheGeometricMeansShortCutIsTheGeneralWay) {
-  const auto geometric = [](std::span<const double> sample) {
-    return geometric_mean(sample)->value;
-  };
-  const Interval slow = bca_interval(times, geometric, {.resamples = 999}).value();
-  const Interval quick = bca_geometric_mean(times, {.resamples = 999}).value();
-  // The general way's jackknife is of the means themselves, not of their logarithms.
-  EXPECT_NEAR(quick.low, slow.low, 0.15);
-  EXPECT_NEAR(quick.high, slow.high, 0.15);
-  std::vector<double> logs;
-  for (const double time : times) {
-    logs.push_back(std::log(time));
-  }
-  const auto average = [](std::span<const double> sample) { return *mean(sample); };
-  const Interval of_logs = bca_interval(logs, average, {.resamples = 999}).value();
-  EXPECT_NEAR(std::log(quick.low), of_logs.low, 1e-12);
-  EXPECT_NEAR(std::log(quick.high), of_logs.high, 1e-12);
-}
-
-TEST(Bootstrap, AnyStatisticCanBeResampled) {
-  const auto middle = [](std::span<const double> sample) { return *median(sample); };
-  const Interval interval = bca_interval(times, middle).value();
-  EXPECT_LT(interval.low, *median(times));
-  EXPECT_GT(interval.high, *median(times));
-}
-
 TEST(Bootstrap, ConstantOrFewValuesHaveNoInterval) {
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>(16, 2.0)));
   const std::span<const double> few = std::span(times).first(fewest_for_bca - 1);
   EXPECT_FALSE(bca_geometric_mean(few));
-  EXPECT_FALSE(bca_interval(few, [](std::span<const double> sample) { return *mean(sample); }));
   EXPECT_TRUE(bca_geometric_mean(std::span(times).first(fewest_for_bca)));
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>{2.0, 3.0}));
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>{}));

@@ -25,6 +25,10 @@ GazeSample seen(int time_ms, double azimuth_deg) {
 }
 GazeSample blink(int time_ms) { return {.time = milliseconds(time_ms)}; }
 
+double amplitude_deg(const EyeMovement& movement) {
+  return degrees(angle_between(movement.from, movement.to));
+}
+
 std::vector<EyeMovement> movements_in(const std::vector<GazeSample>& samples,
                                       const EyeMovementSettings& settings = {}) {
   EyeMovementDetector detector(settings);

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
@@ -49,28 +48,20 @@ TEST(EyeReports, OfTheReferenceDevice) {
   EXPECT_EQ(reports.tracking.shape.id, 0x10);
   EXPECT_EQ(reports.tracking.shape.size_bytes, 65U);
   ASSERT_TRUE(reports.status_input && reports.status_feature && reports.control &&
-              reports.configuration && reports.capabilities);
+              reports.configuration);
   EXPECT_EQ(reports.status_input->shape.size_bytes, 4U);
   EXPECT_EQ(reports.status_feature->shape.size_bytes, 4U);
   EXPECT_EQ(reports.control->shape.size_bytes, 2U);
   EXPECT_EQ(reports.configuration->shape.size_bytes, 19U);
-  EXPECT_EQ(reports.capabilities->shape.size_bytes, 22U);
 }
 
 TEST(EyeReports, ReadTrackingDataOfTheReferenceDevice) {
-  const auto data = read_report(
-      reference_reports().tracking,
-      test::tracking_report(0x0123456789ABCDEF, 250'000, -3, {-31'000, 2, 600'000, 32'000, 4, 5}));
+  const auto data = read_report(reference_reports().tracking,
+                                test::tracking_report(0x0123456789ABCDEF, 250'000, -3));
   ASSERT_TRUE(data);
   EXPECT_NEAR(*data->sensor_time_s, 81985529216.486895, 1e-4);
   EXPECT_NEAR(data->gaze_point_m->x, 0.25, 1e-12);
   EXPECT_NEAR(data->gaze_point_m->y, -3e-6, 1e-12);
-  EXPECT_FALSE(data->gaze_point_z_m);
-  EXPECT_NEAR(glm::distance(*data->left_eye_m, DVec3(-0.031, 2e-6, 0.6)), 0.0, 1e-12);
-  EXPECT_NEAR(glm::distance(*data->right_eye_m, DVec3(0.032, 4e-6, 5e-6)), 0.0, 1e-12);
-  // The reference device does not name its head's numbers.
-  EXPECT_FALSE(data->head_m);
-  EXPECT_FALSE(data->head_rotation_rad);
 }
 
 TEST(EyeReports, WhatIsOutOfRangeIsAbsent) {
@@ -82,10 +73,6 @@ TEST(EyeReports, WhatIsOutOfRangeIsAbsent) {
   EXPECT_FALSE(gaze(2'000'001, 0));
   EXPECT_FALSE(gaze(0, -2'000'001));
   EXPECT_FALSE(gaze(test::no_position, test::no_position));
-  const auto data =
-      read_report(tracking, test::tracking_report(1, 0, 0, {0, 0, test::no_position, 0, 0, 0}));
-  EXPECT_FALSE(data->left_eye_m);
-  EXPECT_TRUE(data->right_eye_m);
 }
 
 TEST(EyeReports, TheLargestNumberIsAbsentEvenWithinItsRange) {
@@ -131,23 +118,9 @@ TEST(EyeReports, ReadTheConfiguration) {
   EXPECT_NEAR(*configuration->screen_height_m, 0.29889, 1e-12);
 }
 
-TEST(EyeReports, ReadTheCapabilities) {
-  const auto capabilities =
-      read_report(*reference_reports().capabilities, test::capabilities_report());
-  ASSERT_TRUE(capabilities);
-  EXPECT_EQ(capabilities->tracks_fine_gaze, true);
-  EXPECT_NEAR(*capabilities->minimum_distance_m, 0.45, 1e-12);
-  EXPECT_NEAR(*capabilities->optimum_distance_m, 0.65, 1e-12);
-  EXPECT_NEAR(*capabilities->maximum_distance_m, 0.95, 1e-12);
-  EXPECT_NEAR(*capabilities->maximum_screen_width_m, 0.6, 1e-12);
-  EXPECT_NEAR(*capabilities->maximum_screen_height_m, 0.34, 1e-12);
-}
-
-TEST(EyeReports, RequestAMode) {
+TEST(EyeReports, RequestTheGazePoint) {
   const HidControlReport control = *reference_reports().control;
-  EXPECT_EQ(test::to_hex(mode_request(control, HidMode::gaze_point)), "1401");
-  EXPECT_EQ(test::to_hex(mode_request(control, HidMode::gaze_point | HidMode::head_position)),
-            "1405");
+  EXPECT_EQ(test::to_hex(encode_gaze_request(control)), "1401");
 }
 
 // No ids, three reserved bytes first, a 32-bit time in milliseconds between the positions.
@@ -180,27 +153,6 @@ TEST(EyeReports, ATimeWithoutItsUnitIsNone) {
       reports_of(tracker_with("75 08 95 08 09 20 81 02 " + gaze_in_tenths));
   EXPECT_FALSE(reports.tracking.sensor_time);
   EXPECT_FALSE(sensor_clock_period_s(reports.tracking));
-}
-
-// A head position in a collection of its own, the rotations in the one of the head's direction, in
-// whole degrees.
-TEST(EyeReports, OfALaterDeviceThatNamesTheHead) {
-  const HidEyeReports reports = reports_of(
-      tracker_with(gaze_in_tenths + "95 03 09 27 a1 00 09 21 09 22 09 23 81 02 c0 " +
-                   "15 80 25 7f 65 14 55 00 75 08 09 28 a1 00 09 29 09 2a 09 2b 81 02 c0"));
-  const auto data =
-      read_report(reports.tracking, from_hex("00 00 00 00 e8 03 f4 01 18 fc 5a 00 d3"));
-  ASSERT_TRUE(data && data->head_m && data->head_rotation_rad);
-  EXPECT_NEAR(glm::distance(*data->head_m, DVec3(0.1, 0.05, -0.1)), 0.0, 1e-12);
-  EXPECT_NEAR(glm::distance(*data->head_rotation_rad, DVec3(radians(90.0), 0.0, radians(-45.0))),
-              0.0, 1e-12);
-}
-
-TEST(EyeReports, OfADeviceThatMeasuresGazeInSpace) {
-  const HidEyeReports reports = reports_of(tracker_with(
-      "16 18 fc 26 e8 03 65 11 55 0e 75 10 95 03 09 24 a1 00 09 21 09 22 09 23 81 02 c0"));
-  const auto data = read_report(reports.tracking, from_hex("00 00 00 00 9c ff"));
-  EXPECT_NEAR(*data->gaze_point_z_m, -0.01, 1e-12);
 }
 
 // The last usage stands for all numbers that are left.

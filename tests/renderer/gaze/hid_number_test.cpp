@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/angles.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {
@@ -28,8 +27,6 @@ TEST(SiUnits, OfCommonUnits) {
   EXPECT_DOUBLE_EQ(*si_units_in(0xF001, 0, HidQuantity::frequency_hz), 1.0);
   EXPECT_DOUBLE_EQ(*si_units_in(0x11, 0, HidQuantity::length_m), 0.01);
   EXPECT_DOUBLE_EQ(*si_units_in(0x13, -3, HidQuantity::length_m), 0.0254e-3);
-  EXPECT_DOUBLE_EQ(*si_units_in(0x12, -2, HidQuantity::angle_rad), 0.01);
-  EXPECT_DOUBLE_EQ(*si_units_in(0x14, 0, HidQuantity::angle_rad), radians(1.0));
   EXPECT_DOUBLE_EQ(*si_units_in(0x1003, -3, HidQuantity::time_s), 1e-3);
   EXPECT_DOUBLE_EQ(*si_units_in(0xF001, 3, HidQuantity::frequency_hz), 1e3);
 }
@@ -38,7 +35,6 @@ TEST(SiUnits, NoneIfSomethingElseIsMeasured) {
   EXPECT_FALSE(si_units_in(0, 0, HidQuantity::length_m));
   EXPECT_FALSE(si_units_in(0, -6, HidQuantity::time_s));
   EXPECT_FALSE(si_units_in(0x1001, -6, HidQuantity::length_m));
-  EXPECT_FALSE(si_units_in(0x11, 0, HidQuantity::angle_rad));   // centimetres
   EXPECT_FALSE(si_units_in(0x14, 0, HidQuantity::length_m));    // degrees
   EXPECT_FALSE(si_units_in(0x21, 0, HidQuantity::length_m));    // square centimetres
   EXPECT_FALSE(si_units_in(0xF011, 0, HidQuantity::length_m));  // centimetres per second
@@ -97,12 +93,12 @@ TEST(HidNumber, PutBitsLeavesTheOthers) {
 // resolution is 1023 / 20.46 counts per degree).
 TEST(HidNumber, IsScaledToItsPhysicalRange) {
   const auto number =
-      first_number("16 00 fe 26 ff 01 36 18 fc 46 16 04 65 14 55 0e 75 0a 95 01 09 01 81 02",
-                   HidQuantity::angle_rad);
+      first_number("16 00 fe 26 ff 01 36 18 fc 46 16 04 65 11 55 0e 75 0a 95 01 09 01 81 02",
+                   HidQuantity::length_m);
   ASSERT_TRUE(number);
-  EXPECT_NEAR(*value_of(*number, from_hex("00 02")), radians(-10.0), 1e-12);
-  EXPECT_NEAR(*value_of(*number, from_hex("ff 01")), radians(10.46), 1e-12);
-  EXPECT_NEAR(*value_of(*number, from_hex("00 00")), radians(0.24), 1e-12);
+  EXPECT_NEAR(*value_of(*number, from_hex("00 02")), -0.1, 1e-12);
+  EXPECT_NEAR(*value_of(*number, from_hex("ff 01")), 0.1046, 1e-12);
+  EXPECT_NEAR(*value_of(*number, from_hex("00 00")), 0.0024, 1e-12);
 }
 
 TEST(HidNumber, ACountIsNeverScaled) {

@@ -2,7 +2,6 @@
 // report descriptor, and its reports laid out by hand as the packed structures there.
 #pragma once
 
-#include <array>
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
@@ -81,15 +80,12 @@ constexpr std::int32_t no_position = std::numeric_limits<std::int32_t>::max();
 
 /// GAZE_REPORT, 65 bytes: an id, the time and fourteen numbers, the first two of which are the gaze
 /// point, the next six the eyes, and the rest the head.
-inline Bytes tracking_report(std::uint64_t time_us, std::int32_t gaze_x_um, std::int32_t gaze_y_um,
-                             const std::array<std::int32_t, 6>& eyes_um = {}) {
+inline Bytes tracking_report(std::uint64_t time_us, std::int32_t gaze_x_um,
+                             std::int32_t gaze_y_um) {
   Bytes report =
       Bytes{0x10} + little_endian(time_us, 8) + int32_bytes(gaze_x_um) + int32_bytes(gaze_y_um);
-  for (const std::int32_t position : eyes_um) {
-    report = report + int32_bytes(position);
-  }
-  for (int i = 0; i < 6; ++i) {
-    report = report + int32_bytes(no_position);
+  for (int i = 0; i < 12; ++i) {
+    report = report + int32_bytes(i < 6 ? 0 : no_position);
   }
   return report;
 }
@@ -104,16 +100,6 @@ inline Bytes configuration_report(std::uint32_t width_um, std::uint32_t height_u
   return Bytes{0x12} + little_endian(0x1111, 2) + little_endian(0x2222, 2) +
          little_endian(0x33333333, 4) + little_endian(0x4444, 2) + little_endian(width_um, 4) +
          little_endian(height_um, 4);
-}
-
-/// CAPABILITIES_REPORT, 22 bytes, of a tracker of fine gaze from 45 to 95 cm, best at 65 cm, on
-/// screens of up to 60 by 34 cm.
-inline Bytes capabilities_report() {
-  Bytes report = {0x11, 1};
-  for (const std::int32_t length_um : {450'000, 650'000, 950'000, 600'000, 340'000}) {
-    report = report + int32_bytes(length_um);
-  }
-  return report;
 }
 
 }  // namespace foveola::test

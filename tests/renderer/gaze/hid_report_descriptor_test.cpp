@@ -75,7 +75,6 @@ TEST(ReportDescriptor, HasTheTrackingDataOfTheReferenceDevice) {
   EXPECT_EQ(time.unit_exponent, -6);
   EXPECT_EQ(time.logical_maximum, 255);
   EXPECT_FALSE(time.is_signed());
-  EXPECT_FALSE(time.is_constant);
   EXPECT_THAT(time.collections, ElementsAre(HidUsage{0x12, 0x01}, HidUsage{0x12, 0x10}));
 
   const HidField& gaze = tracking.fields[1];
@@ -87,7 +86,6 @@ TEST(ReportDescriptor, HasTheTrackingDataOfTheReferenceDevice) {
   EXPECT_EQ(gaze.logical_minimum, -2'000'000);
   EXPECT_EQ(gaze.logical_maximum, 2'000'000);
   EXPECT_TRUE(gaze.is_signed());
-  EXPECT_TRUE(gaze.is_constant);
   EXPECT_TRUE(gaze.is_variable);
   EXPECT_THAT(gaze.collections,
               ElementsAre(HidUsage{0x12, 0x01}, HidUsage{0x12, 0x10}, HidUsage{0x12, 0x24}));
@@ -187,15 +185,14 @@ TEST(ReportDescriptor, UnitExponentsAreNibblesOrWholeBytes) {
   EXPECT_EQ(only_field("55 fc 75 08 95 01 81 02").unit_exponent, -4);
 }
 
-TEST(ReportDescriptor, FlagsAreReadOneByOne) {
-  const auto flags = [](const std::string& main_item) {
-    const HidField field = only_field("75 08 95 01 " + main_item);
-    return std::tuple(field.is_constant, field.is_variable, field.is_relative);
+TEST(ReportDescriptor, AFieldIsVariableOrAnArray) {
+  const auto is_variable = [](const std::string& main_item) {
+    return only_field("75 08 95 01 " + main_item).is_variable;
   };
-  EXPECT_EQ(flags("80"), std::tuple(false, false, false));
-  EXPECT_EQ(flags("81 01"), std::tuple(true, false, false));
-  EXPECT_EQ(flags("81 02"), std::tuple(false, true, false));
-  EXPECT_EQ(flags("81 06"), std::tuple(false, true, true));
+  EXPECT_FALSE(is_variable("80"));
+  EXPECT_FALSE(is_variable("81 01"));
+  EXPECT_TRUE(is_variable("81 02"));
+  EXPECT_TRUE(is_variable("81 06"));
 }
 
 TEST(ReportDescriptor, SkipsWhatSaysNothingOfNumbers) {

@@ -53,7 +53,6 @@ TEST(SensorClock, FollowsAClockThatRunsSlow) {
       expect_near(time, at_s(20.0 + left_s), std::chrono::microseconds(600));
     }
   }
-  EXPECT_EQ(clock.restarts(), 0U);
 }
 
 TEST(SensorClock, ForgetsTheShortestWayAfterFiveSeconds) {
@@ -75,7 +74,6 @@ TEST(SensorClock, GoesOnWhenTheSensorsStartsAgain) {
   // And again.
   clock.host_time(4294.95, at_s(4296.05));
   expect_near(clock.host_time(0.002704, at_s(4296.08)), at_s(4296.07));
-  EXPECT_EQ(clock.restarts(), 0U);
 }
 
 TEST(SensorClock, ComparesAnewWhenTheSensorsJumpsBack) {
@@ -84,7 +82,6 @@ TEST(SensorClock, ComparesAnewWhenTheSensorsJumpsBack) {
   clock.host_time(500.1, milliseconds(1100));
   EXPECT_EQ(clock.host_time(0.0, milliseconds(1208)), milliseconds(1208));
   EXPECT_FALSE(clock.last_interval_s());
-  EXPECT_EQ(clock.restarts(), 1U);
   expect_near(clock.host_time(0.1, milliseconds(1310)), milliseconds(1308));
 }
 
@@ -104,7 +101,6 @@ TEST(SensorClock, AClockThatStandsStillMakesNothingOlderThanASecond) {
     ASSERT_LE(time, arrival);
     ASSERT_GE(time, arrival - std::chrono::seconds(1));
   }
-  EXPECT_EQ(clock.restarts(), 9U);
 }
 
 }  // namespace

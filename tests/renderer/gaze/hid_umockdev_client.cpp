@@ -54,8 +54,8 @@ int read(int reports) {
       find_eye_reports(parse_report_descriptor(connection->report_descriptor));
   print_feature(device, "configuration", layout.configuration->shape);
   print_feature(device, "status", layout.status_feature->shape);
-  const bool is_taken = device.send_feature_report(
-      layout.control->shape.id, mode_request(*layout.control, HidMode::gaze_point));
+  const bool is_taken =
+      device.send_feature_report(layout.control->shape.id, encode_gaze_request(*layout.control));
   std::printf("mode %s\n", is_taken ? "taken" : "refused");
   std::vector<std::uint8_t> buffer(layout.tracking.shape.size_bytes);
   for (int i = 0; i < reports; ++i) {

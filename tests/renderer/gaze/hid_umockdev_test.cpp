@@ -71,11 +71,9 @@ std::string ioctls() {
     return name + " " + std::to_string(result) + " " + to_hex(data) + "\n";
   };
   const Bytes configuration = test::configuration_report(600'000, 300'000);
-  const Bytes capabilities = test::capabilities_report();
   const Bytes status = test::status_report(1, 120);
   return "@DEV /dev/hidraw0\n" + call("HIDIOCGRDESCSIZE", 0, test::little_endian(340, 4)) +
          call("HIDIOCGFEATURE", configuration.size(), configuration) +
-         call("HIDIOCGFEATURE", capabilities.size(), capabilities) +
          call("HIDIOCGFEATURE", status.size(), status) +
          call("HIDIOCSFEATURE", 2, test::from_hex("1401"));
 }

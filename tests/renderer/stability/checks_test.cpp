@@ -1,6 +1,8 @@
 // The stress tests of `foveola bench stability`, at sizes for every day.
 #include "renderer/stability/checks.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "renderer/stability/figure.h"
@@ -52,6 +54,12 @@ TEST(StabilityCheckTest, DegenerateInput) { expect_all(check_degenerate_input(sm
 TEST(StabilityCheckTest, Accumulation) { expect_all(check_accumulation(small_run())); }
 
 TEST(StabilityCheckTest, BitEquality) { expect_all(check_bit_equality(small_run())); }
+
+TEST(StabilityFigureTest, NotANumberDoesNotPass) {
+  EXPECT_TRUE((StabilityFigure{.measured = 1.0, .bound = 1.0}).passes());
+  EXPECT_FALSE((StabilityFigure{.measured = 1.1, .bound = 1.0}).passes());
+  EXPECT_FALSE((StabilityFigure{.measured = std::nan(""), .bound = 1.0}).passes());
+}
 
 class FiniteRadianceTest : public ::testing::Test {
  protected:

@@ -88,9 +88,9 @@ TEST(Equation7, DensityIntegratesToOne) {
       sum += distribution.density_per_sr(e) * 2.0 * pi * std::sin(radians(e)) * radians(step);
     }
   };
-  add(0.0, distribution.gap_begin_deg());
+  add(0.0, distribution.knees_deg().front());
   EXPECT_NEAR(sum, 0.0965, 1e-9);
-  add(distribution.gap_end_deg(), distribution.cutoff_deg());
+  add(distribution.knees_deg().back(), distribution.cutoff_deg());
   EXPECT_NEAR(sum, 1.0, 1e-7);
 }
 
