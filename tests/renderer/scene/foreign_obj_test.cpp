@@ -1,10 +1,8 @@
 // OBJ files as other programs and systems write them, and that lack a texture.
 #include <gmock/gmock.h>
 
-#include "renderer/base/error.h"
-#include "renderer/scene/load_scene.h"
 #include "tests/encoded_image.h"
-#include "tests/renderer/scene/glb_builder.h"
+#include "tests/renderer/scene/obj_text.h"
 
 namespace foveola::test {
 namespace {
@@ -14,25 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string three_corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-const std::string textured_face = "vt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n";
-
-class ForeignObj : public InTemporaryFolder {
- protected:
-  Scene load(const std::string& obj) const { return load_obj(write("scene.obj", obj)); }
-
-  std::string error_of(const std::string& obj, const SceneReading& reading = {}) const {
-    try {
-      load_obj(write("scene.obj", obj), reading);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
-  }
-  std::string strict_error_of(const std::string& obj) const {
-    return error_of(obj, {.strict = true});
-  }
-};
+class ForeignObj : public ObjText {};
 
 TEST_F(ForeignObj, TexturesThatCannotBeHadAreLeftOut) {
   write("text.tga", "this is no image");

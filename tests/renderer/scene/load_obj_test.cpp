@@ -6,10 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "renderer/base/digest.h"
-#include "renderer/base/error.h"
 #include "renderer/base/random.h"
-#include "renderer/scene/load_scene.h"
-#include "tests/renderer/scene/glb_builder.h"
+#include "tests/renderer/scene/obj_text.h"
 
 namespace foveola::test {
 namespace {
@@ -18,28 +16,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string square_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-class LoadObj : public InTemporaryFolder {
- protected:
-  Scene load(const std::string& obj) const { return load_obj(write("scene.obj", obj)); }
-
-  std::string error_of(const std::string& obj, const SceneReading& reading = {}) const {
-    try {
-      load_obj(write("scene.obj", obj), reading);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
-  }
-  std::string strict_error_of(const std::string& obj) const {
-    return error_of(obj, {.strict = true});
-  }
-};
+class LoadObj : public ObjText {};
 
 TEST_F(LoadObj, ReadsATriangle) {
-  const std::string text = corners + "f 1 2 3\n";
+  const std::string text = three_corners + "f 1 2 3\n";
   const Scene scene = load(text);
   ASSERT_EQ(scene.meshes.size(), 1U);
   EXPECT_THAT(scene.meshes[0].positions, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
@@ -54,7 +36,7 @@ TEST_F(LoadObj, ReadsATriangle) {
 }
 
 TEST_F(LoadObj, HashCoversLibrariesAndImages) {
-  const std::string text = "mtllib m.mtl\n" + corners + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
+  const std::string text = "mtllib m.mtl\n" + three_corners + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
   const std::string library = "newmtl m\nmap_Kd a.png\n";
   const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
   write("m.mtl", library);
@@ -69,7 +51,7 @@ TEST_F(LoadObj, HashCoversLibrariesAndImages) {
 }
 
 TEST_F(LoadObj, NegativeIndicesCountBackwards) {
-  const Scene scene = load(corners + "f -3 -2 -1\nv 5 5 5\nf -2 -3 -1\n");
+  const Scene scene = load(three_corners + "f -3 -2 -1\nv 5 5 5\nf -2 -3 -1\n");
   ASSERT_EQ(scene.meshes.size(), 1U);
   EXPECT_THAT(scene.meshes[0].positions,
               ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(5, 5, 5)));
@@ -102,7 +84,7 @@ TEST_F(LoadObj, VerticesAreSharedWhereAllTheirValuesAre) {
 }
 
 TEST_F(LoadObj, FacesWithoutNormalsAmongOthersAreFlat) {
-  const Scene scene = load(corners + "v 0 0 -1\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\nf 1 4 2\n");
+  const Scene scene = load(three_corners + "v 0 0 -1\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\nf 1 4 2\n");
   const Mesh& mesh = scene.meshes.at(0);
   EXPECT_THAT(mesh.normals,
               ElementsAre(Vec3(0, 0.6F, 0.8F), Vec3(0, 0.6F, 0.8F), Vec3(0, 0.6F, 0.8F),
@@ -110,7 +92,7 @@ TEST_F(LoadObj, FacesWithoutNormalsAmongOthersAreFlat) {
 }
 
 TEST_F(LoadObj, UselessNormalsAreReplaced) {
-  const Scene scene = load(corners + "vn 0 0 0\nf 1//1 2//1 3//1\n");
+  const Scene scene = load(three_corners + "vn 0 0 0\nf 1//1 2//1 3//1\n");
   EXPECT_THAT(scene.meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
 }
@@ -141,8 +123,9 @@ TEST_F(LoadObj, GroupsNameWhatNoObjectDoes) {
 }
 
 TEST_F(LoadObj, DropsWhatCannotBeSeen) {
-  const Scene scene = load(corners + "v nan 0 0\nv 1e39 0 0\nv 2 0 0\nf 1 2 3\nf 1 2 2\nf 1 2 6\n" +
-                           "f 1 2 5\nf 1 2\nf 1 2 4\n");
+  const Scene scene =
+      load(three_corners + "v nan 0 0\nv 1e39 0 0\nv 2 0 0\nf 1 2 3\nf 1 2 2\nf 1 2 6\n" +
+           "f 1 2 5\nf 1 2\nf 1 2 4\n");
   EXPECT_EQ(scene.triangle_count(), 1U);
   EXPECT_EQ(scene.meshes.at(0).positions.size(), 3U);
   EXPECT_THAT(scene.warnings,
@@ -154,7 +137,7 @@ TEST_F(LoadObj, DropsWhatCannotBeSeen) {
 TEST_F(LoadObj, WhatIsNoNumberIsNotZero) {
   for (const std::string text : {"nan", "NaN", "inf", "-inf", "-nan(ind)", "1.#QNAN", "1.#INF",
                                  "1,5", "0x10", "1d2", "e5", "1e", ".", "-", "1e9999999999"}) {
-    const Scene scene = load(fmt::format("{}v {} 0 1\nf 1 2 3\nf 1 2 4\n", corners, text));
+    const Scene scene = load(fmt::format("{}v {} 0 1\nf 1 2 3\nf 1 2 4\n", three_corners, text));
     EXPECT_EQ(scene.triangle_count(), 1U) << text;
     EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("not finite are dropped"))) << text;
   }
@@ -162,15 +145,16 @@ TEST_F(LoadObj, WhatIsNoNumberIsNotZero) {
 
 TEST_F(LoadObj, ReadsNumbersAsTheyAreWritten) {
   for (const std::string text : {"3", "+3", "3.", "3.0", ".3e1", "0.3E+01", "30e-1", "\t003 1 #"}) {
-    const Scene scene = load(fmt::format("{}v 0 0 {}\nf 1 2 4\n", corners, text));
+    const Scene scene = load(fmt::format("{}v 0 0 {}\nf 1 2 4\n", three_corners, text));
     ASSERT_EQ(scene.triangle_count(), 1U) << text;
     EXPECT_EQ(scene.meshes[0].positions[2], Vec3(0, 0, 3)) << text;
   }
-  EXPECT_EQ(load(corners + "v 0 0 -1e-400\nf 3 2 4\n").meshes.at(0).positions.at(2), Vec3(0.0F));
+  EXPECT_EQ(load(three_corners + "v 0 0 -1e-400\nf 3 2 4\n").meshes.at(0).positions.at(2),
+            Vec3(0.0F));
 }
 
 TEST_F(LoadObj, NormalsThatAreNoNumbersAreReplaced) {
-  const Scene scene = load(corners + "vn 0 nan 1\nf 1//1 2//1 3//1\n");
+  const Scene scene = load(three_corners + "vn 0 nan 1\nf 1//1 2//1 3//1\n");
   EXPECT_THAT(scene.meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
 }
@@ -191,14 +175,14 @@ TEST_F(LoadObj, AnEmptySceneLoadsAndSaysSo) {
 
 TEST_F(LoadObj, RefusesIndicesOutOfRange) {
   const std::string where = (folder() / "scene.obj").string() + ": face 2: ";
-  EXPECT_EQ(error_of(corners + "f 1 2 3\nf 1 2 4\n"),
+  EXPECT_EQ(error_of(three_corners + "f 1 2 3\nf 1 2 4\n"),
             where + "names vertex 4, but 3 come before it; export it again");
-  EXPECT_THAT(error_of(corners + "f 1 2 3\nf 1 2 -4\n"), HasSubstr("names vertex -4"));
-  EXPECT_THAT(error_of(corners + "f 1 2 3\nf 0 1 2\n"), HasSubstr("names vertex 0"));
-  EXPECT_THAT(error_of(corners + "f 1 2 3\nf x y z\n"), HasSubstr("names vertex 0"));
-  EXPECT_THAT(error_of(corners + "vt 0 0\nf 1/2 2/1 3/1\n"),
+  EXPECT_THAT(error_of(three_corners + "f 1 2 3\nf 1 2 -4\n"), HasSubstr("names vertex -4"));
+  EXPECT_THAT(error_of(three_corners + "f 1 2 3\nf 0 1 2\n"), HasSubstr("names vertex 0"));
+  EXPECT_THAT(error_of(three_corners + "f 1 2 3\nf x y z\n"), HasSubstr("names vertex 0"));
+  EXPECT_THAT(error_of(three_corners + "vt 0 0\nf 1/2 2/1 3/1\n"),
               HasSubstr("names texture coordinate 2, but 1"));
-  EXPECT_THAT(error_of(corners + "f 1//1 2//1 3//1\n"), HasSubstr("names normal 1, but 0"));
+  EXPECT_THAT(error_of(three_corners + "f 1//1 2//1 3//1\n"), HasSubstr("names normal 1, but 0"));
 }
 
 TEST_F(LoadObj, RefusesWhatIsNoText) {
@@ -207,12 +191,10 @@ TEST_F(LoadObj, RefusesWhatIsNoText) {
   EXPECT_THROW(load_obj(folder()), Error);
 }
 
-const std::string textured = "vt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n";
-
 TEST_F(LoadObj, FindsLibrariesAndTextures) {
   write("my library.mtl", "newmtl m\nmap_Kd textures\\100% red.png\n");
   write("textures/100% red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
-  const Scene scene = load("mtllib my library.mtl\n" + corners + textured);
+  const Scene scene = load("mtllib my library.mtl\n" + three_corners + textured_face);
   EXPECT_THAT(scene.warnings, IsEmpty());
   ASSERT_EQ(scene.textures.size(), 1U);
   EXPECT_EQ(scene.textures[0].sample({0.5F, 0.5F}), Vec4(1, 0, 0, 1));
@@ -223,7 +205,7 @@ TEST_F(LoadObj, TexturesAreNamedFromTheirLibrarysFolder) {
   write("materials/m.mtl", "newmtl m\nKd 1 1 1\nmap_Kd red.png\n");
   write("other.mtl", "newmtl o\nKd 1 0 0\n");
   write("materials/red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
-  const Scene scene = load("mtllib other.mtl materials\\m.mtl\n" + corners + textured);
+  const Scene scene = load("mtllib other.mtl materials\\m.mtl\n" + three_corners + textured_face);
   EXPECT_EQ(scene.textures.size(), 1U);
   EXPECT_EQ(scene.materials.size(), 1U) << "only what is used";
 }
@@ -232,7 +214,7 @@ TEST_F(LoadObj, TexturesAreNamedFromTheirLibrarysFolder) {
 TEST_F(LoadObj, TextureCoordinatesRunUpwards) {
   write("m.mtl", "newmtl m\nmap_Kd -s 2 4 1 -o 0.5 0.125 0 two.png\n");
   write("two.png", png(1, 2, 1, std::vector<std::uint8_t>{255, 0}));
-  const Scene scene = load("mtllib m.mtl\n" + corners + textured);
+  const Scene scene = load("mtllib m.mtl\n" + three_corners + textured_face);
   EXPECT_THAT(scene.meshes.at(0).uv_sets,
               ElementsAre(ElementsAre(Vec2(0, 1), Vec2(1, 1), Vec2(0, 0))));
   const TextureUse& use = scene.materials.at(0).base_color_texture;
@@ -244,7 +226,7 @@ TEST_F(LoadObj, TextureCoordinatesRunUpwards) {
 TEST_F(LoadObj, TextureCoordinatesThatAreNoNumbersAreReplaced) {
   write("m.mtl", "newmtl m\nmap_Kd red.png\n");
   write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
-  const Scene scene = load("mtllib m.mtl\n" + corners +
+  const Scene scene = load("mtllib m.mtl\n" + three_corners +
                            "vt 0.5 nan\nvt 1 0 nan\nvt 1 # v is 0\nusemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_THAT(scene.meshes.at(0).uv_sets,
               ElementsAre(ElementsAre(Vec2(0, 0), Vec2(1, 1), Vec2(1, 1))));
@@ -253,20 +235,20 @@ TEST_F(LoadObj, TextureCoordinatesThatAreNoNumbersAreReplaced) {
 }
 
 TEST_F(LoadObj, UntexturedSurfacesKeepNoCoordinates) {
-  EXPECT_THAT(load(corners + textured).meshes.at(0).uv_sets, IsEmpty());
+  EXPECT_THAT(load(three_corners + textured_face).meshes.at(0).uv_sets, IsEmpty());
 }
 
 TEST_F(LoadObj, NormalTexturesBringTangents) {
   write("m.mtl", "newmtl m\nKd 1 1 1\nnorm n.png\n");
   write("n.png", png(1, 1, 3, std::vector<std::uint8_t>{128, 128, 255}));
-  const Scene scene = load("mtllib m.mtl\n" + corners + textured);
+  const Scene scene = load("mtllib m.mtl\n" + three_corners + textured_face);
   const Mesh& mesh = scene.meshes.at(0);
   ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
   EXPECT_NEAR(mesh.tangents[0].x, 1.0F, 1e-6F) << "u grows along +X";
 }
 
 TEST_F(LoadObj, WarnsOfUnknownMaterials) {
-  EXPECT_THAT(load(corners + "usemtl gone\nf 1 2 3\n").warnings,
+  EXPECT_THAT(load(three_corners + "usemtl gone\nf 1 2 3\n").warnings,
               ElementsAre("a material that no library describes is white (gone)"));
 }
 
@@ -275,7 +257,7 @@ TEST_F(LoadObj, RefusesFilesOutsideItsFolder) {
   outside.write("secret.mtl", "newmtl m\nKd 1 0 0\n");
   std::filesystem::create_symlink(outside / "secret.mtl", folder() / "link.mtl");
   const auto error = [&](const std::string& library) {
-    return error_of("mtllib " + library + "\n" + corners + "usemtl m\nf 1 2 3\n");
+    return error_of("mtllib " + library + "\n" + three_corners + "usemtl m\nf 1 2 3\n");
   };
   EXPECT_THAT(error((outside / "secret.mtl").string()), HasSubstr("absolute path"));
   EXPECT_THAT(error("../secret.mtl"), HasSubstr("leads out of the folder"));
@@ -296,11 +278,11 @@ TEST_F(LoadObj, RefusesTexturesOutsideItsFolder) {
          {(outside / "secret.png").string(), std::string("../secret.png"),
           std::string("..\\secret.png"), std::string("link.png"), std::string("file:secret.png")}) {
       write(library, "newmtl m\nmap_Kd " + name + "\n");
-      EXPECT_THAT(strict_error_of("mtllib " + library + "\n" + corners + textured),
+      EXPECT_THAT(strict_error_of("mtllib " + library + "\n" + three_corners + textured_face),
                   HasSubstr("m.mtl: m: refers to"))
           << library << " " << name;
       const bool stays_inside = library == "sub/m.mtl" && !name.starts_with("..");
-      EXPECT_EQ(error_of("mtllib " + library + "\n" + corners + textured) == "no error",
+      EXPECT_EQ(error_of("mtllib " + library + "\n" + three_corners + textured_face) == "no error",
                 stays_inside)
           << library << " " << name;
     }
@@ -310,7 +292,7 @@ TEST_F(LoadObj, RefusesTexturesOutsideItsFolder) {
 TEST_F(LoadObj, RefusesImagesThatAreNone) {
   write("m.mtl", "newmtl m\nmap_Kd red.tga\n");
   write("red.tga", "this is no image");
-  EXPECT_THAT(strict_error_of("mtllib m.mtl\n" + corners + textured),
+  EXPECT_THAT(strict_error_of("mtllib m.mtl\n" + three_corners + textured_face),
               HasSubstr("red.tga: is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image; convert it"));
 }
 
@@ -319,7 +301,7 @@ TEST_F(LoadObj, RefusesSmallImagesThatAskForMuchMemory) {
   write("m.mtl", "newmtl m\nmap_Kd red.png\nmap_d huge.png\n");
   write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
   write("huge.png", huge_png(100000));
-  EXPECT_THAT(error_of("mtllib m.mtl\n" + corners + textured),
+  EXPECT_THAT(error_of("mtllib m.mtl\n" + three_corners + textured_face),
               HasSubstr("scene.obj: its textures would take 1024 MiB of memory, more than 256"));
 }
 
@@ -348,7 +330,7 @@ TEST_F(LoadObj, SurvivesOtherBytes) {
   const std::string mtl =
       "newmtl m\nKd 1 .5 0\nKs 1 1 1\nNs 9e1\nillum 2\nmap_Kd -clamp on red.png\n"
       "map_d red.png\nnewmtl n\nPr 0.5\nmap_Pr red.png\nnorm -bm 2 red.png\n";
-  const std::string obj = "mtllib m.mtl\no a\n" + square_vertices + "vn 0 0 1\n" + textured +
+  const std::string obj = "mtllib m.mtl\no a\n" + square_vertices + "vn 0 0 1\n" + textured_face +
                           "g b\nusemtl n\nf -4/1/1 -3/2/1 -2/3/1 -1/-1/-1\nf 1 2 3 4 1 2 3 4\n";
   const std::string alphabet = "0123456789-+.e/\\ \n\t\r\"#vfnotmKu\xFF";
   Pcg32 random(3);
