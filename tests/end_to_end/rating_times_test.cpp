@@ -75,7 +75,7 @@ class RatingTimes : public StudyRun {
   }
 
   static bool is_black_at_left(const RgbImage& page) {
-    for (int y = page.height / 4; y < page.height * 3 / 4; ++y) {
+    for (int y = page.height / 4; y < page.height / 2; ++y) {  // above the question
       const Rgb& pixel = page.at(2, y);
       if (pixel.r + pixel.g + pixel.b > 0.0F) {
         return false;

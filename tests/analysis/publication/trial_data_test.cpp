@@ -211,18 +211,20 @@ TEST(TrialData, AnswersOfSessionsThatAreNotAnalysedSayWhy) {
 TEST(TrialData, EveryAnswerHasARowWithTheProtocolsLabel) {
   const std::vector<CsvRow> rows = answer_rows(study_with_forms());
   ASSERT_EQ(rows.size(), 5U);
-  EXPECT_THAT(rows[0], ElementsAre("participant", "session_state", "status", "status_reason",
-                                   "questionnaire", "step", "question", "number", "text",
-                                   "question_text", "scale", "participant_kind", "record"));
+  EXPECT_THAT(rows[0],
+              ElementsAre("participant", "session_state", "status", "status_reason",
+                          "questionnaire", "step", "question", "number", "text", "question_text",
+                          "scale", "response_s", "participant_kind", "record"));
   EXPECT_THAT(rows[1], ElementsAre("P1", "completed", "analysed", "", "mood", "0", "ease", "2",
-                                   "yes", "At ease?", "1 no to 2 yes", "human", "none"));
-  EXPECT_THAT(rows[2], ElementsAre("P1", "completed", "analysed", "", "mood", "4", "remarks", "",
-                                   "none, \"really\"", "Remarks?", "in words", "human", "none"));
+                                   "yes", "At ease?", "1 no to 2 yes", "", "human", "none"));
+  EXPECT_THAT(rows[2],
+              ElementsAre("P1", "completed", "analysed", "", "mood", "4", "remarks", "",
+                          "none, \"really\"", "Remarks?", "in words", "", "human", "none"));
   EXPECT_THAT(rows[3],
               ElementsAre("P2", "completed", "analysed", "", "mood", "0", "noise", "0.5",
-                          "a little", "Noise?", "0.5 (a little), 2 (much)", "human", "none"));
+                          "a little", "Noise?", "0.5 (a little), 2 (much)", "", "human", "none"));
   EXPECT_THAT(rows[4], ElementsAre("P2", "completed", "analysed", "", "unknown", "0", "thing", "7",
-                                   "", "", "", "human", "none"));
+                                   "", "", "", "", "human", "none"));
 }
 
 TEST(TrialData, QuestionsInNumbersAreDescribed) {

@@ -1,5 +1,6 @@
 #include "renderer/base/progress.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string>

@@ -20,8 +20,7 @@ inline FoundDisplay found_monitor() {
   return {.window_px = {1280, 720},
           .monitor_px = {1920, 1080},
           .monitor_width_m = 0.53,
-          .refresh_rate_hz = 59.9,
-          .is_refresh_measured = true};
+          .refresh_rate_hz = 59.9};
 }
 
 inline Preflight good_preflight() {
