@@ -43,6 +43,12 @@ GLFWmonitor* monitor_of(int number) {
   return monitors[static_cast<std::size_t>(number)];
 }
 
+/// All 0 of a monitor that is gone before GLFW has noticed.
+GLFWvidmode mode_of(GLFWmonitor* monitor) {
+  const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+  return mode != nullptr ? *mode : GLFWvidmode{};
+}
+
 }  // namespace
 
 /// GLFW itself, for as long as there is a window.
@@ -135,9 +141,9 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   GLFWmonitor* const monitor = settings.monitor ? monitor_of(*settings.monitor) : nullptr;
   IVec2 size = settings.size;
   if (monitor != nullptr) {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    size = {mode->width, mode->height};
-    glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
+    const GLFWvidmode mode = mode_of(monitor);
+    size = {mode.width, mode.height};
+    glfwWindowHint(GLFW_REFRESH_RATE, mode.refreshRate);
   }
   window_ = glfwCreateWindow(size.x, size.y, settings.title.c_str(), monitor, nullptr);
   if (window_ == nullptr) {
@@ -174,13 +180,13 @@ Window::~Window() {
 std::vector<MonitorInfo> Window::monitors() const {
   std::vector<MonitorInfo> list;
   for (GLFWmonitor* const monitor : glfw_monitors()) {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    const GLFWvidmode mode = mode_of(monitor);
     int width_mm = 0;
     glfwGetMonitorPhysicalSize(monitor, &width_mm, nullptr);
     list.push_back({.name = glfwGetMonitorName(monitor),
-                    .size_px = {mode->width, mode->height},
+                    .size_px = {mode.width, mode.height},
                     .width_m = 1e-3 * width_mm,
-                    .refresh_rate_hz = static_cast<double>(mode->refreshRate)});
+                    .refresh_rate_hz = static_cast<double>(mode.refreshRate)});
   }
   return list;
 }
@@ -287,8 +293,8 @@ void Window::enter_full_screen(GLFWmonitor* monitor) {
   }
   glfwGetWindowPos(window_, &restored_position_.x, &restored_position_.y);
   glfwGetWindowSize(window_, &restored_size_.x, &restored_size_.y);
-  const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  const GLFWvidmode mode = mode_of(monitor);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode.width, mode.height, mode.refreshRate);
 }
 
 GLFWmonitor* Window::monitor_below() const {
@@ -300,9 +306,9 @@ GLFWmonitor* Window::monitor_below() const {
   for (GLFWmonitor* const monitor : glfw_monitors()) {
     IVec2 corner(0);
     glfwGetMonitorPos(monitor, &corner.x, &corner.y);
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    const GLFWvidmode mode = mode_of(monitor);
     const IVec2 place = middle - corner;
-    if (place.x >= 0 && place.y >= 0 && place.x < mode->width && place.y < mode->height) {
+    if (place.x >= 0 && place.y >= 0 && place.x < mode.width && place.y < mode.height) {
       return monitor;
     }
   }
@@ -323,8 +329,8 @@ void Window::find_place() {
     glfwGetMonitorPos(monitor, &corner.x, &corner.y);
     glfwGetWindowPos(window_, &position.x, &position.y);
     glfwGetWindowSize(window_, &size.x, &size.y);
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    const IVec2 monitor_px(mode->width, mode->height);
+    const GLFWvidmode mode = mode_of(monitor);
+    const IVec2 monitor_px(mode.width, mode.height);
     if (glfw_monitors().size() == 1 || (position == corner && size == monitor_px)) {
       place = WindowPlace{
           .monitor_px = monitor_px,
@@ -346,8 +352,10 @@ void Window::stay_on_a_monitor() {
   IVec2 size(0);
   glfwGetMonitorPos(left, &corner.x, &corner.y);
   glfwGetWindowSize(window_, &size.x, &size.y);
-  const GLFWvidmode* mode = glfwGetVideoMode(left);
-  glfwSetWindowSize(window_, std::min(size.x, mode->width), std::min(size.y, mode->height));
+  const GLFWvidmode mode = mode_of(left);
+  if (mode.width > 0) {
+    glfwSetWindowSize(window_, std::min(size.x, mode.width), std::min(size.y, mode.height));
+  }
   glfwSetWindowPos(window_, corner.x, corner.y);
 }
 
