@@ -97,6 +97,23 @@ std::string gaze_in_words(const Dataset& set, const study::DataQualityRecords& q
                                            gaze_sources_in_words(sources));
 }
 
+/// What people's sessions ran on, as they recorded it, but for speeds, which are of the moment.
+std::string setup_in_words(const Dataset& set, const study::DataQualityRecords& quality) {
+  std::vector<study::SessionSetup> analysed;
+  std::ranges::copy_if(quality.setups, std::back_inserter(analysed),
+                       [&](const study::SessionSetup& session) {
+                         return session.kind != "simulated" &&
+                                std::ranges::binary_search(set.participants, session.participant);
+                       });
+  std::vector<std::string> facts;
+  for (const study::SetupSummary& fact : study::summarize_setups(analysed)) {
+    if (fact.part != study::SetupPart::speed && fact.part != study::SetupPart::refreshes) {
+      facts.push_back(fact.name + (fact.varies ? " (" + fact.words + ")" : " " + fact.words));
+    }
+  }
+  return facts.empty() ? "" : fmt::format(" Sessions ran with {}.", fmt::join(facts, "; "));
+}
+
 /// The programs that ran the analysed sessions, and whether they differed.
 std::string programs_in_words(const Dataset& set, const study::StudyRecords& records) {
   std::vector<study::SessionPrograms> analysed;
@@ -160,8 +177,7 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
           "a cumulative link mixed model with random effects of participants{} and of their "
           "differences between the methods, its P by the likelihood ratio and its interval by the "
           "profile likelihood, scaled as the standard error of a balanced linear model of the "
-          "latent "
-          "variable is",
+          "latent variable is",
           comparisons.plan.scenes == study::SceneEffects::random ? ", of scenes" : ""));
   add(AnalysisKind::signed_ranks,
       "Wilcoxon’s signed-rank test of the participants’ means, with Hodges and Lehmann’s estimate "
@@ -330,8 +346,8 @@ std::string methods_paragraph(const StudyTables& tables, const Comparisons& comp
   return text + measures_in_words(tables.set) + orders_in_words(records.protocol) +
          other_trials_in_words(records.protocol) + questionnaires_in_words(records.protocol) +
          apparatus_in_words(records) + gaze_in_words(tables.set, quality) +
-         programs_in_words(tables.set, records) + amendments_in_words(tables) +
-         exclusions_in_words(tables) + gaps_in_words(tables.set) +
+         setup_in_words(tables.set, quality) + programs_in_words(tables.set, records) +
+         amendments_in_words(tables) + exclusions_in_words(tables) + gaps_in_words(tables.set) +
          missing_ratings_in_words(tables.set) + analysis_in_words(tables, comparisons) +
          other_analyses_in_words(comparisons);
 }

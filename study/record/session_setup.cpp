@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Fact {
+struct SetupFact {
   const char* name;
   const char* place;  ///< in the devices' JSON
   SetupPart part = SetupPart::other;
@@ -32,32 +32,33 @@ constexpr double rate_tolerance = 0.05;
 constexpr double speed_tolerance = 0.5;
 constexpr double angle_tolerance = 0.001;
 
-constexpr std::array facts{
-    Fact{"display profile", "/display/profile", SetupPart::display},
-    Fact{"pixels", "/display/framebuffer", SetupPart::display},
-    Fact{"horizontal degrees", "/display/horizontal_fov_deg", SetupPart::display, angle_tolerance},
-    Fact{"vertical degrees", "/display/vertical_fov_deg", SetupPart::display, angle_tolerance},
-    Fact{"display size in mm", "/display/size_mm", SetupPart::display},
-    Fact{"viewing distance in mm", "/display/distance_mm", SetupPart::display},
-    Fact{"full screen", "/preflight/full_screen"},
-    Fact{"frame rate in Hz", "/display/refresh_rate_hz", SetupPart::other, rate_tolerance},
-    Fact{"frame rate measured", "/display/refresh_is_measured", SetupPart::refreshes},
-    Fact{"graphics", "/display/graphics", SetupPart::machine},
-    Fact{"processor", "/machine/processor", SetupPart::machine},
-    Fact{"threads", "/machine/threads", SetupPart::machine},
-    Fact{"instruction set", "/renderer/instruction_set", SetupPart::machine},
-    Fact{"ray instructions", "/renderer/ray_instructions", SetupPart::machine},
-    Fact{"samples a second", "/speed", SetupPart::speed, speed_tolerance},
-    Fact{"program", "/machine/program", SetupPart::program},
-    Fact{"commit", "/machine/commit"},
-    Fact{"film", "/preflight/film_px"},
-    Fact{"tracker", "/tracker/profile"},
-    Fact{"gaze filter", "/tracker/filter"},
-    Fact{"source of key times", "/keys/time_source"},
+constexpr std::array setup_facts{
+    SetupFact{"display profile", "/display/profile", SetupPart::display},
+    SetupFact{"pixels", "/display/framebuffer", SetupPart::display},
+    SetupFact{"horizontal degrees", "/display/horizontal_fov_deg", SetupPart::display,
+              angle_tolerance},
+    SetupFact{"vertical degrees", "/display/vertical_fov_deg", SetupPart::display, angle_tolerance},
+    SetupFact{"display size in mm", "/display/size_mm", SetupPart::display},
+    SetupFact{"viewing distance in mm", "/display/distance_mm", SetupPart::display},
+    SetupFact{"full screen", "/preflight/full_screen"},
+    SetupFact{"frame rate in Hz", "/display/refresh_rate_hz", SetupPart::other, rate_tolerance},
+    SetupFact{"frame rate measured", "/display/refresh_is_measured", SetupPart::refreshes},
+    SetupFact{"graphics", "/display/graphics", SetupPart::machine},
+    SetupFact{"processor", "/machine/processor", SetupPart::machine},
+    SetupFact{"threads", "/machine/threads", SetupPart::machine},
+    SetupFact{"instruction set", "/renderer/instruction_set", SetupPart::machine},
+    SetupFact{"ray instructions", "/renderer/ray_instructions", SetupPart::machine},
+    SetupFact{"samples a second", "/speed", SetupPart::speed, speed_tolerance},
+    SetupFact{"program", "/machine/program", SetupPart::program},
+    SetupFact{"commit", "/machine/commit"},
+    SetupFact{"film", "/preflight/film_px"},
+    SetupFact{"tracker", "/tracker/profile"},
+    SetupFact{"gaze filter", "/tracker/filter"},
+    SetupFact{"source of key times", "/keys/time_source"},
 };
 
 /// The geometric mean over scenes and methods; null if none was measured.
-Json speed_in(const Json& devices) {
+Json mean_speed_in(const Json& devices) {
   double sum = 0.0;
   int count = 0;
   for (const Json& speed : member(member(devices, "preflight"), "speeds")) {
@@ -74,15 +75,15 @@ Json speed_in(const Json& devices) {
 std::vector<Json> values_in(const std::string& devices) {
   Json json = json_in(devices);
   if (!json.is_object()) {
-    return std::vector<Json>(facts.size());
+    return std::vector<Json>(setup_facts.size());
   }
-  json["speed"] = speed_in(json);
+  json["speed"] = mean_speed_in(json);
   if (json.contains("tracker") && json["tracker"].is_object() &&
       !json["tracker"].contains("filter")) {
     json["tracker"]["filter"] = "none";
   }
   std::vector<Json> values;
-  for (const Fact& fact : facts) {
+  for (const SetupFact& fact : setup_facts) {
     const Json::json_pointer place(fact.place);
     values.push_back(json.contains(place) ? json.at(place) : Json());
   }
@@ -138,9 +139,11 @@ std::vector<SetupDifference> setup_differences(const std::string& before, const 
   const std::vector<Json> was = values_in(before);
   const std::vector<Json> is = values_in(now);
   std::vector<SetupDifference> differences;
-  for (std::size_t i = 0; i < facts.size(); ++i) {
-    if (!was[i].is_null() && !is[i].is_null() && !is_same(was[i], is[i], facts[i].tolerance)) {
-      differences.push_back({facts[i].name, facts[i].part, in_words(was[i]), in_words(is[i])});
+  for (std::size_t i = 0; i < setup_facts.size(); ++i) {
+    if (!was[i].is_null() && !is[i].is_null() &&
+        !is_same(was[i], is[i], setup_facts[i].tolerance)) {
+      differences.push_back(
+          {setup_facts[i].name, setup_facts[i].part, in_words(was[i]), in_words(is[i])});
     }
   }
   return differences;
@@ -176,17 +179,17 @@ std::vector<SessionSetup> read_session_setups(const std::filesystem::path& path)
   return sessions;
 }
 
-std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions) {
-  std::array<std::vector<FoundValue>, facts.size()> found;
+std::vector<SetupSummary> summarize_setups(const std::vector<SessionSetup>& sessions) {
+  std::array<std::vector<FoundValue>, setup_facts.size()> found;
   for (const SessionSetup& session : sessions) {
     for (const std::string& devices : session.devices) {
       const std::vector<Json> values = values_in(devices);
-      for (std::size_t i = 0; i < facts.size(); ++i) {
-        if (values[i].is_null() || facts[i].part == SetupPart::program) {
+      for (std::size_t i = 0; i < setup_facts.size(); ++i) {
+        if (values[i].is_null() || setup_facts[i].part == SetupPart::program) {
           continue;
         }
         auto known = std::ranges::find_if(found[i], [&](const FoundValue& value) {
-          return is_same(value.value, values[i], facts[i].tolerance);
+          return is_same(value.value, values[i], setup_facts[i].tolerance);
         });
         if (known == found[i].end()) {
           known = found[i].insert(known, FoundValue{values[i], {}});
@@ -197,15 +200,29 @@ std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions
       }
     }
   }
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < facts.size(); ++i) {
+  std::vector<SetupSummary> summaries;
+  for (std::size_t i = 0; i < setup_facts.size(); ++i) {
+    const bool varies = found[i].size() > 1;
     std::vector<std::string> values;
     for (const FoundValue& value : found[i]) {
-      values.push_back(
-          fmt::format("{} in {}", in_words(value.value), fmt::join(value.participants, ", ")));
+      values.push_back(in_words(value.value) +
+                       (varies ? fmt::format(" in {}", fmt::join(value.participants, ", ")) : ""));
     }
-    if (values.size() > 1) {
-      lines.push_back(fmt::format("{}: {}", facts[i].name, fmt::join(values, "; ")));
+    if (!values.empty()) {
+      summaries.push_back({.name = setup_facts[i].name,
+                           .part = setup_facts[i].part,
+                           .varies = varies,
+                           .words = fmt::format("{}", fmt::join(values, "; "))});
+    }
+  }
+  return summaries;
+}
+
+std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions) {
+  std::vector<std::string> lines;
+  for (const SetupSummary& summary : summarize_setups(sessions)) {
+    if (summary.varies) {
+      lines.push_back(fmt::format("{}: {}", summary.name, summary.words));
     }
   }
   return lines;

@@ -40,6 +40,17 @@ std::vector<SessionSetup> session_setups(SQLite::Database& study);
 /// The same of a study's file. Throws Error.
 std::vector<SessionSetup> read_session_setups(const std::filesystem::path& path);
 
+/// A fact of several sessions' set-ups.
+struct SetupSummary {
+  std::string name;  ///< "pixels"
+  SetupPart part = SetupPart::other;
+  bool varies = false;  ///< between the sessions or within one
+  std::string words;    ///< "640 x 480", or "640 x 480 in P1, P2; 1280 x 720 in P3" if it varies
+};
+
+/// Each fact but the program that any of these sessions recorded.
+std::vector<SetupSummary> summarize_setups(const std::vector<SessionSetup>& sessions);
+
 /// A line for each fact but the program that differs between these sessions or within one: "pixels:
 /// 640 x 480 in P1, P2; 1280 x 720 in P3".
 std::vector<std::string> varying_setup(const std::vector<SessionSetup>& sessions);

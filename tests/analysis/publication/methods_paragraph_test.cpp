@@ -58,6 +58,24 @@ TEST(MethodsParagraph, SaysWhereTheGazeCameFromAndWhereSessionsDiffer) {
                               "session.")));
 }
 
+TEST(MethodsParagraph, SaysWhatSessionsRanOnAsTheyRecordedIt) {
+  const study::StudyRecords records = complete_study(2);
+  const std::string devices =
+      R"({"display": {"framebuffer": [1280, 720], "horizontal_fov_deg": 48.0,
+          "distance_mm": 600, "refresh_rate_hz": 60.0}, "machine": {"processor": "A"},
+          "preflight": {"speeds": [{"samples_per_second": 1e6}]}})";
+  study::DataQualityRecords quality;
+  quality.setups = {{"P1", "human", {devices}}, {"P2", "human", {devices}}};
+  EXPECT_THAT(paragraph(records, quality),
+              HasSubstr(" Sessions ran with pixels 1280 x 720; horizontal degrees 48; viewing "
+                        "distance in mm 600; frame rate in Hz 60; processor A."));
+  quality.setups[1].devices = {R"({"machine": {"processor": "B"}})"};
+  EXPECT_THAT(paragraph(records, quality), HasSubstr("; processor (A in P1; B in P2)."));
+  // Nobody saw what a simulation ran on.
+  quality.setups = {{"P1", "simulated", {devices}}};
+  EXPECT_THAT(paragraph(records, quality), Not(HasSubstr("Sessions ran with")));
+}
+
 TEST(MethodsParagraph, LeavesOutWhatItDoesNotSay) {
   const std::string text = paragraph(complete_study(1));
   EXPECT_THAT(text, HasSubstr("1 participant saw"));
