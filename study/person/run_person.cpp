@@ -1,7 +1,6 @@
 #include "study/person/run_person.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <memory>
 #include <random>
@@ -9,13 +8,11 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <strings.h>
 #include <unistd.h>
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
 #include "renderer/commands/live_display.h"
 #include "renderer/commands/live_window.h"
 #include "study/console/console_words.h"
@@ -24,17 +21,16 @@
 #include "study/console/terminal.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/changed_setup.h"
-#include "study/person/consent_receipt.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
 #include "study/person/preflight_measurement.h"
 #include "study/person/run_equipment.h"
+#include "study/person/session_copies.h"
 #include "study/person/session_window.h"
 #include "study/person/words.h"
 #include "study/preflight/preflight_checks.h"
 #include "study/preflight/system_state.h"
 #include "study/record/clock_steps.h"
-#include "study/record/maintenance.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_devices.h"
 #include "study/record/session_programs.h"
@@ -92,13 +88,6 @@ SessionState once_resumed(SessionState state) {
     state.phase = state.resumes_at;
   }
   return state;
-}
-
-/// Codes are of ASCII.
-std::string in_small_letters(std::string code) {
-  std::transform(code.begin(), code.end(), code.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return code;
 }
 
 /// The session counts with its pictures or without: it goes on to its backup.
@@ -250,7 +239,7 @@ class PersonRun {
     for (const KnownSession& session : store_.sessions()) {
       const std::string& known = session.participant;
       if (known != settings_.participant &&
-          in_small_letters(known) == in_small_letters(settings_.participant)) {
+          ::strcasecmp(known.c_str(), settings_.participant.c_str()) == 0) {
         console_->say(
             fmt::format("WARNING: {} is another participant than {}, who is in this study.",
                         settings_.participant, known));
@@ -261,7 +250,10 @@ class PersonRun {
   /// The experimenter's screen covers what was said so far.
   void wait_for_confirmation(SessionDisplay& display, const std::stop_token& stop) {
     console_->say("Press Enter here to begin. Ctrl+C ends the program, and nothing is begun.");
-    for (LineReader reader(STDIN_FILENO); reader.take().empty();) {
+    const auto is_confirmed = [](const std::vector<std::string>& lines) {
+      return std::ranges::find(lines, "") != lines.end();
+    };
+    for (LineReader reader(STDIN_FILENO); !is_confirmed(reader.take());) {
       if (stop.stop_requested()) {
         throw Error("preflight", "was stopped", "nothing was begun or recorded");
       }
@@ -416,53 +408,6 @@ std::string how_to_go_on(const RunSettings& settings, const StudyStore& store) {
                    settings.participant, store.record_file().string())
              : fmt::format("what {} did up to then is in {}: give the same command with --resume",
                            settings.participant, settings.database.string());
-}
-
-void write_receipt(const RunSettings& settings, const StudyStore& store) {
-  if (!settings.receipt) {
-    return;
-  }
-  for (const KnownSession& session : store.sessions()) {
-    if (session.participant == settings.participant) {
-      if (const auto receipt = consent_receipt(store.protocol_text(), settings.participant,
-                                               store.events_of(session.id))) {
-        write_file(*settings.receipt, *receipt, FileAccess::own);
-      }
-    }
-  }
-}
-
-/// In the backup_folder. The session counts with the copy or without: it goes on to its backup.
-fs::path copy_if_asked(const StudyStore& store, const RunSettings& settings) {
-  if (!settings.backup_folder) {
-    return {};
-  }
-  try {
-    fs::path copy = new_backup_in(*settings.backup_folder, settings.database);
-    store.back_up(copy);
-    return copy;
-  } catch (const std::exception& fault) {
-    print_text(stderr, "foveola: warning: {}\n",
-               printable(fmt::format("{}: got no copy of {} ({}); make one with foveola study "
-                                     "backup --to once that is mended",
-                                     settings.backup_folder->string(), settings.database.string(),
-                                     fault.what())));
-    return {};
-  }
-}
-
-/// Throws Error, which says that the session itself is safe, if there can be none.
-fs::path back_up(const StudyStore& store, const RunSettings& settings) {
-  fs::path backup;
-  try {
-    backup = new_backup(settings.database);
-    store.back_up(backup);
-  } catch (const std::exception& fault) {
-    throw Error(fmt::format("all that {} did is in {}, but its backup failed", settings.participant,
-                            settings.database.string()),
-                fault.what(), "make one with foveola study backup once that is mended");
-  }
-  return backup;
 }
 
 }  // namespace

@@ -332,8 +332,7 @@ std::string preflight_banner(const Preflight& preflight, bool is_pilot) {
       stands_in_for_headset(preflight.display, preflight.found_display);
   if (std::string(eye_of(preflight.tracker.source)) != "tracked") {
     lines.push_back(eye_line(preflight.tracker));
-  }
-  if (std::string(eye_of(preflight.tracker.source)) == "tracked" && preflight.gaze.samples == 0) {
+  } else if (preflight.gaze.samples == 0) {
     lines.push_back(
         upper_case(fmt::format("the eye tracker {} does not answer", preflight.tracker.name)));
     if (!preflight.gaze.status.empty()) {
