@@ -195,8 +195,8 @@ PrintedTable printed_equivalence(const Comparisons& comparisons) {
   table.title = "Equivalence.";
   table.note = fmt::format(
       "Two one-sided tests of the primary analysis against the protocol’s margins, or the reason "
-      "why "
-      "it has none. The difference is too small to matter where P is below {0:g}; where P is not "
+      "why it has none. The difference is too small to matter where P is below {0:g}; where P is "
+      "not "
       "adjusted, the {1:g} % interval of a t test then lies within the margins. P of the planned "
       "comparisons is adjusted by Holm’s method over those with a margin, a family of their own; "
       "exploratory ones are not adjusted.",
@@ -258,10 +258,8 @@ PrintedTable printed_order_effects(const Comparisons& comparisons) {
   table.note =
       "Change with each step, with 95 % interval over participants; the means of participants, "
       "scenes and methods are subtracted first. Carry-over, where every method follows every "
-      "other: "
-      "“fv after od” is the change of fv right after od in a scene, against fv after the others. P "
-      "is "
-      "not adjusted.";
+      "other: “fv after od” is the change of fv right after od in a scene, against fv after the "
+      "others. P is not adjusted.";
   table.note = joined(table.note, comparisons.censored_times);
   table.columns = {"Measure, per", "n", "change [95 %]", "t (df)", "P", "d_z"};
   for (const OrderTest& row : comparisons.order) {

@@ -20,8 +20,7 @@ std::string background_in_words(const Background& background) {
   }
   return fmt::format(
       "Background is the mean of the answers to {}, as the protocol states. Its correlation with "
-      "the "
-      "speed-up in the first planned comparison of times is the only one that is tested.",
+      "the speed-up in the first planned comparison of times is the only one that is tested.",
       listed(background.scale));
 }
 

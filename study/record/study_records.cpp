@@ -100,9 +100,8 @@ SessionIndices read_sessions(SQLite::Database& database, WithdrawnSessions withd
       database,
       "SELECT id, participant, kind, state, design_row,"
       " coalesce((SELECT payload ->> 'reason' FROM event WHERE event.session = session.id"
-      "  AND type = 'excluded' AND state = 'excluded' ORDER BY sequence DESC LIMIT 1), '') AS "
-      "reason"
-      " FROM session ORDER BY id");
+      "  AND type = 'excluded' AND state = 'excluded' ORDER BY sequence DESC LIMIT 1), '')"
+      " AS reason FROM session ORDER BY id");
   while (rows.executeStep()) {
     const std::string state = rows.getColumn("state").getString();
     if (state != "withdrawn" || withdrawn == WithdrawnSessions::with_data) {
