@@ -39,7 +39,7 @@
 #include "renderer/commands/scene_sheet.h"
 #include "renderer/commands/tracker_commands.h"
 #include "renderer/commands/typed_command.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/commands.h"
 #include "scenes/descriptor_text.h"
 #include "scenes/find_scene.h"

@@ -1,8 +1,6 @@
 #include "scenes/commands.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,17 +13,15 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/similar_word.h"
 #include "renderer/base/utf8.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/descriptor.h"
 #include "scenes/descriptor_search.h"
 #include "scenes/fetch.h"
@@ -45,12 +41,6 @@ struct State {
   std::vector<std::string> obstacles;  ///< to finding a missing one: see FileSearch
 };
 
-State state_of_builtin(const std::string& name) {
-  const fs::path file = cached_builtin(name);
-  std::error_code missing;
-  return {"built-in", fs::exists(file, missing) ? file.string() : std::string(), {}};
-}
-
 /// The file of a user's descriptor, which lies in its folder.
 FileSearch search_own_folder(const Descriptor& descriptor) {
   fs::path file = descriptor.path.parent_path() / descriptor.file_name;
@@ -60,7 +50,7 @@ FileSearch search_own_folder(const Descriptor& descriptor) {
 
 State state_of(const Descriptor& descriptor) {
   if (descriptor.is_builtin) {
-    return state_of_builtin(descriptor.name);
+    return {"built-in", builtin_file(descriptor.name).string(), {}};
   }
   const bool is_own = !is_programs_own(descriptor);
   FileSearch search =
@@ -106,9 +96,6 @@ std::string origin_of(const Descriptor& descriptor) {
 
 /// What a person needs to know of the file, on one line; empty if there is nothing.
 std::string place_of(const Descriptor& descriptor, const State& state) {
-  if (descriptor.is_builtin) {
-    return state.file.empty() ? "made when it is first used" : state.file;
-  }
   std::string place = state.file.empty()
                           ? fmt::format("{}: {}", descriptor.file_name, origin_of(descriptor))
                           : state.file;
@@ -190,66 +177,6 @@ void add_list(CLI::App& app) {
   command->callback([as_json] { list_scenes(*as_json); });
 }
 
-/// The command line of `make`, as typed.
-struct MakeArguments {
-  std::vector<std::string> names;
-  std::string folder;
-  std::uint32_t seed = default_seed;
-};
-
-/// A variant keeps the name that it has in the cache wherever it goes, and is known by it.
-fs::path place_to_make(const std::string& name, const MakeArguments& arguments) {
-  const fs::path cached = cached_builtin(name, arguments.seed);
-  if (arguments.folder.empty()) {
-    return cached;
-  }
-  const bool is_variant = arguments.seed != default_seed;
-  return fs::path(arguments.folder) / (is_variant ? cached.filename() : fs::path(name + ".glb"));
-}
-
-void make_scene(const std::string& name, const MakeArguments& arguments) {
-  const fs::path file = place_to_make(name, arguments);
-  const auto start = std::chrono::steady_clock::now();
-  const std::size_t triangles = write_builtin(name, file, arguments.seed);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  print_text("{}  {} triangles  {:.2f} s  sha256 {}\n", file.string(), triangles, elapsed.count(),
-             sha256_of_file(file));
-}
-
-/// As CLI11 wants it: what is wrong with the name, or nothing.
-std::string check_builtin_name(const std::string& name) {
-  const std::vector<std::string> names = builtin_names();
-  return std::find(names.begin(), names.end(), name) != names.end()
-             ? ""
-             : fmt::format(
-                   "no built-in scene is called '{}'; {}", name,
-                   did_you_mean(name, names, fmt::format("there are {}", fmt::join(names, ", "))));
-}
-
-void add_make(CLI::App& app, const std::stop_token& stop) {
-  const auto arguments = std::make_shared<MakeArguments>();
-  CLI::App* command = app.add_subcommand("make", "Make built-in scenes as .glb files");
-  command->add_option("NAME", arguments->names, "The scenes to make (default: all)")
-      ->check(check_builtin_name, fmt::format("{{{}}}", fmt::join(builtin_names(), ",")));
-  command->add_option("-o,--output", arguments->folder,
-                      "The folder to put them in (default: the cache)");
-  command
-      ->add_option(
-          "--seed", arguments->seed,
-          "Makes a variant with other stones, cloths and leaves in the same places; its file "
-          "has the seed in its name")
-      ->capture_default_str();
-  command->footer("Example: foveola scene make arcade -o scenes/");
-  command->callback([arguments, stop] {
-    for (const std::string& name : arguments->names.empty() ? builtin_names() : arguments->names) {
-      if (stop.stop_requested()) {
-        return;
-      }
-      make_scene(name, *arguments);
-    }
-  });
-}
-
 /// The descriptor of a file, or of a name, the user's before the program's. Throws Error if there
 /// is none that has a file.
 Descriptor real_scene(const std::string& name) {
@@ -261,7 +188,7 @@ Descriptor real_scene(const std::string& name) {
                 did_you_mean(name, known_scene_names(), "see 'foveola scene list'"));
   }
   if (descriptor->is_builtin) {
-    throw Error(name, "is built in", fmt::format("make it with 'foveola scene make {}'", name));
+    throw Error(name, "is built in", "use it by its name");
   }
   return *descriptor;
 }
@@ -326,11 +253,9 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
 }  // namespace
 
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop) {
-  CLI::App* scene =
-      app.add_subcommand("scene", "List, make or download scenes, and see what is in them");
+  CLI::App* scene = app.add_subcommand("scene", "List or download scenes, and see what is in them");
   scene->require_subcommand(1);
   add_list(*scene);
-  add_make(*scene, stop);
   add_fetch(*scene, stop);
   return *scene;
 }

@@ -1,4 +1,4 @@
-// The scenes' part of the command line: scene list, make, fetch.
+// The scenes' part of the command line: scene list and scene fetch.
 #pragma once
 
 #include <stop_token>
@@ -9,8 +9,8 @@ class App;
 
 namespace foveola::scenes {
 
-/// Adds `scene list`, `scene make` and `scene fetch` to `app`; see add_renderer_commands. Returns
-/// the command `scene`, for modules that have more to say of one.
+/// Adds `scene list` and `scene fetch` to `app`; see add_renderer_commands. Returns the
+/// command `scene`, for modules that have more to say of one.
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop);
 
 }  // namespace foveola::scenes

@@ -15,7 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
@@ -34,11 +34,6 @@ bool is_axis(const Vec3& v) {
 
 bool is_digest(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
-bool is_builtin_name(const std::string& name) {
-  const std::vector<std::string> names = builtin_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Without any folder: nobody can be made to read or write elsewhere.
@@ -273,11 +268,11 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
 void require_known_builtins(const TomlReader& table, const Descriptor& descriptor) {
   if (descriptor.is_builtin && !is_builtin_name(descriptor.name)) {
     table.fail(table.source("builtin"), "no built-in scene is called " + descriptor.name,
-               "see 'foveola scene make --help'");
+               "see 'foveola scene list'");
   }
   if (!descriptor.counterpart.empty() && !is_builtin_name(descriptor.counterpart)) {
     table.fail(table.source("counterpart"), "no built-in scene is called " + descriptor.counterpart,
-               "see 'foveola scene make --help'");
+               "see 'foveola scene list'");
   }
 }
 

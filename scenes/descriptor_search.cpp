@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/toml_file.h"
+#include "scenes/builtin.h"
 #include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
@@ -14,6 +15,11 @@ namespace foveola::scenes {
 namespace {
 
 fs::path programs_folder() { return resource_folder() / "scenes"; }
+
+/// Where the program's descriptor `name` lies.
+fs::path folder_of(const std::string& name) {
+  return is_builtin_name(name) ? builtin_folder(name) : programs_folder();
+}
 
 /// NAME.toml in `folder`, if there is one, or if nobody may look.
 std::optional<fs::path> named_file(const fs::path& folder, const std::string& name) {
@@ -33,11 +39,16 @@ std::optional<Descriptor> find_among(const fs::path& folder, const std::string& 
   return file ? std::optional(read_descriptor(*file)) : std::nullopt;
 }
 
-DescriptorList descriptors_of(const fs::path& folder, const std::vector<std::string>& names) {
+void append(std::vector<std::string>& names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+}
+
+template <typename FolderOf>
+DescriptorList read_descriptors(const std::vector<std::string>& names, const FolderOf& folder_of) {
   DescriptorList list;
   for (const std::string& name : names) {
     try {
-      list.descriptors.push_back(read_descriptor(folder / (name + ".toml")));
+      list.descriptors.push_back(read_descriptor(folder_of(name) / (name + ".toml")));
     } catch (const Error& fault) {
       list.faults.emplace_back(fault.what());
     }
@@ -61,7 +72,7 @@ bool is_scene_name(const std::string& text) {
 }
 
 std::optional<Descriptor> find_descriptor(const std::string& name) {
-  return find_among(programs_folder(), name);
+  return find_among(folder_of(name), name);
 }
 
 std::optional<Descriptor> find_users_descriptor(const std::string& name) {
@@ -81,21 +92,26 @@ std::optional<Descriptor> descriptor_beside(const fs::path& scene_file) {
 
 bool is_programs_own(const Descriptor& descriptor) {
   std::error_code ignored;
-  return fs::equivalent(fs::absolute(descriptor.path).parent_path(), programs_folder(), ignored);
+  return fs::equivalent(fs::absolute(descriptor.path).parent_path(), folder_of(descriptor.name),
+                        ignored);
 }
 
 DescriptorList all_descriptors() {
-  return descriptors_of(programs_folder(), toml_names_in(programs_folder()));
+  std::vector<std::string> names = toml_names_in(programs_folder());
+  append(names, builtin_names());
+  std::sort(names.begin(), names.end());
+  return read_descriptors(names, folder_of);
 }
 
 DescriptorList users_descriptors() {
-  return descriptors_of(fetched_folder(), toml_names_if_any(fetched_folder()));
+  return read_descriptors(toml_names_if_any(fetched_folder()),
+                          [](const std::string&) { return fetched_folder(); });
 }
 
 std::vector<std::string> known_scene_names() {
   std::vector<std::string> names = readable_names_in(programs_folder());
-  const std::vector<std::string> users = readable_names_in(fetched_folder());
-  names.insert(names.end(), users.begin(), users.end());
+  append(names, builtin_names());
+  append(names, readable_names_in(fetched_folder()));
   return names;
 }
 

@@ -2,6 +2,9 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -17,7 +20,6 @@
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "scenes/builtin_files.h"
 #include "scenes/descriptor_search.h"
 #include "scenes/download.h"
 #include "scenes/file_search.h"
@@ -126,10 +128,22 @@ fs::path named_file(const Descriptor& descriptor, const fs::path& file_or_folder
   return file_or_folder;
 }
 
+/// Whether `content` is a .glb that is as long as its header says: not cut off.
+bool is_whole_glb(std::string_view content) {
+  constexpr std::size_t header_bytes = 12;
+  constexpr std::size_t length_offset = 8;
+  if (content.size() < header_bytes || !content.starts_with("glTF")) {
+    return false;
+  }
+  std::uint32_t announced_bytes = 0;
+  std::memcpy(&announced_bytes, content.data() + length_offset, sizeof announced_bytes);
+  return announced_bytes == content.size();
+}
+
 void require_accepted(const Descriptor& descriptor, const fs::path& file,
                       const std::string& content, Accept accept) {
   if (accept == Accept::any_glb) {
-    if (!is_whole_glb(file)) {
+    if (!is_whole_glb(content)) {
       throw Error(file.string(), "is no glTF binary, or is cut off", "export it as .glb");
     }
   } else if (!descriptor.sha256.empty() && sha256(std::string_view(content)) != descriptor.sha256) {

@@ -1,6 +1,5 @@
 #include "scenes/find_scene.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -14,7 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/similar_word.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/descriptor.h"
 #include "scenes/descriptor_search.h"
 #include "scenes/file_search.h"
@@ -59,7 +58,7 @@ SceneSource source_in_own_folder(const Descriptor& descriptor) {
 SceneSource source_of(const Descriptor& descriptor) {
   if (descriptor.is_builtin) {
     SceneSource source = descriptor.source;
-    source.file = require_builtin(descriptor.name);
+    source.file = builtin_file(descriptor.name);
     return source;
   }
   return is_programs_own(descriptor) ? source_of_programs_own(descriptor)
@@ -69,20 +68,9 @@ SceneSource source_of(const Descriptor& descriptor) {
 /// Whether `file` takes the descriptor's viewpoint: a conversion of a real scene under its name, or
 /// a copy of a built-in one. Anybody's church.glb is no copy of ours.
 bool is_meant_by(const Descriptor& descriptor, const fs::path& file) {
-  if (!descriptor.is_builtin) {
-    return file.filename() == descriptor.file_name;
-  }
-  const bool has_its_name = file.filename() == descriptor.name + ".glb" ||
-                            file.filename() == cached_builtin(descriptor.name).filename();
-  return has_its_name && is_described_file(descriptor, file);
-}
-
-/// What its descriptor was written for is another file, but built alike.
-SceneSource variant_of(const Descriptor& descriptor, std::uint32_t seed) {
-  SceneSource source = descriptor.source;
-  source.title += fmt::format(" (seed {})", seed);
-  source.described_sha256.clear();
-  return source;
+  return descriptor.is_builtin ? file.filename() == builtin_file(descriptor.name).filename() &&
+                                     is_described_file(descriptor, file)
+                               : file.filename() == descriptor.file_name;
 }
 
 /// What the program's own descriptors say of the file, if they mean it.
@@ -92,8 +80,6 @@ SceneSource source_by_name_of_file(const fs::path& file) {
   for (const Descriptor& descriptor : all_descriptors().descriptors) {
     if (is_meant_by(descriptor, file)) {
       source = descriptor.source;
-    } else if (const auto seed = variant_seed(descriptor.name, file)) {
-      source = variant_of(descriptor, *seed);
     }
   }
   return source;

@@ -1,4 +1,4 @@
-// Writes binary glTF files: the one place that knows their container, for generators, stress tests
+// Writes binary glTF files: the one place that knows their container, for stress tests
 // and tests alike (glTF 2.0 specification, Khronos 2021, sections 3.6 and 4.4).
 #pragma once
 

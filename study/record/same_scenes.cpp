@@ -13,21 +13,29 @@ namespace foveola::study {
 
 namespace {
 
-Error another_scene(const fs::path& database, const std::string& what) {
+/// What a session of `version` saw. Built-in scenes may change with versions.
+struct SeenScene {
+  std::string file_sha256;
+  std::string shown_as;
+  std::string version;
+};
+
+Error another_scene(const fs::path& database, const SeenScene& seen, const std::string& what) {
   return {database.string(), "its sessions saw " + what,
-          "go on with what they saw, or begin a new database"};
+          fmt::format("continue with what they saw in Foveola {}, or begin a new database",
+                      seen.version)};
 }
 
 /// Throws Error unless a session saw the scene as it is `now`.
-void require_same(const fs::path& database, const ShownScene& now, const std::string& file_sha256,
-                  const std::string& shown_as) {
-  if (file_sha256 != now.sha256) {
-    throw another_scene(database, fmt::format("another file as {} (SHA-256 {}, now {})", now.name,
-                                              file_sha256, now.sha256));
+void require_same(const fs::path& database, const ShownScene& now, const SeenScene& seen) {
+  if (seen.file_sha256 != now.sha256) {
+    throw another_scene(database, seen,
+                        fmt::format("another file as {} (SHA-256 {}, now {})", now.name,
+                                    seen.file_sha256, now.sha256));
   }
-  const std::string other = difference(shown_as, now.shown_as);
+  const std::string other = difference(seen.shown_as, now.shown_as);
   if (!other.empty()) {
-    throw another_scene(database, fmt::format("{} in another way ({})", now.name, other));
+    throw another_scene(database, seen, fmt::format("{} in another way ({})", now.name, other));
   }
 }
 
@@ -37,13 +45,17 @@ void require_same_scenes(const fs::path& database, const std::vector<ShownScene>
   with_clear_errors(database, [&] {
     SQLite::Database study = open_study_to_read(database);
     SQLite::Statement shown(
-        study, "SELECT DISTINCT file_sha256, shown_as FROM session_scene WHERE scene = ?");
+        study,
+        "SELECT DISTINCT file_sha256, shown_as, program_version FROM session_scene "
+        "JOIN session ON session.id = session_scene.session WHERE scene = ?");
     for (const ShownScene& scene : scenes) {
       shown.reset();
       shown.bind(1, scene.name);
       while (shown.executeStep()) {
-        require_same(database, scene, shown.getColumn(0).getString(),
-                     shown.getColumn(1).getString());
+        require_same(database, scene,
+                     {.file_sha256 = shown.getColumn(0).getString(),
+                      .shown_as = shown.getColumn(1).getString(),
+                      .version = shown.getColumn(2).getString()});
       }
     }
   });

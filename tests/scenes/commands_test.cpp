@@ -8,7 +8,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
@@ -18,7 +18,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::Not;
 
 /// Its file has the content "abc" (FIPS 180-4 has the hash).
 const char* const hall = R"(title = "A hall"
@@ -53,7 +52,6 @@ class SceneCommands : public testing::Test {
   TemporaryFolder folder;
 
  private:
-  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", (folder.path() / "cache").string()};
   EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", (folder.path() / "real").string()};
 };
 
@@ -70,8 +68,7 @@ TEST_F(SceneCommands, ListShowsEveryState) {
   const std::string text = output_of("scene list");
   EXPECT_THAT(text, HasSubstr((folder.path() / "real" / "bmw.glb").string()));
   EXPECT_THAT(text, HasSubstr("Arcade"));
-  EXPECT_THAT(text, HasSubstr("made when it is first used"));
-  EXPECT_THAT(text, Not(HasSubstr(cached_builtin("arcade").string())));
+  EXPECT_THAT(text, HasSubstr(builtin_file("arcade").string()));
   EXPECT_THAT(text, HasSubstr("(built-in counterpart: studio-car)"));
 }
 
@@ -140,30 +137,9 @@ TEST_F(SceneCommands, FetchTakesOnesOwnDescriptorByNameAndByFile) {
   EXPECT_EQ(read_file(folder / "mine/hall.glb"), "abc");
 }
 
-TEST_F(SceneCommands, MakeWritesFilesAndPrintsTheirHash) {
-  const std::string text = output_of("scene make studio-car -o " + folder.path().string());
-  const std::filesystem::path file = folder.path() / "studio-car.glb";
-  EXPECT_THAT(text, HasSubstr(file.string()));
-  EXPECT_THAT(text, HasSubstr(sha256_of_file(file)));
-}
-
-TEST_F(SceneCommands, MakeKeepsVariantsApart) {
-  output_of("scene make meeting-room --seed 7 -o " + folder.path().string());
-  output_of("scene make meeting-room --seed 0 -o " + folder.path().string());
-  const std::string variant = cached_builtin("meeting-room", 7).filename();
-  EXPECT_NE(sha256_of_file(folder / variant), sha256_of_file(folder / "meeting-room.glb"));
-  EXPECT_EQ(sha256_of_file(folder / "meeting-room.glb"), find_descriptor("meeting-room")->sha256);
-}
-
-TEST_F(SceneCommands, MakeFillsTheCacheByDefault) {
-  output_of("scene make studio-car");
-  EXPECT_TRUE(std::filesystem::exists(cached_builtin("studio-car")));
-}
-
-TEST_F(SceneCommands, UnknownSceneIsAUsageError) {
+TEST_F(SceneCommands, NoneIsAUsageError) {
   CLI::App app("test", "foveola");
   add_scene_commands(app, {});
-  EXPECT_THROW(app.parse("scene make castle"), CLI::ValidationError);
   EXPECT_THROW(app.parse("scene"), CLI::RequiredError);
 }
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
@@ -300,7 +300,7 @@ TEST(Descriptor, OneThatCannotBeReadDoesNotHideTheOthers) {
   const DescriptorList list = all_descriptors();
   ASSERT_EQ(list.descriptors.size(), 1U);
   EXPECT_EQ(list.descriptors[0].name, "hall");
-  EXPECT_THAT(list.faults, testing::ElementsAre(HasSubstr("broken.toml:1:9")));
+  EXPECT_THAT(list.faults, testing::Contains(HasSubstr("broken.toml:1:9")));
   EXPECT_TRUE(find_descriptor("hall").has_value());
   EXPECT_THROW(find_descriptor("broken"), Error);
 }

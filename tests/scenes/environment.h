@@ -1,4 +1,4 @@
-// What tests of scenes set up: environment variables, restored afterwards, and a cache.
+// Environment variables that tests of scenes set, restored afterwards.
 #pragma once
 
 #include <cstdlib>
@@ -33,11 +33,5 @@ class EnvironmentVariable {
   const char* name_;
   std::optional<std::string> before_;
 };
-
-/// A cache for the tests of a process that only read built-in scenes: each is made once.
-inline std::string common_cache() {
-  static const TemporaryFolder folder;
-  return folder.path().string();
-}
 
 }  // namespace foveola::scenes

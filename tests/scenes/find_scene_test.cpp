@@ -7,7 +7,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
@@ -32,12 +32,11 @@ class FindScene : public testing::Test {
   TemporaryFolder folder;
 
  private:
-  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", common_cache()};
   EnvironmentVariable data_home_{"XDG_DATA_HOME", (folder.path() / "data").string()};
   EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", (folder.path() / "real").string()};
 };
 
-TEST_F(FindScene, BuiltinSceneIsMade) {
+TEST_F(FindScene, ABuiltinSceneIsAFile) {
   const SceneSource source = find_scene("meeting-room");
   EXPECT_EQ(source.name, "meeting-room");
   EXPECT_EQ(source.title, "Meeting room");
@@ -68,22 +67,9 @@ TEST_F(FindScene, PathTakesTheViewpointOfTheDescriptorThatNamesTheFile) {
 }
 
 TEST_F(FindScene, CopiesOfBuiltinScenesKeepTheirViewpoint) {
-  const std::string glb = read_file(require_builtin("meeting-room"));
-  const std::string made = folder.write("mine/meeting-room.glb", glb).string();
-  EXPECT_EQ(find_scene(made).title, "Meeting room");
-  const std::string cached =
-      folder.write("mine/" + cached_builtin("meeting-room").filename().string(), glb).string();
-  EXPECT_EQ(find_scene(cached).title, "Meeting room");
-}
-
-/// Descriptors say what light a scene has: a variant would be dark without.
-TEST_F(FindScene, VariantsHaveTheViewpointAndNoHashToKeep) {
-  const std::filesystem::path name = cached_builtin("arcade", 7).filename();
-  const SceneSource source = find_scene(folder.write("mine/" + name.string(), "x").string());
-  EXPECT_EQ(source.title, "Arcade (seed 7)");
-  EXPECT_TRUE(source.camera_position.has_value());
-  EXPECT_TRUE(source.sky.has_value());
-  EXPECT_EQ(source.described_sha256, "");
+  const std::string glb = read_file(builtin_file("meeting-room"));
+  const std::string copy = folder.write("mine/meeting-room.glb", glb).string();
+  EXPECT_EQ(find_scene(copy).title, "Meeting room");
 }
 
 TEST_F(FindScene, OtherFilesOfABuiltinScenesNameAreNoCopies) {
@@ -94,7 +80,7 @@ TEST_F(FindScene, OtherFilesOfABuiltinScenesNameAreNoCopies) {
 
 TEST_F(FindScene, KnowsTheHashOfTheDescribedFile) {
   EXPECT_EQ(find_scene("meeting-room").described_sha256,
-            sha256_of_file(require_builtin("meeting-room")));
+            sha256_of_file(builtin_file("meeting-room")));
   folder.write("real/bmw.glb", "x");
   EXPECT_EQ(find_scene("bmw").described_sha256, find_descriptor("bmw")->sha256);
 }

@@ -5,7 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "scenes/builtin_files.h"
+#include "scenes/builtin.h"
 #include "scenes/find_scene.h"
 #include "tests/scenes/environment.h"
 
@@ -39,7 +39,6 @@ class OwnScenes : public testing::Test {
   fs::path users = folder / "data/foveola/scenes";
 
  private:
-  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", common_cache()};
   EnvironmentVariable data_home_{"XDG_DATA_HOME", (folder / "data").string()};
   EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", ""};
 };
@@ -161,7 +160,7 @@ TEST_F(OwnScenes, AnotherViewOfABuiltInSceneNeedsNoFile) {
                "azimuth_deg = 0\nelevation_deg = 0\n");
   const SceneSource source = find_scene_beside("meeting-room", study);
   EXPECT_EQ(source.title, "From the door");
-  EXPECT_EQ(source.file, cached_builtin("meeting-room"));
+  EXPECT_EQ(source.file, builtin_file("meeting-room"));
 }
 
 }  // namespace
