@@ -213,7 +213,6 @@ TEST_F(BashCompletion, CompletesChoices) {
   EXPECT_THAT(completed({"render", "room.glb", "--tone", ""}), ElementsAre("plain", "filmic"));
   EXPECT_THAT(completed({"preview", "--show", "r"}), ElementsAre("rings"));
   EXPECT_THAT(completed({"completion", ""}), ElementsAre("bash", "zsh", "fish"));
-  EXPECT_THAT(completed({"scene", "make", "ch"}), ElementsAre("church"));
 }
 
 TEST_F(BashCompletion, CompletesWhatStandsBehindAnEqualsSign) {
