@@ -6,9 +6,8 @@ threaded_tests=(base_test film_test gaze_test preview_test window_test headset_t
 threaded_files='^((tests/)?(renderer/(base|film|gaze|preview|window|headset)|study/(record|console))/|tests/(openxr/|thread_sanitizer)|CMakePresets|\.ci/)'
 
 # The test programs of modules that read files and devices or write the record, for the sanitizer of
-# addresses and undefined behaviour.
-reading_tests=(base_test glb_test image_test film_test scene_test gaze_test design_test protocol_test
-  record_test study_tables_test fuzz_corpus_test)
+# addresses and undefined behaviour; .ci/long runs all. A fuzzer reads films there.
+reading_tests=(base_test image_test scene_test gaze_test protocol_test record_test fuzz_corpus_test)
 
 # Those of modules that use what differs between Debian's releases, the libraries that trace rays and draw
 # in windows and terminals; what reads scenes, pictures and devices and keeps the record runs there with
