@@ -86,6 +86,7 @@ struct SceneSource {
   bool strict = false;
   /// When in a glTF file's animations it is, in seconds. None: before them, as its nodes stand.
   std::optional<double> time_s;
+  std::string clip;  ///< The one of its animations that is meant; empty: all, in the file's order.
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   /// What only an ordinary picture from that position has, see CameraView: a study and a head have

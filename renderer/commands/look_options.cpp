@@ -160,6 +160,7 @@ ImageFacts light_facts(const LookArguments& arguments) {
   add("light-units", arguments.file.light_units);
   if (arguments.file.time_s) {
     add("time", fmt::format("{}", *arguments.file.time_s));
+    add("clip", arguments.file.clip);
   }
   if (arguments.light_radius_m) {
     add("light-radius", fmt::format("{}", *arguments.light_radius_m));

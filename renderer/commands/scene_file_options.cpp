@@ -21,13 +21,17 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
       "--strict", arguments.strict,
       "Refuse a scene with a texture or a material library that is missing or cannot be "
       "read, which is otherwise left out with a warning");
+  CLI::Option* const time =
+      command.add_option("--time", arguments.time_s,
+                         "Show a glTF file as its animations, all of them, have it at so many "
+                         "seconds (default: as it stands without them)");
+  time->check([](const std::string& text) {
+    return parse_finite_number(text) ? std::string() : "'" + text + "' is no time in seconds";
+  });
   command
-      .add_option("--time", arguments.time_s,
-                  "Show a glTF file as its animations, all of them, have it at so many seconds "
-                  "(default: as it stands without them)")
-      ->check([](const std::string& text) {
-        return parse_finite_number(text) ? std::string() : "'" + text + "' is no time in seconds";
-      });
+      .add_option("--clip", arguments.clip,
+                  "The animation alone that --time is of; scene info lists them")
+      ->needs(time);
 }
 
 void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& source) {
@@ -38,6 +42,7 @@ void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& 
   source.strict = source.strict || arguments.strict;
   if (arguments.time_s) {
     source.time_s = arguments.time_s;
+    source.clip = arguments.clip;
   }
 }
 

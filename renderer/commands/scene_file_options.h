@@ -1,5 +1,5 @@
-// --light-units, --strict and --time, for every command that takes a scene's name or file: how the
-// file is read.
+// --light-units, --strict, --time and --clip, for every command that takes a scene's name or file:
+// how the file is read.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,7 @@ struct SceneFileArguments {
   std::string light_units;
   bool strict = false;
   std::optional<double> time_s;
+  std::string clip;
 };
 
 /// Adds the options to `command`; `arguments` must outlive it.

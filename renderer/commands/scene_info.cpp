@@ -35,6 +35,7 @@ struct LoadedFacts {
   SceneFacts facts;
   std::vector<PunctualLight> lights;
   std::vector<CameraView> cameras;
+  std::vector<std::string> clips;
   DVec3 origin;  ///< see Scene::origin
   DVec3 lower;   ///< lower corner of its bounds in metres, in the file's world, as --camera is
   DVec3 upper;
@@ -54,6 +55,7 @@ LoadedFacts load_facts(const SceneSource& source) {
           .facts = facts,
           .lights = scene.lights,
           .cameras = scene.cameras,
+          .clips = scene.clips,
           .origin = scene.origin,
           .lower = DVec3(facts.bounds.lower) + scene.origin,
           .upper = DVec3(facts.bounds.upper) + scene.origin};
@@ -158,6 +160,7 @@ void print_json(const LoadedFacts& loaded) {
                                        {"lights", facts.lights},
                                        {"light_kinds", json_kinds(loaded.lights)},
                                        {"cameras", json_cameras(loaded)},
+                                       {"clips", loaded.clips},
                                        {"materials", facts.materials},
                                        {"textures", facts.textures},
                                        {"geometry_bytes", facts.geometry_bytes},
@@ -204,6 +207,9 @@ void print_words(const LoadedFacts& loaded) {
   print_text("light      {} emissive triangles, {} lights without geometry{}\n",
              facts.emissive_triangles, facts.lights, text_kinds(loaded.lights));
   print_cameras(loaded);
+  for (const std::string& clip : loaded.clips) {
+    print_text("clip       '{}'\n", printable(clip));
+  }
   print_text("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", loaded.lower.x,
              loaded.lower.y, loaded.lower.z, loaded.upper.x, loaded.upper.y, loaded.upper.z);
   if (loaded.source.metres_per_unit != 1.0) {

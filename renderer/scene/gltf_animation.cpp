@@ -2,16 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/gtc/quaternion.hpp>
 #include <tiny_gltf.h>
 
+#include "renderer/base/error.h"
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/made_up_names.h"
 #include "renderer/scene/sanitised.h"
 
 namespace foveola {
@@ -137,6 +143,9 @@ class Poser {
                       fmt::format("has {} times, but {} numbers of {} each", keys.times.size(),
                                   keys.numbers.size(), parts * keys.width));
     }
+    if (!std::is_sorted(keys.times.begin(), keys.times.end())) {
+      throw GltfFault(place, "has times that are not in order");
+    }
     return value_at(keys, time_s_, is_rotation);
   }
 
@@ -157,16 +166,58 @@ class Poser {
   std::size_t read_ = 0;
 };
 
+std::string listed(const std::vector<std::string>& names) {
+  std::vector<std::string> texts;
+  for (const std::string& name : names) {
+    texts.push_back(fmt::format("'{}'", sanitised(name)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 }  // namespace
 
-void pose_at(tinygltf::Model& model, double time_s, Warnings& warnings) {
+std::vector<std::string> clip_names(const tinygltf::Model& model) {
+  std::set<std::string> taken{""};
+  std::vector<std::string> names;
+  for (const tinygltf::Animation& animation : model.animations) {
+    names.push_back(taken.insert(animation.name).second ? animation.name : "");
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) {
+      names[i] = made_up_name("clip", i + 1, taken);
+    }
+  }
+  return names;
+}
+
+void pose_at(tinygltf::Model& model, double time_s, const std::string& clip, Warnings& warnings) {
+  const std::vector<std::string> names = clip_names(model);
+  if (!clip.empty() && std::find(names.begin(), names.end(), clip) == names.end()) {
+    throw UsageError(
+        "--clip", fmt::format("the file has no clip '{}'", sanitised(clip)),
+        names.empty() ? "it has none at all: leave it out" : "it has " + listed(names));
+  }
   Poser poser(model, time_s, warnings);
+  std::map<std::pair<int, std::string>, std::size_t> last_mover;  // of a node's property
+  bool overlaps = false;
   for (std::size_t i = 0; i < model.animations.size(); ++i) {
+    if (!clip.empty() && names[i] != clip) {
+      continue;
+    }
     const tinygltf::Animation& animation = model.animations[i];
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      const auto mover =
+          last_mover.try_emplace({channel.target_node, channel.target_path}, i).first;
+      overlaps |= std::exchange(mover->second, i) != i && channel.target_node >= 0;
       poser.pose(channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
                  fmt::format("animations[{}].samplers[{}]", i, channel.sampler));
     }
+  }
+  if (overlaps) {
+    warnings.add(
+        fmt::format("the clips {} move the same nodes, and the last holds; --clip NAME "
+                    "chooses one",
+                    listed(names)));
   }
 }
 

@@ -146,7 +146,7 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   warn_of_what_is_ignored(model, reading.time_s.has_value(), warnings);
   check_sparse_accessors(model);
   if (reading.time_s) {
-    pose_at(*file.model, *reading.time_s, warnings);
+    pose_at(*file.model, *reading.time_s, reading.clip, warnings);
   }
   separate_deformed_meshes(*file.model);
   const PlacedNodes nodes = place_nodes(model, warnings);
@@ -166,6 +166,7 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
       budget, warnings);
   scene.materials = std::move(materials.materials);
   scene.textures = std::move(materials.textures);
+  scene.clips = clip_names(model);
   scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
   scene.lights = read_lights(model, nodes.lights, scene.origin, reading.light_units, warnings);
   if (scene.object_count() == 0) {

@@ -252,6 +252,7 @@ Scene load_scene(const SceneSource& source, KeptSceneParts* kept) {
   Scene scene = load_scene_file(source.file, {.light_units = source.light_units,
                                               .strict = source.strict,
                                               .time_s = source.time_s,
+                                              .clip = source.clip,
                                               .kept = kept});
   for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
     if (line) {

@@ -18,6 +18,7 @@ struct SceneReading {
   std::optional<LightUnits> light_units;
   bool strict = false;
   std::optional<double> time_s;
+  std::string clip{};
   KeptSceneParts* kept = nullptr;  ///< where what was decoded is found and left, or null
 };
 

@@ -173,6 +173,7 @@ struct Scene {
   std::optional<Environment> environment;
   std::vector<PunctualLight> lights;
   std::vector<CameraView> cameras;
+  std::vector<std::string> clips;     ///< names of the file's animations, no two of them equal
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
   std::string sha256;                 ///< covers all files it was loaded from: see scene_hash.h
   /// All that it was loaded from, and those of its textures that are not there.

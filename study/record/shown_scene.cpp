@@ -83,6 +83,9 @@ Json added_to(const SceneSource& source) {
   if (source.time_s) {
     added["time_s"] = *source.time_s;
   }
+  if (!source.clip.empty()) {
+    added["clip"] = source.clip;
+  }
   return added;
 }
 

@@ -220,6 +220,22 @@ TEST_F(RenderPicture, InfoListsCamerasAndLights) {
   EXPECT_EQ(json.at("light_kinds").at(1).at("kind"), "directional");
 }
 
+TEST_F(RenderPicture, AClipIsChosenByTheNameThatInfoLists) {
+  write_file(folder_ / "room.gltf", read_file(TEST_DATA_DIR "/gltf/two_clips.gltf"));
+  const std::string file = folder_ / "room.gltf";
+  EXPECT_THAT(run_foveola({"scene", "info", file}).output, HasSubstr("clip       'Run'\n"));
+  const Json json = Json::parse(run_foveola({"scene", "info", file, "--json"}).output);
+  EXPECT_THAT(json.at("clips"), testing::ElementsAre("Idle", "Run"));
+  const auto covered = [&](const std::string& clip) {
+    return pixels("a.exr", {"--time", "1", "--clip", clip, "--camera", "5,0,2", "--head", "0,0",
+                            "--size", "8x8", "--spp", "1"})[36]
+        .g;
+  };
+  EXPECT_NEAR(covered("Run"), 1.0F, 1e-5F) << "five to the right";
+  EXPECT_EQ(covered("Idle"), 0.0F);
+  EXPECT_EQ(render("b.exr", {"--clip", "Run"}).exit_code, 2) << "a clip needs its time";
+}
+
 TEST_F(RenderPicture, CamerasWithoutANameAreChosenAsInfoListsThem) {
   Json room = room_with_cameras();
   room["cameras"][1].erase("name");

@@ -1,7 +1,10 @@
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
+#include "renderer/base/error.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
@@ -129,6 +132,38 @@ TEST_F(GltfAnimation, RefusesWhatIsNotWhole) {
   EXPECT_THAT(error(none), HasSubstr("channels[0].sampler: is 1, but samplers has 1 elements"));
   none.glb.document["animations"][0]["samplers"][0]["interpolation"] = "SMOOTH";
   EXPECT_THAT(error(none), HasSubstr("interpolation: must be one of LINEAR"));
+}
+
+/// tests/data/gltf/two_clips.gltf: at 1 s, Idle has its square one metre up, and Run, which comes
+/// after it, five to the right.
+Vec3 corner_in(const std::string& clip, std::vector<std::string>* warnings = nullptr) {
+  const Scene scene =
+      load_gltf(TEST_DATA_DIR "/gltf/two_clips.gltf", {.time_s = 1.0, .clip = clip});
+  EXPECT_THAT(scene.clips, ElementsAre("Idle", "Run"));
+  if (warnings != nullptr) {
+    *warnings = scene.warnings;
+  }
+  return scene.meshes.at(0).positions.at(0) + Vec3(scene.origin);
+}
+
+TEST(GltfClips, OneIsChosenOrTheLastHoldsWithAWarning) {
+  EXPECT_EQ(corner_in("Idle"), Vec3(-0.5F, 0.5F, 0.0F));
+  std::vector<std::string> warnings;
+  EXPECT_EQ(corner_in("Run", &warnings), Vec3(4.5F, -0.5F, 0.0F));
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(corner_in("", &warnings), Vec3(4.5F, -0.5F, 0.0F));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("the clips 'Idle', 'Run' move the same nodes")));
+  EXPECT_THAT([] { (void)corner_in("Walk"); },
+              ::testing::ThrowsMessage<UsageError>(
+                  HasSubstr("--clip: the file has no clip 'Walk'; it has 'Idle', 'Run'")));
+}
+
+TEST(GltfClips, KeysOutOfOrderAreRefused) {
+  const std::string file = TEST_DATA_DIR "/gltf/unsorted_keys.gltf";
+  EXPECT_THAT([&] { (void)load_gltf(file, {.time_s = 0.5}); },
+              ::testing::ThrowsMessage<Error>(
+                  HasSubstr("animations[0].samplers[0]: has times that are not in order")));
+  EXPECT_THAT(load_gltf(file).clips, ElementsAre("clip 1"));
 }
 
 }  // namespace
