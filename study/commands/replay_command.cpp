@@ -33,7 +33,7 @@ std::string verdict(const ReplayedAttempt& attempt, bool is_approximate) {
     return "none of its frames was kept";
   }
   if (attempt.hashes == 0) {
-    return "no film was kept to compare with";
+    return "no film was compared";
   }
   if (!attempt.first_difference) {
     return "the same, bit for bit";

@@ -64,17 +64,21 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
                                            const std::string& participant,
                                            const Resumption& resumption) {
   const std::optional<KnownSession> session = find_session(store, participant);
-  if (!session) {
-    if (resumption.resumes) {
-      throw Error("--resume", "participant " + participant + " has no session to go on with",
-                  "begin one without --resume");
-    }
-    return std::nullopt;
+  if (!session && resumption.resumes) {
+    throw Error("--resume", "participant " + participant + " has no session to go on with",
+                "begin one without --resume");
   }
-  require_persons_session(*session, resumption);
-  SessionSoFar so_far = so_far_of(store, protocol, *session);
+  std::optional<SessionSoFar> so_far;
+  if (session) {
+    require_persons_session(*session, resumption);
+    so_far = so_far_of(store, protocol, *session);
+  }
   if (!resumption.despite_changes) {
-    require_same_program(so_far);
+    if (so_far) {
+      require_same_program(*so_far);
+    }
+    require_same_version(store.record_file().string(), store.sessions(),
+                         "go on with that version, or with this one by --despite-changes");
   }
   return so_far;
 }

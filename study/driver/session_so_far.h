@@ -19,7 +19,7 @@ struct SessionSoFar {
 struct Resumption {
   SessionKind kind = SessionKind::human;  ///< of the run
   bool resumes = false;                   ///< whether the experimenter wants to go on with it
-  bool despite_changes = false;           ///< whether another program may go on with it
+  bool despite_changes = false;           ///< even if another program began it, or the study
   bool undoes_end = false;  ///< takes back a withdrawal or an exclusion, its last event
 };
 
@@ -29,8 +29,8 @@ SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
 
 /// Empty if the participant has no session yet and none is to be resumed. Throws Error, with what
 /// can be done, if it is over, if it is unfinished but not to be resumed, if there is none to be
-/// resumed, if it is of another kind, or if another program recorded it last: of another version,
-/// or built with other tools.
+/// resumed, if it is of another kind, if another program recorded it last (of another version, or
+/// built with other tools), or if another version began any session of the study.
 std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protocol& protocol,
                                            const std::string& participant,
                                            const Resumption& resumption);

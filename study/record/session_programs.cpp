@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/build_info.h"
+#include "renderer/base/error.h"
 #include "study/record/session_rows.h"
 #include "study/record/study_store.h"
 
@@ -61,6 +62,23 @@ std::vector<std::string> programs_of(const KnownSession& session,
     }
   }
   return programs;
+}
+
+bool is_of_this_version(const std::string& program) {
+  return program.starts_with(fmt::format("{}{} ", name_of_ours, build_info().version));
+}
+
+void require_same_version(const std::string& place, const std::vector<KnownSession>& sessions,
+                          const std::string& remedy) {
+  const std::string now = build_info().version;
+  const auto other = std::ranges::find_if(
+      sessions, [&](const KnownSession& session) { return session.build.version != now; });
+  if (other != sessions.end()) {
+    throw Error(place,
+                fmt::format("has sessions by Foveola {}, and this is {}, whose pictures differ",
+                            other->build.version, now),
+                remedy);
+  }
 }
 
 std::vector<SessionPrograms> session_programs(SQLite::Database& study) {

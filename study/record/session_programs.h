@@ -26,6 +26,14 @@ std::optional<std::string> program_in_note(const std::string& note);
 std::vector<std::string> programs_of(const KnownSession& session,
                                      const std::vector<LoggedEvent>& events);
 
+/// Whether `program`, by program_name(), is of this version, whatever it was built with.
+bool is_of_this_version(const std::string& program);
+
+/// Throws Error at `place` if another version began one of the sessions: pictures, and so times,
+/// may differ between versions.
+void require_same_version(const std::string& place, const std::vector<KnownSession>& sessions,
+                          const std::string& remedy);
+
 /// The programs that recorded a session, as programs_of().
 struct SessionPrograms {
   std::string participant;

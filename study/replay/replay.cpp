@@ -49,8 +49,16 @@ Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& s
                             : protocol;
 }
 
+bool has_same_pictures(const RecordedSession& session) {
+  return std::all_of(session.programs.begin(), session.programs.end(), is_of_this_version);
+}
+
 std::string why_approximate(const RecordedSession& session, const Protocol& protocol) {
   const std::string now = program_name(build_info());
+  if (!has_same_pictures(session)) {
+    return fmt::format("its pictures are of {}, and this is {}: no film is compared",
+                       programs_in_words(session.programs), now);
+  }
   if (session.programs != std::vector{now}) {
     return fmt::format("it was shown by {}, and this is {}", programs_in_words(session.programs),
                        now);
@@ -108,6 +116,9 @@ class Replay {
                                      std::function<void(const ReplayedAttempt&)> report) {
     const PlannedTrial& trial = session_.plan.at(attempt.trial);
     RecordedFrames recorded = read_frames(settings_.database, session_.known, attempt);
+    if (!has_same_pictures(session_)) {
+      recorded.hashes.clear();
+    }
     const SceneStage& stage = stage_of(trial.scene);
     return std::make_unique<AttemptReplay>(AttemptReplaySetting{
         .stage = stage,

@@ -9,6 +9,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
 #include "study/record/same_scenes.h"
+#include "study/record/session_programs.h"
 #include "study/record/simulation_kind.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/real_time_study.h"
@@ -71,6 +72,8 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol,
   const StudyStore checked(settings.database, protocol);
   const std::vector<KnownSession> sessions = simulated_sessions(checked);
   require_same_kind(settings.database.string(), sessions, kind);
+  require_same_version(settings.database.string(), checked.sessions(),
+                       "simulate with that version, or into a new file");
   for (const KnownSession& session : sessions) {
     // A shard is one piece: the same on whichever machine it was gone on with.
     if (settings.resume && (!has_ended(session) || settings.shard)) {

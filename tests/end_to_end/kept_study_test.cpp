@@ -186,6 +186,7 @@ TEST(KeptNewStudy, IsReadAndContinuedAsItWas) {
   EXPECT_EQ(participant.status().output, read_file(head));
   EXPECT_EQ(read_file(study), kept_file("study.sqlite", "schema-5")) << "reading changes nothing";
 
+  expect_one_line(participant.run_besides("PROGRAM-9", {}), 1, "has sessions by Foveola 0.2.0");
   participant.seat("PROGRAM-2");
   participant.begin({"--resume", "--despite-changes"});
   for (int trial = 0; trial < 2; ++trial) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
+#include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/study_of_a_hall.h"
 #include "tests/end_to_end/study_rows.h"
@@ -10,6 +11,7 @@
 namespace foveola::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
@@ -104,6 +106,19 @@ TEST_F(ReplayOfAHall, ThatIsAnotherFilmIsAnError) {
   EXPECT_EQ(replayed.exit_code, 1);
   EXPECT_THAT(replayed.output, HasSubstr("differs from frame"));
   EXPECT_THAT(replayed.errors, HasSubstr("1 of 1 replayed attempts differ"));
+}
+
+TEST_F(ReplayOfAHall, PicturesOfAnotherVersionAreNotCompared) {
+  change("session", "UPDATE session SET program_version = '0.0.9', seed = '99'");
+  const ProgramResult replayed = replay();
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  EXPECT_THAT(replayed.output, AllOf(HasSubstr("Approximate: its pictures are of Foveola 0.0.9 ("),
+                                     HasSubstr("samples: no film was compared\n")));
+  const std::string study = (folder / "study.sqlite").string();
+  const std::string before = read_file(study);
+  expect_one_line(run({"study", "simulate", "hall", "--db", study, "--participants", "2"}), 1,
+                  "has sessions by Foveola 0.0.9");
+  EXPECT_EQ(read_file(study), before);
 }
 
 TEST_F(ReplayOfAHall, NamesTheEventThatIsAnotherOne) {

@@ -103,7 +103,17 @@ TEST_F(SessionOfAPerson, GoesOnByTheProgramThatRecordedItLast) {
   const std::string now = program_name(build_info());
   begin_by(former_version());
   go_on_by(now, program_name(former_version()));
-  EXPECT_EQ(so_far()->program, now);
+  EXPECT_EQ(so_far(true)->program, now);
+}
+
+TEST_F(SessionOfAPerson, BeginsInAStudyOfAFormerVersionWhereThatIsSaid) {
+  begin_by(former_version());
+  const auto begin = [&](bool despite_changes) {
+    return session_so_far(store_, small_protocol(), "P2", {.despite_changes = despite_changes});
+  };
+  EXPECT_THAT(refusal([&] { begin(false); }),
+              HasSubstr("has sessions by Foveola 0.0.9, and this is " + build_info().version));
+  EXPECT_FALSE(begin(true));
 }
 
 TEST_F(SessionOfAPerson, DoesNotGoBackToAFormerProgramUnsaid) {
