@@ -2,9 +2,11 @@
 // the first image is read or written, so that whatever needs no image starts without them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,13 +20,20 @@ struct ImageHeader {
   int height = 0;
   int channels = 0;
   std::vector<std::string> channel_names;
-  bool is_flat = true;  ///< neither a volume nor with several values to a pixel and channel
-  bool has_bytes = false;
-  bool has_floats = false;     ///< 16 or 32 bits; if neither, integers of more than 8 bits
-  std::size_t tile_bytes = 0;  ///< size of a tile, which is read as a whole; 0 without tiles
+  bool is_flat = true;      ///< neither a volume nor with several values to a pixel and channel
+  bool has_bytes = false;   ///< 8 bits
+  bool has_floats = false;  ///< 16 or 32 bits, linear; integers, of 8 bits or more, are sRGB
+  /// Pixels that the file holds: of an EXR's data window, where that is not the picture's.
+  std::size_t stored_pixels = 0;
+  /// Size of what is decoded as a whole: a tile, or such a data window; 0 for neither.
+  std::size_t block_bytes = 0;
+  /// CIE x and y of red, green, blue and white, if the file states them.
+  std::optional<std::array<float, 8>> chromaticities;
+  bool is_xyz = false;  ///< the channels are CIE X, Y and Z
 };
 
-/// An image whose pixels have not been read yet.
+/// An image whose pixels have not been read yet. Colours are not multiplied by alpha, but those of
+/// an EXR are as they are, since they are radiance.
 class ImageReader {
  public:
   ImageReader() = default;
@@ -53,10 +62,8 @@ struct EncodableImage {
 
 /// All functions throw std::runtime_error that says what is wrong.
 struct ImageCodec {
-  /// Any image that OpenImageIO knows.
-  std::unique_ptr<ImageReader> (*open_file)(const std::string& path);
-  /// format: OpenImageIO's name of it. `encoded` must outlive the reader, which does not
-  /// premultiply alpha, and whose faults begin with "is damaged: ".
+  /// format: OpenImageIO's name of it. `encoded` must outlive the reader, whose faults begin with
+  /// "is damaged: ".
   std::unique_ptr<ImageReader> (*open_bytes)(std::span<const unsigned char> encoded,
                                              const std::string& format);
   /// In the format of the path's extension.

@@ -1,7 +1,6 @@
 #include "renderer/image/image_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -11,19 +10,14 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/base/output_guard.h"
+#include "renderer/image/encoded_image.h"
 #include "renderer/image/image_codec.h"
+#include "renderer/image/linear_color.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
-
-constexpr int largest_side = 65536;
-
-/// How many pixels a header may promise: no image worth reading packs more of them into a byte.
-constexpr std::uintmax_t most_pixels_per_byte = 4096;
-constexpr std::uintmax_t always_allowed_pixels = 1U << 20;
 
 /// Writes the image, which takes the place of an older file in one step.
 void write_pixels(const fs::path& path, const EncodableImage& image) {
@@ -86,98 +80,43 @@ void write_png(const fs::path& path, const RgbImage& linear, double exposure_sto
                       .floats = {}});
 }
 
-/// Reads one channel after the other, so that a file with many of them costs no more memory.
-class ChannelReader {
- public:
-  ChannelReader(const fs::path& path, ImageReader& image) : path_(path), image_(image) {}
+/// A picture whose colours have not been read yet.
+struct OpenPicture {
+  std::string encoded;
+  std::unique_ptr<ImageReader> reader;
 
-  /// Where the channel `name` is, or `fallback`.
-  int index(const std::string& name, int fallback) const {
-    const std::vector<std::string>& names = image_.header().channel_names;
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found != names.end() ? static_cast<int>(found - names.begin()) : fallback;
-  }
-
-  /// Writes the values of a channel to every `stride`-th float from `first` on.
-  void read(int channel, float* first, std::size_t stride) const {
-    try {
-      image_.read_floats(channel, 1, first, stride);
-    } catch (const std::runtime_error& fault) {
-      throw Error(path_.string(), std::string("cannot be read as an image: ") + fault.what());
+  /// One value of the channel `name` to each pixel; none if there is no such channel.
+  std::vector<float> values_of(const std::string& name) const {
+    const ImageHeader& header = reader->header();
+    const auto found = std::ranges::find(header.channel_names, name);
+    if (found == header.channel_names.end()) {
+      return {};
     }
+    std::vector<float> values(static_cast<std::size_t>(header.width) * header.height);
+    reader->read_floats(static_cast<int>(found - header.channel_names.begin()), 1, values.data(),
+                        1);
+    return values;
   }
-
- private:
-  const fs::path& path_;
-  ImageReader& image_;
 };
 
-RgbImage read_color(const ChannelReader& reader, const ImageHeader& header) {
-  RgbImage color(header.width, header.height);
-  const bool is_grey = header.channels < 3;
-  const std::array<const char*, 3> names = {"R", "G", "B"};
-  for (int channel = 0; channel < 3; ++channel) {
-    const int index = is_grey ? 0 : reader.index(names[static_cast<std::size_t>(channel)], channel);
-    reader.read(index, &color.pixels[0][channel], sizeof(Rgb) / sizeof(float));
+/// Calls `work` with the picture at `path`; what is wrong with it becomes an Error that names it.
+template <typename Work>
+auto with_picture(const fs::path& path, Work work) {
+  OpenPicture picture{.encoded = read_file(path), .reader = nullptr};
+  try {
+    picture.reader = open_image(
+        {reinterpret_cast<const unsigned char*>(picture.encoded.data()), picture.encoded.size()},
+        ImageFormats::picture);
+    return work(picture);
+  } catch (const std::runtime_error& fault) {
+    throw Error(path.string(), std::string("cannot be read as an image: ") + fault.what());
   }
-  if (header.has_bytes) {
-    for (Rgb& pixel : color.pixels) {
-      pixel = {linear_from_srgb(pixel.r), linear_from_srgb(pixel.g), linear_from_srgb(pixel.b)};
-    }
-  }
-  return color;
 }
 
 /// A count that came as a float, whatever an untrusted file says.
 std::uint32_t count_from(float value) {
   constexpr float largest = 0x1.fffffep31F;
   return value > 0.0F ? static_cast<std::uint32_t>(std::min(value, largest)) : 0;
-}
-
-std::vector<std::uint32_t> read_samples(const ChannelReader& reader, std::size_t pixels) {
-  const int channel = reader.index("samples", -1);
-  if (channel < 0) {
-    return std::vector<std::uint32_t>(pixels, 1);
-  }
-  std::vector<float> values(pixels);
-  reader.read(channel, values.data(), 1);
-  std::vector<std::uint32_t> samples(pixels);
-  std::transform(values.begin(), values.end(), samples.begin(), count_from);
-  return samples;
-}
-
-void require_sensible(const fs::path& path, const ImageHeader& header) {
-  if (header.width < 1 || header.height < 1 || header.width > largest_side ||
-      header.height > largest_side || header.channels < 1 || !header.is_flat) {
-    throw Error(path.string(),
-                fmt::format("has {} x {} pixels of {} channels", header.width, header.height,
-                            header.channels),
-                fmt::format("use a flat image of at most {} pixels a side", largest_side));
-  }
-  const std::uintmax_t plausible =
-      always_allowed_pixels + most_pixels_per_byte * fs::file_size(path);
-  if (static_cast<std::uintmax_t>(header.width) * header.height > plausible) {
-    throw Error(path.string(),
-                fmt::format("is too short for the {} x {} pixels that it promises", header.width,
-                            header.height),
-                "check whether it is complete");
-  }
-}
-
-std::unique_ptr<ImageReader> open_image(const fs::path& path) {
-  if (!fs::is_regular_file(path)) {
-    throw Error(path.string(), fs::exists(path) ? "is no file" : "no such file", "check the path");
-  }
-  require_no_output(path);
-  const ImageCodec& codec = image_codec();
-  std::unique_ptr<ImageReader> image;
-  try {
-    image = codec.open_file(path.string());
-  } catch (const std::runtime_error& fault) {
-    throw Error(path.string(), std::string("cannot be read as an image: ") + fault.what());
-  }
-  require_sensible(path, image->header());
-  return image;
 }
 
 }  // namespace
@@ -210,21 +149,22 @@ void write_image(const fs::path& path, const RgbImage& image, double exposure_st
 }
 
 IVec2 image_size(const fs::path& path) {
-  const ImageHeader header = open_image(path)->header();
-  return {header.width, header.height};
+  return with_picture(path, [](const OpenPicture& picture) {
+    const ImageHeader& header = picture.reader->header();
+    return IVec2(header.width, header.height);
+  });
 }
 
 FilmImage read_film_image(const fs::path& path) {
-  const std::unique_ptr<ImageReader> file = open_image(path);
-  const ChannelReader reader(path, *file);
-  FilmImage image{.color = read_color(reader, file->header()), .samples = {}, .variances = {}};
-  image.samples = read_samples(reader, image.color.pixels.size());
-  const int variance = reader.index("variance", -1);
-  if (variance >= 0) {
-    image.variances.resize(image.color.pixels.size());
-    reader.read(variance, image.variances.data(), 1);
-  }
-  return image;
+  return with_picture(path, [](const OpenPicture& picture) {
+    FilmImage image{.color = read_linear_color(*picture.reader),
+                    .samples = {},
+                    .variances = picture.values_of("variance")};
+    const std::vector<float> counts = picture.values_of("samples");
+    image.samples.assign(image.color.pixels.size(), 1);
+    std::transform(counts.begin(), counts.end(), image.samples.begin(), count_from);
+    return image;
+  });
 }
 
 }  // namespace foveola

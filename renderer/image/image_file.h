@@ -34,9 +34,9 @@ void write_image(const std::filesystem::path& path, const RgbImage& image, doubl
 /// Width and height in pixels, without reading them. Throws Error as read_film_image.
 IVec2 image_size(const std::filesystem::path& path);
 
-/// Reads any image that OpenImageIO knows as linear colours: 8-bit files are taken as sRGB. The
-/// counts come from a channel `samples`, or are 1 where there is none; variances from `variance`.
-/// Throws Error if it cannot be read.
+/// Reads an image of ImageFormats::picture as linear colours, by read_linear_color(). The counts
+/// come from a channel `samples`, or are 1 where there is none; variances from `variance`. Throws
+/// Error if it cannot be read.
 FilmImage read_film_image(const std::filesystem::path& path);
 
 }  // namespace foveola

@@ -1,83 +1,181 @@
 // The module that image_codec() loads: the only place that knows OpenImageIO.
+#include <algorithm>
+#include <array>
 #include <fstream>
+#include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "renderer/image/image_codec.h"
+#include "renderer/image/webp_alpha.h"
 
 namespace foveola {
 namespace {
 
-ImageHeader header_of(const OIIO::ImageSpec& spec) {
-  return {.width = spec.width,
-          .height = spec.height,
-          .channels = spec.nchannels,
-          .channel_names = spec.channelnames,
-          .is_flat = spec.depth <= 1 && !spec.deep,
-          .has_bytes = spec.format == OIIO::TypeDesc::UINT8,
-          .has_floats = spec.format.is_floating_point(),
-          .tile_bytes = spec.tile_bytes(true)};
-}
+using Bytes = std::span<const unsigned char>;
 
-class OpenImageIoReader : public ImageReader {
+/// OpenImageIO's reader of a file in memory.
+class MemoryInput {
  public:
-  explicit OpenImageIoReader(const std::string& path) : input_(OIIO::ImageInput::open(path)) {
-    if (!input_) {
-      throw std::runtime_error(OIIO::geterror());
-    }
-    header_ = header_of(input_->spec());
-  }
-
-  OpenImageIoReader(std::span<const unsigned char> encoded, const std::string& format)
-      : memory_(std::make_unique<OIIO::Filesystem::IOMemReader>(encoded.data(), encoded.size())),
-        input_(OIIO::ImageInput::create(format)),
-        fault_("is damaged: ") {
+  MemoryInput(Bytes encoded, const std::string& format)
+      : memory_(encoded.data(), encoded.size()), input_(OIIO::ImageInput::create(format)) {
     if (!input_) {
       throw std::runtime_error("cannot be read: OpenImageIO has no reader for " + format);
     }
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
-    input_->set_ioproxy(memory_.get());
-    OIIO::ImageSpec spec;
-    require(input_->open("image." + format, spec, wishes));
-    header_ = header_of(spec);
+    input_->set_ioproxy(&memory_);
+    require(input_->open("image." + format, spec_, wishes));
   }
 
-  const ImageHeader& header() const override { return header_; }
+  const OIIO::ImageSpec& spec() const { return spec_; }
 
-  void read_bytes(std::uint8_t* values) override {
-    // Bytes as they are: OpenImageIO converts even bytes to bytes by way of a buffer of 64 MiB.
-    const OIIO::TypeDesc type = header_.has_bytes ? OIIO::TypeDesc::UNKNOWN : OIIO::TypeDesc::UINT8;
-    require(input_->read_image(0, 0, 0, header_.channels, type, values));
-  }
-
-  void read_floats(int first, int count, float* values, std::size_t stride) override {
-    require(input_->read_image(0, 0, first, first + count, OIIO::TypeDesc::FLOAT, values,
-                               static_cast<OIIO::stride_t>(stride * sizeof(float))));
+  /// Channels from `first` until before `end` of each pixel to every `stride`-th value.
+  template <typename Value>
+  void read(int first, int end, OIIO::TypeDesc type, Value* values, std::size_t stride) {
+    require(input_->read_image(0, 0, first, end, type, values,
+                               static_cast<OIIO::stride_t>(stride * sizeof(Value))));
   }
 
  private:
   void require(bool is_done) const {
     if (!is_done) {
-      throw std::runtime_error(fault_ + input_->geterror());
+      throw std::runtime_error("is damaged: " + input_->geterror());
     }
   }
 
-  std::unique_ptr<OIIO::Filesystem::IOProxy> memory_;  ///< read by `input_`, so it dies after it
+  OIIO::Filesystem::IOMemReader memory_;  ///< read by `input_`, so it dies after it
   std::unique_ptr<OIIO::ImageInput> input_;
-  std::string fault_;  ///< what a fault's text begins with
-  ImageHeader header_;
+  OIIO::ImageSpec spec_;
 };
 
-std::unique_ptr<ImageReader> open_file(const std::string& path) {
-  return std::make_unique<OpenImageIoReader>(path);
+/// Whether OpenImageIO gives colours that are multiplied by alpha, though it was asked not to.
+bool has_associated_alpha(const OIIO::ImageSpec& spec, const std::string& format) {
+  return spec.alpha_channel >= 0 &&
+         ((format == "tiff" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) ||
+          (format == "targa" && spec.get_int_attribute("targa:alpha_type") == 4));
 }
 
-std::unique_ptr<ImageReader> open_bytes(std::span<const unsigned char> encoded,
-                                        const std::string& format) {
+std::optional<std::array<float, 8>> chromaticities_of(const OIIO::ImageSpec& spec) {
+  std::array<float, 8> values{};
+  const bool is_there =
+      spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), values.data());
+  return is_there ? std::optional(values) : std::nullopt;
+}
+
+class OpenImageIoReader : public ImageReader {
+ public:
+  OpenImageIoReader(Bytes encoded, const std::string& format)
+      : input_(encoded, format), is_associated_(has_associated_alpha(input_.spec(), format)) {
+    const OIIO::ImageSpec& spec = input_.spec();
+    const bool is_exr = format == "openexr";  // positions in other formats are on paper
+    header_ = {.width = is_exr ? spec.full_width : spec.width,
+               .height = is_exr ? spec.full_height : spec.height,
+               .channels = spec.nchannels,
+               .channel_names = spec.channelnames,
+               .is_flat = spec.depth <= 1 && !spec.deep,
+               .has_bytes = spec.format == OIIO::TypeDesc::UINT8,
+               .has_floats = is_exr || spec.format.is_floating_point(),
+               .stored_pixels = static_cast<std::size_t>(spec.image_pixels()),
+               .block_bytes = spec.tile_bytes(true),
+               .chromaticities = chromaticities_of(spec)};
+    if (is_exr && spec.roi() != spec.roi_full()) {
+      window_ = {spec.x - spec.full_x, spec.y - spec.full_y};
+      header_.block_bytes =
+          std::max<std::size_t>(header_.block_bytes, spec.image_pixels() * sizeof(float) * 3);
+    }
+    if (format == "webp" && spec.alpha_channel >= 0) {
+      opaque_bytes_ = without_webp_alpha(encoded);
+      opaque_input_ = std::make_unique<MemoryInput>(opaque_bytes_, format);
+    }
+  }
+
+  const ImageHeader& header() const override { return header_; }
+
+  void read_bytes(std::uint8_t* values) override {
+    const auto channels = static_cast<std::size_t>(header_.channels);
+    if (is_associated_) {
+      std::vector<float> floats(header_.stored_pixels * channels);
+      read_stored(0, header_.channels, floats.data(), channels);
+      OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT, floats.data(), OIIO::TypeDesc::UINT8,
+                                 values, static_cast<int>(floats.size()));
+      return;
+    }
+    // Bytes as they are: OpenImageIO converts even bytes to bytes by way of a buffer of 64 MiB.
+    const OIIO::TypeDesc type = header_.has_bytes ? OIIO::TypeDesc::UNKNOWN : OIIO::TypeDesc::UINT8;
+    read_channels(0, header_.channels, type, values, channels);
+  }
+
+  void read_floats(int first, int count, float* values, std::size_t stride) override {
+    if (!window_) {
+      read_stored(first, count, values, stride);
+      return;
+    }
+    const OIIO::ImageSpec& spec = input_.spec();
+    const auto channels = static_cast<std::size_t>(count);
+    std::vector<float> stored(header_.stored_pixels * channels);
+    read_stored(first, count, stored.data(), channels);
+    for (int y = 0; y < header_.height; ++y) {
+      for (int x = 0; x < header_.width; ++x, values += stride) {
+        const int column = x - (*window_)[0];
+        const int row = y - (*window_)[1];
+        if (column < 0 || column >= spec.width || row < 0 || row >= spec.height) {
+          std::fill_n(values, channels, 0.0F);
+          continue;
+        }
+        const std::size_t pixel = static_cast<std::size_t>(row) * spec.width + column;
+        std::copy_n(stored.data() + pixel * channels, channels, values);
+      }
+    }
+  }
+
+ private:
+  void read_stored(int first, int count, float* values, std::size_t stride) {
+    if (!is_associated_) {
+      read_channels(first, first + count, OIIO::TypeDesc::FLOAT, values, stride);
+      return;
+    }
+    const auto channels = static_cast<std::size_t>(header_.channels);
+    const auto alpha = static_cast<std::size_t>(input_.spec().alpha_channel);
+    std::vector<float> all(header_.stored_pixels * channels);
+    input_.read(0, header_.channels, OIIO::TypeDesc::FLOAT, all.data(), channels);
+    for (std::size_t pixel = 0; pixel < header_.stored_pixels; ++pixel) {
+      const float* const stored = all.data() + pixel * channels;
+      for (int i = 0; i < count; ++i) {
+        const auto channel = static_cast<std::size_t>(first + i);
+        const bool is_multiplied = channel != alpha && stored[alpha] > 0.0F;
+        values[pixel * stride + static_cast<std::size_t>(i)] =
+            is_multiplied ? stored[channel] / stored[alpha] : stored[channel];
+      }
+    }
+  }
+
+  template <typename Value>
+  void read_channels(int first, int end, OIIO::TypeDesc type, Value* values, std::size_t stride) {
+    input_.read(first, end, type, values, stride);
+    const int opaque_end = opaque_input_ ? std::min(end, opaque_input_->spec().nchannels) : 0;
+    if (first < opaque_end) {
+      opaque_input_->read(first, opaque_end, type, values, stride);
+    }
+  }
+
+  MemoryInput input_;
+  /// Left and top of what the file holds in the picture, where that is not all of it.
+  std::optional<std::array<int, 2>> window_;
+  bool is_associated_;
+  ImageHeader header_;
+  /// OpenImageIO multiplies a WebP's colours by its alpha: of one without, it cannot.
+  std::vector<unsigned char> opaque_bytes_;
+  std::unique_ptr<MemoryInput> opaque_input_;
+};
+
+std::unique_ptr<ImageReader> open_bytes(Bytes encoded, const std::string& format) {
   return std::make_unique<OpenImageIoReader>(encoded, format);
 }
 
@@ -118,8 +216,7 @@ void write_file(const std::string& path, const EncodableImage& image) {
   }
 }
 
-constexpr ImageCodec codec{
-    .open_file = open_file, .open_bytes = open_bytes, .write_file = write_file};
+constexpr ImageCodec codec{.open_bytes = open_bytes, .write_file = write_file};
 
 }  // namespace
 }  // namespace foveola

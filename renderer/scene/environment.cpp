@@ -1,43 +1,49 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/image/encoded_image.h"
+#include "renderer/image/linear_color.h"
 #include "renderer/scene/decoded_memory.h"
-#include "renderer/scene/encoded_image.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/scene/srgb.h"
 
 namespace foveola {
 namespace {
 
-/// The first three channels, or the first alone as a grey.
 Environment decode(std::span<const unsigned char> encoded) {
   const std::unique_ptr<ImageReader> image = open_image(encoded, ImageFormats::environment);
   const ImageHeader& header = image->header();
   const std::size_t pixels = static_cast<std::size_t>(header.width) * header.height;
-  // A tile, which OpenImageIO holds as a whole, may be announced far larger than the image.
-  require_modest_memory(std::max<std::size_t>(pixels * sizeof(Rgb), header.tile_bytes),
-                        encoded.size());
+  // A block, which OpenImageIO holds as a whole, may be announced far larger than the image.
+  require_modest_memory(std::max(pixels * sizeof(Rgb), header.block_bytes), encoded.size());
+  RgbImage color = read_linear_color(*image);
   Environment environment;
-  environment.map_width = header.width;
-  environment.map_height = header.height;
-  environment.map.resize(pixels);
-  const bool is_grey = header.channels < 3;
-  image->read_floats(0, is_grey ? 1 : 3, &environment.map.front().r, sizeof(Rgb) / sizeof(float));
-  for (Rgb& texel : environment.map) {
-    texel = is_grey ? Rgb(texel.r) : texel;
-    if (!header.has_floats) {
-      texel = Rgb(linear_from_srgb(texel.r), linear_from_srgb(texel.g), linear_from_srgb(texel.b));
-    }
-  }
+  environment.map_width = color.width;
+  environment.map_height = color.height;
+  environment.map = std::move(color.pixels);
   return environment;
+}
+
+/// A cube map is none, however it is laid out.
+void warn_of_other_projections(const Environment& environment, const std::string& file,
+                               Warnings& warnings) {
+  constexpr int rounding_px = 2;
+  if (std::abs(environment.map_width - 2 * environment.map_height) > rounding_px) {
+    warnings.add(fmt::format("the environment has {} x {} pixels, no panorama of 2 to 1: it is "
+                             "stretched over the whole sphere",
+                             environment.map_width, environment.map_height),
+                 file);
+  }
 }
 
 /// What stands for infinity: it comes of suns that were too bright for half floats, so no less than
@@ -98,6 +104,7 @@ Environment load_environment(const std::filesystem::path& path, Warnings& warnin
   try {
     Environment environment =
         decode({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    warn_of_other_projections(environment, path.filename().string(), warnings);
     repair(environment, path.filename().string(), warnings);
     return environment;
   } catch (const std::runtime_error& fault) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/scene/encoded_image.h"
+#include "renderer/image/encoded_image.h"
 
 namespace foveola {
 
@@ -32,10 +32,12 @@ struct ImageSize {
 ImageSize size_of_image(std::span<const unsigned char> encoded,
                         ImageFormats allowed = ImageFormats::gltf_texture);
 
-/// Decodes an image of one of the formats to its own channels; other numbers become 8 bits. Throws
+/// Decodes an image of one of the formats to its own channels; other numbers become 8 bits.
+/// encodes_srgb: whether the colours of floats, which are linear, become sRGB. Throws
 /// std::runtime_error that says what is wrong if it is none, damaged, or larger than 16384 pixels
 /// on a side.
 DecodedImage decode_image(std::span<const unsigned char> encoded,
-                          ImageFormats allowed = ImageFormats::gltf_texture);
+                          ImageFormats allowed = ImageFormats::gltf_texture,
+                          bool encodes_srgb = false);
 
 }  // namespace foveola

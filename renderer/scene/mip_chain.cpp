@@ -48,7 +48,7 @@ class Codec {
   float linear(std::uint8_t code, std::size_t channel) const { return linear_[channel][code]; }
   std::uint8_t code(float linear, std::size_t channel) const {
     return is_srgb_[channel] ? srgb_byte_from_linear(linear)
-                             : static_cast<std::uint8_t>(255.0F * linear + 0.5F);
+                             : byte_from_linear(linear);
   }
 
  private:

@@ -53,24 +53,26 @@ std::string text_of(const std::exception_ptr& thrown) {
   }
 }
 
-std::optional<DecodedImage> decode(const fs::path& file) {
+std::optional<DecodedImage> decode(const fs::path& file, bool is_srgb) {
   if (file.empty()) {
     return std::nullopt;
   }
-  return with_image(file,
-                    [](auto bytes) { return decode_image(bytes, ImageFormats::any_texture); });
+  return with_image(file, [is_srgb](auto bytes) {
+    return decode_image(bytes, ImageFormats::any_texture, is_srgb);
+  });
 }
 
 DecodedImage content_of(const ObjTexture& texture) {
   switch (texture.content) {
     case ObjTexture::Content::color_alpha:
-      return with_alpha(decode(texture.first), decode(texture.second).value());
+      return with_alpha(decode(texture.first, texture.is_srgb),
+                        decode(texture.second, false).value());
     case ObjTexture::Content::roughness_metallic:
-      return roughness_metallic(decode(texture.first), decode(texture.second));
+      return roughness_metallic(decode(texture.first, false), decode(texture.second, false));
     case ObjTexture::Content::unchanged:
       break;
   }
-  return decode(texture.first).value();
+  return decode(texture.first, texture.is_srgb).value();
 }
 
 /// Of all that its texels are made of.

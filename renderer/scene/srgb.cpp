@@ -39,7 +39,7 @@ struct SrgbEncoder {
   }
 
   std::uint8_t operator()(float linear) const {
-    const float value = std::clamp(linear, 0.0F, 1.0F);
+    const float value = std::min(std::max(0.0F, linear), 1.0F);  // 0 for NaN
     std::uint8_t code = first_code[static_cast<std::size_t>(value * static_cast<float>(buckets))];
     while (upper_end[code] <= value) {
       ++code;

@@ -1,6 +1,7 @@
 // The sRGB transfer function, and 8-bit codes of it and of linear values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +17,12 @@ inline double linear_from_srgb(double encoded) {
 /// program.
 const std::array<float, 256>& linear_from_byte(bool is_srgb);
 
-/// The 8-bit sRGB code nearest to the encoding of `linear`, which is clamped to [0, 1].
+/// The 8-bit code nearest to `linear`, which is clamped to [0, 1]; 0 for NaN.
+inline std::uint8_t byte_from_linear(float linear) {
+  return static_cast<std::uint8_t>(255.0F * std::min(std::max(0.0F, linear), 1.0F) + 0.5F);
+}
+
+/// The 8-bit sRGB code nearest to the encoding of `linear`, which is clamped to [0, 1]; 0 for NaN.
 std::uint8_t srgb_byte_from_linear(float linear);
 
 }  // namespace foveola

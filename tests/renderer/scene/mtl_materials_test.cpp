@@ -1,11 +1,14 @@
 #include "renderer/scene/mtl_materials.h"
 
 #include <cmath>
+#include <filesystem>
+#include <string>
 #include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
 
+#include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/renderer/scene/glb_builder.h"
 
@@ -182,6 +185,18 @@ TEST_F(MtlMaterials, ClampedOrNotAMapIsDecodedOnce) {
   const Scene scene = scene_of("map_Kd grey.png\nKs 1 1 1\nmap_Ks -clamp on grey.png\n");
   ASSERT_EQ(scene.textures.size(), 2U);
   EXPECT_EQ(&scene.textures[0].texels(), &scene.textures[1].texels());
+}
+
+/// One picture with associated alpha, and of linear floats: (200, 100, 50) above, in sRGB.
+TEST_F(MtlMaterials, TiffsHaveTheirColoursWhateverTheirNumbersAre) {
+  for (const char* name : {"associated.tif", "float.tif"}) {
+    write(name, read_file(std::filesystem::path(TEST_DATA_DIR) / "pictures" / name));
+    const Vec4 above =
+        scene_of(std::string("map_Kd ") + name + "\n").textures.at(0).sample({0.5F, 0.25F});
+    EXPECT_NEAR(above.r, 0.578, 0.007) << name;  // IEC 61966-2-1 of 200 / 255; within a code
+    EXPECT_NEAR(above.g, 0.127, 0.004) << name;
+    EXPECT_NEAR(above.b, 0.032, 0.004) << name;
+  }
 }
 
 TEST_F(MtlMaterials, ColoursAreSrgbAndDataLinear) {

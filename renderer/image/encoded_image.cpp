@@ -1,4 +1,4 @@
-#include "renderer/scene/encoded_image.h"
+#include "renderer/image/encoded_image.h"
 
 #include <algorithm>
 #include <array>
@@ -10,14 +10,16 @@
 
 #include <fmt/format.h>
 
+#include "renderer/image/radiance_picture.h"
+
 namespace foveola {
 namespace {
 
-constexpr int longest_side = 16384;
-
-constexpr unsigned for_environments = 1U << static_cast<unsigned>(ImageFormats::environment);
-constexpr unsigned for_obj = 1U << static_cast<unsigned>(ImageFormats::any_texture);
-constexpr unsigned for_textures = for_obj | 1U << static_cast<unsigned>(ImageFormats::gltf_texture);
+constexpr unsigned bit(ImageFormats use) { return 1U << static_cast<unsigned>(use); }
+constexpr unsigned for_pictures = bit(ImageFormats::picture);
+constexpr unsigned for_environments = for_pictures | bit(ImageFormats::environment);
+constexpr unsigned for_obj = for_pictures | bit(ImageFormats::any_texture);
+constexpr unsigned for_textures = for_obj | bit(ImageFormats::gltf_texture);
 constexpr unsigned for_all = for_textures | for_environments;
 
 /// A file format, by its first bytes, and what it can say at most.
@@ -35,7 +37,7 @@ constexpr std::size_t any_number = std::numeric_limits<std::uint32_t>::max();
 /// pixels and TIFF; such a block takes a JPEG at least a bit; a run of 127 pixels takes an HDR two
 /// bytes for each of four channels, one of 255 a BMP two bytes, one of 128 a TGA two bytes; the
 /// 4096 pixels that GIF's longest word stands for take 12 bits.
-constexpr std::array<Format, 9> formats = {
+constexpr std::array<Format, 10> formats = {
     {{"png", "\x89PNG", for_all, 8 * 1032},
      {"jpeg", "\xFF\xD8\xFF", for_all, 8 * 64},
      {"webp", "RIFF", for_textures, any_number},
@@ -44,7 +46,8 @@ constexpr std::array<Format, 9> formats = {
      {"tiff", {"II*\0", 4}, for_obj, 8 * 1032},
      {"tiff", {"MM\0*", 4}, for_obj, 8 * 1032},
      {"openexr", "\x76\x2F\x31\x01", for_environments, 8 * 1032},
-     {"hdr", "#?", for_environments, 16}}};
+     {"hdr", "#?", for_environments, 16},
+     {"pnm", "P", for_pictures, 8}}};
 
 constexpr Format targa = {"targa", "", for_obj, 64};
 
@@ -65,6 +68,8 @@ const char* refusal_of(ImageFormats allowed) {
       return "is no EXR, HDR, PNG or JPEG image";
     case ImageFormats::gltf_texture:
       return "is no PNG, JPEG or WebP image";
+    case ImageFormats::picture:
+      return "is no EXR, HDR, PNG, JPEG, WebP, BMP, GIF, TGA, TIFF or PNM image";
     case ImageFormats::any_texture:
       break;
   }
@@ -74,7 +79,7 @@ const char* refusal_of(ImageFormats allowed) {
 /// Only few formats are let near a decoder.
 const Format& format_of(std::span<const unsigned char> encoded, ImageFormats allowed) {
   const std::string_view bytes(reinterpret_cast<const char*>(encoded.data()), encoded.size());
-  const auto uses = 1U << static_cast<unsigned>(allowed);
+  const unsigned uses = bit(allowed);
   for (const Format& format : formats) {
     if (bytes.starts_with(format.magic) && (format.uses & uses) != 0) {
       return format;
@@ -171,14 +176,17 @@ void require_whole(std::span<const unsigned char> encoded, std::string_view form
 
 void require_plausible_size(const ImageHeader& header, const Format& format,
                             std::size_t encoded_size) {
-  const std::size_t pixels = static_cast<std::size_t>(header.width) * header.height;
-  if (pixels > format.most_pixels_per_byte * encoded_size) {
-    throw std::runtime_error(fmt::format("is damaged: {} bytes cannot hold {} x {} pixels",
-                                         encoded_size, header.width, header.height));
+  constexpr std::size_t always_shown = std::size_t{1} << 26;  // of which a file may hold a part
+  const std::size_t most_stored = format.most_pixels_per_byte * encoded_size;
+  const std::size_t shown = static_cast<std::size_t>(header.width) * header.height;
+  if (header.stored_pixels > most_stored || shown > std::max(always_shown, most_stored)) {
+    throw std::runtime_error(fmt::format("is damaged: {} bytes cannot hold {} pixels", encoded_size,
+                                         std::max(header.stored_pixels, shown)));
   }
 }
 
-void require_sensible(const ImageHeader& header) {
+void require_sensible(const ImageHeader& header, ImageFormats allowed) {
+  const int longest_side = allowed == ImageFormats::picture ? 65536 : 16384;
   if (header.width < 1 || header.height < 1 || header.width > longest_side ||
       header.height > longest_side) {
     throw std::runtime_error(fmt::format("has {} x {} pixels; up to {} on a side are read",
@@ -195,8 +203,10 @@ std::unique_ptr<ImageReader> open_image(std::span<const unsigned char> encoded,
                                         ImageFormats allowed) {
   const Format& format = format_of(encoded, allowed);
   require_whole(encoded, format.name);
-  std::unique_ptr<ImageReader> image = image_codec().open_bytes(encoded, format.name);
-  require_sensible(image->header());
+  std::unique_ptr<ImageReader> image = std::string_view(format.name) == "hdr"
+                                           ? open_radiance_picture(encoded)
+                                           : image_codec().open_bytes(encoded, format.name);
+  require_sensible(image->header(), allowed);
   require_plausible_size(image->header(), format, encoded.size());
   return image;
 }
