@@ -21,6 +21,11 @@ struct TextureReference {
   const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform's, or null
 };
 
+/// Of an opaque material an alpha is ignored.
+inline Encoding base_color_encoding(const Material& material) {
+  return material.alpha_mode == AlphaMode::opaque ? Encoding::srgb : Encoding::srgb_opacity;
+}
+
 class MaterialContext {
  public:
   /// textures: null if nothing shows the material, whose textures are then not loaded. Both

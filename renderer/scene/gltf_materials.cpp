@@ -40,7 +40,8 @@ void read_base_color(const tinygltf::Material& source, MaterialContext& context,
   material.alpha = context.limited(factor[3], 0.0, 1.0, place);
   const bool is_black = max_component(material.base_color) == 0.0F;
   if (!is_black || material.alpha_mode != AlphaMode::opaque) {
-    material.base_color_texture = context.use(reference_to(pbr.baseColorTexture), Encoding::srgb);
+    material.base_color_texture =
+        context.use(reference_to(pbr.baseColorTexture), base_color_encoding(material));
   }
 }
 

@@ -24,7 +24,7 @@ void read_specular_glossiness(const tinygltf::Material& source, MaterialContext&
   material.base_color = extension.color("diffuseFactor", 1.0);
   material.alpha = context.limited(extension.values().element("diffuseFactor", 3, 1.0), 0.0, 1.0,
                                    extension.place_of("diffuseFactor"));
-  material.base_color_texture = extension.texture("diffuseTexture", Encoding::srgb);
+  material.base_color_texture = extension.texture("diffuseTexture", base_color_encoding(material));
   material.metallic = 0.0F;
   material.specular_color = extension.color("specularFactor", 1.0) / usual_reflectance;
   material.specular_color_texture = extension.texture("specularGlossinessTexture", Encoding::srgb);

@@ -188,7 +188,9 @@ Texels TextureSet::texels_of(const Content& content, bool with_mips) const {
     if (content.encoding == Encoding::glossiness) {
       image = roughness_of_glossiness(image, content.glossiness_factor);
     }
-    return {std::move(image), content.encoding == Encoding::srgb, with_mips};
+    const bool has_opacity = content.encoding == Encoding::srgb_opacity;
+    return {std::move(image), has_opacity || content.encoding == Encoding::srgb, with_mips,
+            has_opacity};
   } catch (const std::runtime_error& error) {
     throw GltfFault(images_.place_of(content.image), error.what());
   }

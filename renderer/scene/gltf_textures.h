@@ -19,7 +19,12 @@ class Model;
 
 namespace foveola {
 
-enum class Encoding : std::uint8_t { linear, srgb, glossiness };
+enum class Encoding : std::uint8_t {
+  linear,
+  srgb,
+  srgb_opacity,  ///< colours, and an alpha that says how far they are there
+  glossiness
+};
 
 class TextureSet {
  public:

@@ -36,8 +36,10 @@ std::vector<Cover> covers(int size, int next_size) {
 /// Between the codes of a level and what its texels mean, channel by channel.
 class Codec {
  public:
-  Codec(int channels, bool is_srgb) : channels_(static_cast<std::size_t>(channels)) {
+  Codec(int channels, bool is_srgb, bool has_opacity)
+      : channels_(static_cast<std::size_t>(channels)) {
     const std::size_t alpha = channels % 2 == 0 ? channels_ - 1 : channels_;
+    opacity_ = has_opacity ? alpha : channels_;
     for (std::size_t channel = 0; channel < channels_; ++channel) {
       is_srgb_[channel] = is_srgb && channel != alpha;
       linear_[channel] = linear_from_byte(is_srgb_[channel]).data();
@@ -47,12 +49,14 @@ class Codec {
   std::size_t channels() const { return channels_; }
   float linear(std::uint8_t code, std::size_t channel) const { return linear_[channel][code]; }
   std::uint8_t code(float linear, std::size_t channel) const {
-    return is_srgb_[channel] ? srgb_byte_from_linear(linear)
-                             : byte_from_linear(linear);
+    return is_srgb_[channel] ? srgb_byte_from_linear(linear) : byte_from_linear(linear);
   }
+  /// Index of the alpha that weights the other channels; channels() if none does.
+  std::size_t opacity() const { return opacity_; }
 
  private:
   std::size_t channels_;
+  std::size_t opacity_;
   std::array<bool, 4> is_srgb_{};
   std::array<const float*, 4> linear_{};
 };
@@ -60,9 +64,13 @@ class Codec {
 /// Adds `weight` times a row of codes to the sums of its samples.
 void add_row(std::vector<float>& sums, const std::uint8_t* codes, float weight,
              const Codec& codec) {
+  const std::size_t opacity = codec.opacity();
   for (std::size_t i = 0; i < sums.size(); i += codec.channels()) {
+    const float visible =
+        opacity < codec.channels() ? weight * codec.linear(codes[i + opacity], opacity) : weight;
     for (std::size_t channel = 0; channel < codec.channels(); ++channel) {
-      sums[i + channel] += weight * codec.linear(codes[i + channel], channel);
+      sums[i + channel] +=
+          (channel == opacity ? weight : visible) * codec.linear(codes[i + channel], channel);
     }
   }
 }
@@ -74,13 +82,20 @@ using Carry = std::array<float, 4>;
 void write_row(const std::vector<float>& sums, const std::vector<Cover>& columns,
                std::uint8_t* codes, const Codec& codec, Carry& carry) {
   for (const Cover& cover : columns) {
-    for (std::size_t channel = 0; channel < codec.channels(); ++channel) {
-      float sum = carry[channel];
+    const auto sum_onto = [&](float sum, std::size_t channel) {
       for (std::size_t i = 0; i < cover.count; ++i) {
         sum += cover.weights[i] * sums[(cover.first + i) * codec.channels() + channel];
       }
-      *codes = codec.code(std::clamp(sum, 0.0F, 1.0F), channel);
-      carry[channel] = sum - codec.linear(*codes, channel);
+      return sum;
+    };
+    const std::size_t opacity = codec.opacity();
+    const float visible = opacity < codec.channels() ? sum_onto(0.0F, opacity) : 1.0F;
+    for (std::size_t channel = 0; channel < codec.channels(); ++channel) {
+      const float weight = channel == opacity ? 1.0F : visible;
+      const float sum = sum_onto(carry[channel], channel);
+      const float mean = weight > 0.0F ? sum / weight : 0.0F;
+      *codes = codec.code(std::clamp(mean, 0.0F, 1.0F), channel);
+      carry[channel] = sum - weight * codec.linear(*codes, channel);
       ++codes;
     }
   }
@@ -107,7 +122,7 @@ void write_next_level(std::vector<std::uint8_t>& texels, const MipLevel& level,
 }  // namespace
 
 std::vector<MipLevel> append_mip_chain(std::vector<std::uint8_t>& texels, int width, int height,
-                                       int channels, bool is_srgb) {
+                                       int channels, bool is_srgb, bool has_opacity) {
   std::vector<MipLevel> levels{{.width = width, .height = height, .offset = 0}};
   std::size_t bytes = texels.size();
   for (;;) {
@@ -124,7 +139,7 @@ std::vector<MipLevel> append_mip_chain(std::vector<std::uint8_t>& texels, int wi
   }
   texels.reserve(bytes);
   texels.resize(bytes);
-  const Codec codec(channels, is_srgb);
+  const Codec codec(channels, is_srgb, has_opacity);
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     write_next_level(texels, levels[i], levels[i + 1], codec);
   }

@@ -23,8 +23,9 @@ inline constexpr std::size_t least_mip_texels = 16;
 /// but not below 1; a texel is the mean over its area (a box, whose borders may cut texels where a
 /// side was odd), in linear light, rounded so that the level's mean is that of the one before.
 /// is_srgb: whether all channels but the second of two and the fourth of four, which are alpha, are
-/// sRGB-encoded.
+/// sRGB-encoded. has_opacity: whether alpha says how far a texel is there, so that it weights the
+/// others.
 std::vector<MipLevel> append_mip_chain(std::vector<std::uint8_t>& texels, int width, int height,
-                                       int channels, bool is_srgb);
+                                       int channels, bool is_srgb, bool has_opacity = false);
 
 }  // namespace foveola

@@ -110,7 +110,10 @@ std::vector<Texture> ObjTextureSet::decode(std::vector<Material>& materials,
   DecodedTextures decoded = textures_.decode([&](const ObjTexture& texture, bool with_mips) {
     return kept_or_made(
         kept, [&] { return digest_of(texture, with_mips); },
-        [&] { return Texels(content_of(texture), texture.is_srgb, with_mips); });
+        [&] {
+          return Texels(content_of(texture), texture.is_srgb, with_mips,
+                        texture.content == ObjTexture::Content::color_alpha);
+        });
   });
   if (is_strict) {
     rethrow_fault(decoded.faults);

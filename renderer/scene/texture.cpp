@@ -65,6 +65,19 @@ T interpolate(const T& from, const T& to, float weight) {
   return from + weight * (to - from);
 }
 
+/// The same of texels whose last value says how far they are there: what is not has no colour.
+template <typename T>
+T interpolate_visible(const T& from, const T& to, float weight) {
+  constexpr int alpha = T::length() - 1;
+  if (from[alpha] == to[alpha]) {
+    return interpolate(from, to, weight);
+  }
+  const float opacity = interpolate(from[alpha], to[alpha], weight);
+  T texel = interpolate(from, to, opacity > 0.0F ? weight * to[alpha] / opacity : weight);
+  texel[alpha] = opacity;
+  return texel;
+}
+
 template <int channels>
 using Texel = glm::vec<channels, float>;
 
@@ -92,7 +105,7 @@ Vec4 expanded(const Texel<channels>& texel) {
   }
 }
 
-template <int channels>
+template <int channels, bool has_opacity = false>
 Vec4 filtered(const std::uint8_t* codes, int width, const float* linear_from_byte, const Taps& u,
               const Taps& v) {
   const std::uint8_t* upper_row = codes + static_cast<std::ptrdiff_t>(v.first) * width * channels;
@@ -100,11 +113,18 @@ Vec4 filtered(const std::uint8_t* codes, int width, const float* linear_from_byt
   const auto texel = [&](const std::uint8_t* row, int x) {
     return decoded<channels>(row + static_cast<std::ptrdiff_t>(x) * channels, linear_from_byte);
   };
+  const auto mix = [](const auto& from, const auto& to, float weight) {
+    if constexpr (has_opacity) {
+      return interpolate_visible(from, to, weight);
+    } else {
+      return interpolate(from, to, weight);
+    }
+  };
   const Texel<channels> upper =
-      interpolate(texel(upper_row, u.first), texel(upper_row, u.second), u.weight_second);
+      mix(texel(upper_row, u.first), texel(upper_row, u.second), u.weight_second);
   const Texel<channels> lower =
-      interpolate(texel(lower_row, u.first), texel(lower_row, u.second), u.weight_second);
-  return expanded<channels>(interpolate(upper, lower, v.weight_second));
+      mix(texel(lower_row, u.first), texel(lower_row, u.second), u.weight_second);
+  return expanded<channels>(mix(upper, lower, v.weight_second));
 }
 
 }  // namespace
@@ -156,10 +176,12 @@ Texture::Levels Texture::levels_for(float uv_width) const {
 Vec4 Texture::sample(const Vec2& uv, float uv_width) const {
   const Levels levels = levels_for(uv_width);
   const Vec4 value = sample_level(levels_[levels.finer], levels.filter, uv);
-  return levels.weight_coarser > 0.0F
-             ? interpolate(value, sample_level(levels_[levels.finer + 1], levels.filter, uv),
-                           levels.weight_coarser)
-             : value;
+  if (!(levels.weight_coarser > 0.0F)) {
+    return value;
+  }
+  const Vec4 coarser = sample_level(levels_[levels.finer + 1], levels.filter, uv);
+  return texels_->has_opacity() ? interpolate_visible(value, coarser, levels.weight_coarser)
+                                : interpolate(value, coarser, levels.weight_coarser);
 }
 
 void Texture::prefetch(const Vec2& uv, float uv_width) const {
@@ -187,6 +209,10 @@ Vec4 Texture::sample_level(const MipLevel& level, Filter filter, const Vec2& uv)
     v = nearest(v);
   }
   const std::uint8_t* codes = codes_ + level.offset;
+  if (texels_->has_opacity()) {
+    return channels_ == 2 ? filtered<2, true>(codes, level.width, linear_from_byte_, u, v)
+                          : filtered<4, true>(codes, level.width, linear_from_byte_, u, v);
+  }
   switch (channels_) {
     case 1:
       return filtered<1>(codes, level.width, linear_from_byte_, u, v);

@@ -77,6 +77,10 @@ struct TextureFootprint {
   void prefetch() const { texture.prefetch(uv, uv_width); }
 };
 
+/// The widest footprint, as a share of its triangle's size. What it takes in of the texture beyond
+/// the triangle, by bilinear filtering of texels of its width, is then less than a hundredth.
+inline constexpr float max_footprint_share = 1.0F / 16.0F;
+
 /// There must be a texture, and the mesh must have coordinates.
 inline TextureFootprint texture_footprint(const Scene& scene, const TextureUse& use,
                                           const MeshPoint& point) {
@@ -90,7 +94,8 @@ inline TextureFootprint texture_footprint(const Scene& scene, const TextureUse& 
   const Vec2 side1 = use.texture_from_mesh * Vec3(uvs[triangle[1]] - uvs[triangle[0]], 0.0F);
   const Vec2 side2 = use.texture_from_mesh * Vec3(uvs[triangle[2]] - uvs[triangle[0]], 0.0F);
   const float uv_area = std::abs(side1.x * side2.y - side1.y * side2.x);
-  return {.texture = texture, .uv = uv, .uv_width = point.relative_width * std::sqrt(uv_area)};
+  const float share = std::min(point.relative_width, max_footprint_share);
+  return {.texture = texture, .uv = uv, .uv_width = share * std::sqrt(uv_area)};
 }
 
 /// White where the value has no texture or the mesh no coordinates for it.

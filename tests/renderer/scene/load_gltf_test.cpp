@@ -78,7 +78,7 @@ GlbBuilder rich_scene() {
 TEST_F(LoadGltf, LoadsTheRichScene) {
   const Scene scene = load(rich_scene());
   EXPECT_EQ(scene.triangle_count(), 4U);
-  EXPECT_EQ(scene.textures.size(), 2U) << "one of colours, one of numbers";
+  EXPECT_EQ(scene.textures.size(), 3U) << "of colours with opacity, of colours, of numbers";
   EXPECT_EQ(scene.cameras.size(), 1U);
   EXPECT_EQ(scene.lights.size(), 1U);
   EXPECT_EQ(scene.meshes.at(0).uv_sets.size(), 2U);

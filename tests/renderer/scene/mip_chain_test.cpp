@@ -67,6 +67,26 @@ TEST(MipChain, AveragesTwoByTwo) {
       << "14.5: what the first has too much, the next has too little";
 }
 
+/// A leaf, and what a painter left in its invisible part: its averages are the leaf's colour.
+TEST(MipChain, TransparentTexelsHaveNoColour) {
+  const auto coarser = [](const Bytes& invisible, bool has_opacity) {
+    Bytes row{10, 200, 30, 255};
+    row.insert(row.end(), invisible.begin(), invisible.end());
+    Bytes texels = repeated(repeated(row, 4), 8);
+    const MipLevel level = append_mip_chain(texels, 8, 8, 4, true, has_opacity).at(1);
+    return level_bytes(texels, level, 4);
+  };
+  const Bytes over_black = coarser({0, 0, 0, 0}, true);
+  EXPECT_EQ(over_black, coarser({255, 0, 255, 0}, true));
+  for (std::size_t i = 0; i < over_black.size(); i += 4) {
+    EXPECT_EQ(Bytes(over_black.begin() + i, over_black.begin() + i + 3), (Bytes{10, 200, 30}));
+    EXPECT_NEAR(over_black[i + 3], 127.5, 0.5);
+  }
+  EXPECT_NE(coarser({0, 0, 0, 0}, false), over_black) << "of an opaque surface they are plain";
+  const Bytes faint = coarser({255, 200, 30, 51}, true);  // a fifth as visible, linear red 1
+  EXPECT_NEAR(faint[0], 114, 1);                          // sRGB of (0.00304 + 0.2) / 1.2
+}
+
 /// Of five texels each of two averages covers two and a half.
 TEST(MipChain, OddSidesCutATexel) {
   const Bytes five{100, 50, 200, 0, 250};

@@ -89,6 +89,33 @@ TEST(Texture, InterpolatesLightNotCode) {
   EXPECT_NEAR(texture.sample({0.5F, 0.5F}).g, 0.5F, 1e-6F);
 }
 
+TEST(Texture, TransparentTexelsHaveNoColour) {
+  const DecodedImage image{
+      .width = 2, .height = 1, .channels = 4, .texels = {100, 200, 30, 255, 0, 0, 0, 0}};
+  const Texture texture(std::make_shared<const Texels>(image, false, true, true),
+                        {.wrap_u = Wrap::clamp_to_edge});
+  for (const float u : {0.3F, 0.5F, 0.7F}) {
+    const Vec4 value = texture.sample({u, 0.5F});
+    EXPECT_NEAR(value.r * 255.0F, 100.0F, 1e-3F);
+    EXPECT_NEAR(value.g * 255.0F, 200.0F, 1e-3F);
+    EXPECT_NEAR(value.a, 1.5F - 2.0F * u, 1e-6F);
+  }
+  EXPECT_EQ(texture.sample({1.0F, 0.5F}).a, 0.0F);
+}
+
+/// A coarser level of other opacity counts as far as it is visible.
+TEST(Texture, LevelsAreMixedByTheirOpacity) {
+  DecodedImage image{.width = 8, .height = 8, .channels = 4, .texels = {}};
+  for (int i = 0; i < 64; ++i) {
+    const std::uint8_t seen = i % 8 < 2 ? 255 : 0;
+    image.texels.insert(image.texels.end(), {seen, 50, 0, seen});
+  }
+  const Texture texture(std::make_shared<const Texels>(image, false, true, true), {});
+  const Vec4 value = texture.sample({0.125F, 0.5F}, std::sqrt(2.0F) / 8.0F);
+  EXPECT_NEAR(value.r, 1.0F, 1e-5F);
+  EXPECT_NEAR(value.g * 255.0F, 50.0F, 0.5F);
+}
+
 TEST(Texture, AlphaIsNeverSrgb) {
   const Texture texture(1, 1, {255, 255, 255, 51}, true, Wrap::repeat, Wrap::repeat);
   EXPECT_NEAR(texture.sample({0.5F, 0.5F}).a, 0.2F, 1e-7F);
