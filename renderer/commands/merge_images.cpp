@@ -50,7 +50,7 @@ void add_merge_images(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "merge-images", "Make one image of the parts that render --shard has rendered");
   command->add_option("PART", arguments->parts, "The .film of each part, in any order")->required();
-  command->add_option("-o,--output", arguments->output, "The image to write, as .exr or .png")
+  command->add_option("-o,--output", arguments->output, "The image to write, as .exr, .png or .jpg")
       ->required();
   command->add_flag("--json", arguments->json, "Print the result as JSON");
   command->footer(

@@ -112,9 +112,10 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
           .add_option("--frames", arguments.frames,
                       "End after so many frames (default: when the window is closed)")
           ->check(CLI::Range(1, 1'000'000'000));
-  mark_output(command.add_option(
-                  "--screenshot", arguments.screenshot,
-                  "Write the last frame's picture, with all that stands over it, as .png or .exr"))
+  mark_output(
+      command.add_option(
+          "--screenshot", arguments.screenshot,
+          "Write the last frame's picture, with all that stands over it, as .png, .jpg or .exr"))
       ->needs(frames);
   command
       .add_option("--max-depth", arguments.trace.max_depth, "The most surface vertices of a path")

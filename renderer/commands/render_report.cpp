@@ -35,7 +35,7 @@ double adaptive_contrast(const RenderSettings& settings) {
 }
 
 const char* projection(const RenderSettings& settings) {
-  return settings.picture ? "perspective" : "equirectangular";
+  return settings.picture ? "perspective" : panorama_projection;
 }
 
 /// Where the samples went.
@@ -195,7 +195,7 @@ ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
       {"foveola:version", build_info().version},
       {"foveola:instruction_set", build_info().instruction_set},
       {"foveola:scene", scene},
-      {"foveola:projection", projection(settings)},
+      {projection_fact, projection(settings)},
       {"foveola:method", method(settings)},
       {"foveola:seed", std::to_string(settings.progressive.trace.seed)},
       {"foveola:samples", std::to_string(report.samples)},

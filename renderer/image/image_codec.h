@@ -66,8 +66,8 @@ struct ImageCodec {
   /// "is damaged: ".
   std::unique_ptr<ImageReader> (*open_bytes)(std::span<const unsigned char> encoded,
                                              const std::string& format);
-  /// In the format of the path's extension.
-  void (*write_file)(const std::string& path, const EncodableImage& image);
+  /// The bytes of a file; format: as of open_bytes.
+  std::vector<unsigned char> (*encode)(const EncodableImage& image, const std::string& format);
 };
 
 /// Loads OpenImageIO at the first call; from any thread. Throws Error if that fails.

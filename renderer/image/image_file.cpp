@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,23 +15,33 @@
 #include "renderer/image/encoded_image.h"
 #include "renderer/image/image_codec.h"
 #include "renderer/image/linear_color.h"
+#include "renderer/image/panorama_tag.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
 
-/// Writes the image, which takes the place of an older file in one step.
-void write_pixels(const fs::path& path, const EncodableImage& image) {
-  const ImageCodec& codec = image_codec();
-  replace_file(path, [&](const fs::path& temporary) {
-    try {
-      codec.write_file(temporary.string(), image);
-    } catch (const std::runtime_error& fault) {
-      throw Error(path.string(), std::string("cannot be written: ") + fault.what(),
-                  "check the free space and permissions");
-    }
-  });
+/// OpenImageIO's name of the format that a file of this name has; empty if it is not written.
+std::string format_to_write(const fs::path& path) {
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".exr") {
+    return "openexr";
+  }
+  if (extension == ".png") {
+    return "png";
+  }
+  return extension == ".jpg" || extension == ".jpeg" ? "jpeg" : "";
+}
+
+std::string encoded(const fs::path& path, const EncodableImage& image) {
+  try {
+    const std::vector<unsigned char> bytes = image_codec().encode(image, format_to_write(path));
+    return {bytes.begin(), bytes.end()};
+  } catch (const std::runtime_error& fault) {
+    throw Error(path.string(), std::string("cannot be encoded: ") + fault.what(),
+                "choose another format or size");
+  }
 }
 
 /// samples, variances: empty for no such channel.
@@ -54,16 +66,17 @@ void write_exr(const fs::path& path, const RgbImage& image,
       values.push_back(variances[i]);
     }
   }
-  write_pixels(path, {.width = image.width,
-                      .height = image.height,
-                      .channel_names = names,
-                      .attributes = {facts.begin(), facts.end()},
-                      .bytes = {},
-                      .floats = values});
+  write_file(path, encoded(path, {.width = image.width,
+                                  .height = image.height,
+                                  .channel_names = names,
+                                  .attributes = {facts.begin(), facts.end()},
+                                  .bytes = {},
+                                  .floats = values}));
 }
 
-void write_png(const fs::path& path, const RgbImage& linear, double exposure_stops,
-               ToneCurve curve) {
+/// As .png or .jpg.
+void write_shown(const fs::path& path, const RgbImage& linear, double exposure_stops,
+                 ToneCurve curve, bool is_panorama) {
   const RgbImage display = display_image(linear, exposure_stops, curve);
   std::vector<std::uint8_t> values;
   values.reserve(display.pixels.size() * 3);
@@ -72,12 +85,16 @@ void write_png(const fs::path& path, const RgbImage& linear, double exposure_sto
       values.push_back(static_cast<std::uint8_t>(std::lround(pixel[channel] * 255.0F)));
     }
   }
-  write_pixels(path, {.width = display.width,
-                      .height = display.height,
-                      .channel_names = {"R", "G", "B"},
-                      .attributes = {},
-                      .bytes = values,
-                      .floats = {}});
+  std::string file = encoded(path, {.width = display.width,
+                                    .height = display.height,
+                                    .channel_names = {"R", "G", "B"},
+                                    .attributes = {},
+                                    .bytes = values,
+                                    .floats = {}});
+  if (is_panorama) {
+    file = with_panorama_tag(std::move(file), display.width, display.height);
+  }
+  write_file(path, file);
 }
 
 /// A picture whose colours have not been read yet.
@@ -122,11 +139,10 @@ std::uint32_t count_from(float value) {
 }  // namespace
 
 void require_image_extension(const fs::path& path) {
-  const std::string extension = lower_case_extension(path);
-  if (extension != ".exr" && extension != ".png") {
+  if (format_to_write(path).empty()) {
     throw UsageError(path.string(),
                      fmt::format("'{}' is no image format to write", path.extension().string()),
-                     "use .exr or .png");
+                     "use .exr, .png or .jpg");
   }
 }
 
@@ -138,7 +154,9 @@ void write_film_image(const fs::path& path, const FilmImage& image, double expos
   if (holds_radiance(path)) {
     write_exr(path, image.color, image.samples, image.variances, facts);
   } else {
-    write_png(path, image.color, exposure_stops, curve);
+    const auto projection = facts.find(projection_fact);
+    write_shown(path, image.color, exposure_stops, curve,
+                projection != facts.end() && projection->second == panorama_projection);
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace foveola {
 
-/// Throws UsageError unless the extension is .exr or .png.
+/// Throws UsageError unless the extension is .exr, .png, .jpg or .jpeg.
 void require_image_extension(const std::filesystem::path& path);
 
 /// Whether a file of this name holds radiances, which no exposure changes: an .exr.
@@ -20,14 +20,19 @@ bool holds_radiance(const std::filesystem::path& path);
 /// Names and values in the header of an .exr.
 using ImageFacts = std::map<std::string, std::string>;
 
+/// The fact of how directions become pixels, and its value for a 360-degree image.
+inline constexpr const char* projection_fact = "foveola:projection";
+inline constexpr const char* panorama_projection = "equirectangular";
+
 /// .exr: float channels R, G, B, `samples` and, if they are known, `variance`, with `facts` in its
-/// header. .png: sRGB, 8 bits, after `exposure_stops` and `curve`. The file appears whole or not at
+/// header. .png, .jpg: sRGB, 8 bits, after `exposure_stops` and `curve`; a panorama says that it is
+/// one. The file appears whole or not at
 /// all. Throws Error if it cannot be written.
 void write_film_image(const std::filesystem::path& path, const FilmImage& image,
                       double exposure_stops, const ImageFacts& facts = {},
                       ToneCurve curve = ToneCurve::plain);
 
-/// A linear image as .exr (R, G, B) or .png (as write_film_image).
+/// A linear image as .exr (R, G, B) or .png, .jpg (as write_film_image).
 void write_image(const std::filesystem::path& path, const RgbImage& image, double exposure_stops,
                  ToneCurve curve = ToneCurve::plain);
 

@@ -1,7 +1,6 @@
 // The module that image_codec() loads: the only place that knows OpenImageIO.
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <span>
@@ -179,7 +178,7 @@ std::unique_ptr<ImageReader> open_bytes(Bytes encoded, const std::string& format
   return std::make_unique<OpenImageIoReader>(encoded, format);
 }
 
-void write_file(const std::string& path, const EncodableImage& image) {
+std::vector<unsigned char> encode(const EncodableImage& image, const std::string& format) {
   const bool has_bytes = !image.bytes.empty();
   const OIIO::TypeDesc type = has_bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channel_names.size()),
@@ -187,6 +186,7 @@ void write_file(const std::string& path, const EncodableImage& image) {
   spec.channelnames = image.channel_names;
   if (has_bytes) {
     spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("Compression", "jpeg:95");  // read by that format alone
   } else {
     // The same image is the same file, whenever it is made.
     spec.attribute("DateTime", "");
@@ -194,29 +194,22 @@ void write_file(const std::string& path, const EncodableImage& image) {
   for (const auto& [name, value] : image.attributes) {
     spec.attribute(name, value);
   }
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) {
     throw std::runtime_error(OIIO::geterror());
   }
   const void* const values = has_bytes ? static_cast<const void*>(image.bytes.data())
                                        : static_cast<const void*>(image.floats.data());
-  // In memory first: OpenImageIO does not notice that a PNG finds no room on the disk.
   std::vector<unsigned char> encoded;
   OIIO::Filesystem::IOVecOutput memory(encoded);
-  if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
+  if (!output->set_ioproxy(&memory) || !output->open("image." + format, spec) ||
       !output->write_image(type, values) || !output->close()) {
     throw std::runtime_error(output->geterror());
   }
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(encoded.data()),
-             static_cast<std::streamsize>(encoded.size()));
-  file.close();
-  if (!file) {
-    throw std::runtime_error("the disk does not take it");
-  }
+  return encoded;
 }
 
-constexpr ImageCodec codec{.open_bytes = open_bytes, .write_file = write_file};
+constexpr ImageCodec codec{.open_bytes = open_bytes, .encode = encode};
 
 }  // namespace
 }  // namespace foveola

@@ -76,9 +76,40 @@ TEST_F(ImageFile, PngIsTheDisplaysImageInEightBits) {
   EXPECT_EQ(back.color.pixels[1], Rgb(1.0F));
 }
 
-TEST_F(ImageFile, OnlyExrAndPngAreWritten) {
-  EXPECT_THAT([&] { require_image_extension("x.jpg"); },
-              ThrowsMessage<UsageError>(HasSubstr(".jpg")));
+TEST_F(ImageFile, JpegIsTheDisplaysImageToo) {
+  RgbImage grey(16, 8);
+  grey.pixels.assign(grey.pixels.size(), Rgb(0.25F));
+  write_image(folder_ / "a.jpg", grey, 1.0);
+  EXPECT_NEAR(read_film_image(folder_ / "a.jpg").color.pixels[0].g, 0.5F, 0.01F);
+}
+
+// Where the formats' specifications have it: a viewer looks into no other place.
+TEST_F(ImageFile, APanoramaSaysThatItIsOne) {
+  const RgbImage grey(16, 8);
+  const ImageFacts facts = {{projection_fact, panorama_projection}};
+  for (const char* name : {"a.png", "a.jpg"}) {
+    write_film_image(folder_ / name, {.color = grey, .samples = {}, .variances = {}}, 0.0, facts);
+    const std::string bytes = read_file(folder_ / name);
+    EXPECT_THAT(bytes, testing::AllOf(HasSubstr("GPano:ProjectionType=\"equirectangular\""),
+                                      HasSubstr("GPano:FullPanoWidthPixels=\"16\""),
+                                      HasSubstr("GPano:FullPanoHeightPixels=\"8\"")));
+    EXPECT_EQ(read_film_image(folder_ / name).color.width, 16) << "and is read as before";
+    write_image(folder_ / name, grey, 0.0);
+    EXPECT_THAT(read_file(folder_ / name), testing::Not(HasSubstr("GPano")));
+  }
+  write_film_image(folder_ / "a.png", {.color = grey, .samples = {}, .variances = {}}, 0.0, facts);
+  const std::string png = read_file(folder_ / "a.png");
+  EXPECT_EQ(png.substr(37, 22), std::string("iTXtXML:com.adobe.xmp\0", 22));
+  write_film_image(folder_ / "a.jpg", {.color = grey, .samples = {}, .variances = {}}, 0.0, facts);
+  const std::string jpeg = read_file(folder_ / "a.jpg");
+  const std::size_t app1 = jpeg.find("\xFF\xE1");
+  EXPECT_EQ(jpeg.substr(app1 + 4, 29), std::string("http://ns.adobe.com/xap/1.0/\0", 29));
+  EXPECT_EQ(app1, 2U + 18U) << "behind JFIF's segment";
+}
+
+TEST_F(ImageFile, NothingElseIsWritten) {
+  EXPECT_THAT([&] { require_image_extension("x.tif"); },
+              ThrowsMessage<UsageError>(HasSubstr(".tif")));
   EXPECT_THROW(require_image_extension("x"), UsageError);
   EXPECT_NO_THROW(require_image_extension("x.EXR"));
   EXPECT_THROW(write_image(folder_ / "x.tif", image_.color, 0.0), UsageError);
