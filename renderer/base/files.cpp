@@ -61,6 +61,16 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+/// What a symbolic link leads to in the end, whether that is there or not.
+fs::path followed(fs::path path) {
+  constexpr int max_links = 40;  // as Linux has it
+  std::error_code failure;
+  for (int i = 0; i < max_links && fs::is_symlink(path, failure); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, failure);
+  }
+  return path;
+}
+
 Error cannot_be_read(const fs::path& path) {
   return {path.string(), "cannot be read", "check its permissions"};
 }
@@ -185,7 +195,7 @@ std::string lower_case_extension(const fs::path& file) {
 }
 
 void require_writable(const fs::path& path) {
-  const fs::path folder = folder_of(path);
+  const fs::path folder = folder_of(followed(path));
   std::error_code failure;
   const fs::file_status status = fs::status(folder, failure);
   if (failure == std::errc::permission_denied) {
@@ -201,6 +211,9 @@ void require_writable(const fs::path& path) {
   }
   if (fs::is_directory(path, failure)) {
     throw Error(path.string(), "is a folder, not a file", "name a file in it");
+  }
+  if (fs::is_other(path, failure)) {
+    throw Error(path.string(), "is not a regular file", "choose another path");
   }
   if (::access(folder.c_str(), W_OK) != 0) {
     throw Error(path.string(), "the folder " + folder.string() + " cannot be written",
@@ -222,7 +235,7 @@ void sync_to_disk(const fs::path& path) {
 }
 
 TemporaryFile::TemporaryFile(fs::path final_path, FileAccess access)
-    : final_path_(std::move(final_path)) {
+    : final_path_(followed(std::move(final_path))) {
   require_writable(final_path_);
   path_ = make_temporary_beside(final_path_, access);
 }

@@ -39,17 +39,19 @@ std::string read_file(const std::filesystem::path& path, std::size_t most_bytes,
 /// apart by it.
 std::string lower_case_extension(const std::filesystem::path& file);
 
-/// Throws Error unless a file at `path` could be written: its folder exists and is writable, and
-/// it is no folder itself. For refusing a bad output before the work instead of after it.
+/// Throws Error unless a file at `path`, or where a symbolic link there leads to, could be written:
+/// its folder exists and is writable, and it is no folder, pipe or device itself. For refusing a
+/// bad output before the work instead of after it.
 void require_writable(const std::filesystem::path& path);
 
 /// Syncs what was written to a file, or the names in a folder: they are on the disk when this
 /// returns. Throws Error if they cannot be.
 void sync_to_disk(const std::filesystem::path& path);
 
-/// A new file that is to take the place of another, in the same folder and with the same extension.
-/// No other process has its name, on whatever machine. What is there goes at the end of the scope;
-/// what a killed program leaves there is hidden and called ".partial", and is never looked for.
+/// A new file that is to take the place of another, or of what a symbolic link there leads to, in
+/// the same folder and with the same extension. No other process has its name, on whatever machine.
+/// What is there goes at the end of the scope; what a killed program leaves there is hidden and
+/// called ".partial", and is never looked for.
 class TemporaryFile {
  public:
   /// Throws Error if the folder of `final_path` does not exist or cannot be written.

@@ -117,7 +117,7 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
                   "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]")
       ->group("360-degree image");
   CLI::Option* view = mark_output(command.add_option(
-      "--view", arguments.view, "Also write what the display shows, as .exr or .png"));
+      "--view", arguments.view, "Also write what the display shows, as .exr, .png or .jpg"));
   view->group("360-degree image");
   command
       .add_option("--view-size", arguments.view_size,
@@ -250,9 +250,10 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
-  command.add_option("-o,--output", arguments.output,
-                     "The image to write, as .exr (R, G, B, samples) or .png; or a .film, which "
-                     "--resume goes on with and merge-images makes an image of");
+  command.add_option(
+      "-o,--output", arguments.output,
+      "The image to write, as .exr (R, G, B, samples), .png or .jpg; or a .film, which "
+      "--resume goes on with and merge-images makes an image of");
   command.add_option(
       "--size", arguments.size,
       fmt::format("Size of the image in pixels, WIDTHxHEIGHT (default: {}, cut to the "

@@ -35,7 +35,6 @@ void require_size(const std::optional<IVec2>& size, const SettingNames& names) {
 }  // namespace
 
 RenderBudget budget_of(const BudgetChoices& choices, const SettingNames& names) {
-  constexpr double max_samples_per_pixel = 1e7;
   const auto given = {choices.samples_per_pixel.has_value(), choices.samples.has_value(),
                       choices.seconds.has_value()};
   if (std::count(given.begin(), given.end(), true) > 1) {
@@ -43,20 +42,21 @@ RenderBudget budget_of(const BudgetChoices& choices, const SettingNames& names) 
                      fmt::format("cannot be combined with {} or {}", names.samples, names.seconds),
                      "give one of them");
   }
+  const auto require_amount = [&](double amount, double max, const char* name) {
+    require_range(amount > 0.0 && amount <= max, name, fmt::format("above 0 and at most {:g}", max),
+                  names);
+  };
   if (choices.samples) {
-    require_range(*choices.samples >= 1, names.samples, "at least 1", names);
+    require_amount(static_cast<double>(*choices.samples), 1e15, names.samples);
     return {.samples = static_cast<std::uint64_t>(*choices.samples)};
   }
   if (choices.seconds) {
-    require_range(*choices.seconds > 0.0 && std::isfinite(*choices.seconds), names.seconds,
-                  "a finite number above 0", names);
+    require_amount(*choices.seconds, 1e7, names.seconds);
     return {.seconds = *choices.seconds};
   }
   const double samples_per_pixel =
       choices.samples_per_pixel.value_or(choices.default_samples_per_pixel);
-  require_range(samples_per_pixel > 0.0 && samples_per_pixel <= max_samples_per_pixel,
-                names.samples_per_pixel,
-                fmt::format("above 0 and at most {:g}", max_samples_per_pixel), names);
+  require_amount(samples_per_pixel, 1e7, names.samples_per_pixel);
   return {.samples_per_pixel = samples_per_pixel};
 }
 

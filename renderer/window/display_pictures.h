@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <future>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/image/image.h"
@@ -23,15 +25,22 @@ class DisplayPictures {
   /// Returns which.
   std::filesystem::path write_next(std::future<RgbImage> picture);
 
-  /// Waits for all; rethrows what kept the first one from being written.
+  /// What became of a picture of write_next().
+  struct Written {
+    std::filesystem::path file;
+    std::string fault;  ///< empty: it is there
+  };
+  /// Those of write_next() that are finished and that no call returned before.
+  std::vector<Written> take_written();
+
+  /// Waits for all others; rethrows what kept the first one from being written.
   void finish();
 
  private:
-  void write(const std::filesystem::path& file, std::future<RgbImage> picture,
-             void (*write_picture)(const std::filesystem::path&, const RgbImage&));
-
   int last_number_ = 0;
-  std::vector<std::future<void>> being_written_;  ///< std::async's: they wait when they go
+  // std::async's, which wait when they go.
+  std::vector<std::future<void>> private_ones_;
+  std::vector<std::pair<std::filesystem::path, std::future<void>>> numbered_ones_;
 };
 
 }  // namespace foveola

@@ -1,7 +1,6 @@
 #include "renderer/window/live_preview.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -12,8 +11,6 @@
 
 namespace foveola {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Keeps about the last `most` of a list that grows at its end.
 template <typename Item>
@@ -66,8 +63,20 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   return std::move(report_);
 }
 
+void LivePreview::tell_of_pictures() {
+  for (const DisplayPictures::Written& picture : pictures_.take_written()) {
+    if (picture.fault.empty()) {
+      tell("saved " + picture.file.string());
+    } else {
+      tell("not saved: " + picture.fault, MessageStay::long_enough);
+      print("foveola: warning: a picture was not saved: " + picture.fault);
+    }
+  }
+}
+
 void LivePreview::answer_events() {
   follow_change();
+  tell_of_pictures();
   for (const WindowEvent& event : parts_.events->take()) {
     if (!parts_.camera->follow(event)) {
       parts_.steering->follow(event);
@@ -292,8 +301,7 @@ void LivePreview::take_picture(ShownFrame& frame) {
     last_picture_ = picture_of(frame);
   } else if (wants_picture_) {
     frame.picture_is_bare = true;
-    const fs::path file = pictures_.write_next(picture_of(frame));
-    tell("picture of the film: " + file.string());
+    pictures_.write_next(picture_of(frame));
   }
   wants_picture_ = false;
 }

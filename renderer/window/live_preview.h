@@ -146,6 +146,7 @@ class LivePreview {
   void leave_check();
   void judge(const std::vector<WatchedTarget>& watched);
   void take_picture(ShownFrame& frame);
+  void tell_of_pictures();
   std::vector<TextPanel> panels() const;
   ShownNow shown_now() const;
 

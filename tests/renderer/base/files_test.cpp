@@ -125,6 +125,24 @@ TEST_F(Files, TheTemporaryFileKeepsTheExtension) {
   EXPECT_EQ(read_file(folder_ / "x.exr"), "image");
 }
 
+TEST_F(Files, ALinkIsFollowedAndStaysOne) {
+  fs::create_directories(folder_ / "elsewhere");
+  fs::create_symlink("elsewhere/b.txt", folder_ / "a.txt");
+  fs::create_symlink(folder_ / "a.txt", folder_ / "link.txt");
+  for (const char* content : {"new", "newer"}) {  // it leads to no file at first
+    require_writable(folder_ / "link.txt");
+    write_file(folder_ / "link.txt", content);
+    EXPECT_EQ(read_file(folder_ / "elsewhere/b.txt"), content);
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt") && fs::is_symlink(folder_ / "a.txt"));
+  }
+  fs::create_symlink("no-such-folder/b.txt", folder_ / "broken.txt");
+  EXPECT_THAT([&] { require_writable(folder_ / "broken.txt"); },
+              ThrowsMessage<Error>(HasSubstr("no-such-folder does not exist")));
+  fs::create_symlink("/dev/null", folder_ / "null.txt");
+  EXPECT_THAT([&] { require_writable(folder_ / "null.txt"); },
+              ThrowsMessage<Error>(HasSubstr("is not a regular file")));
+}
+
 /// Two machines can have processes of the same number, and one process several threads.
 TEST_F(Files, TwoTemporaryFilesOfOneNameAreTwo) {
   const TemporaryFile one(folder_ / "x.exr");

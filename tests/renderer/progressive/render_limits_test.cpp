@@ -1,6 +1,7 @@
 #include "renderer/progressive/render_limits.h"
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 #include <gmock/gmock.h>
@@ -40,10 +41,14 @@ TEST(RenderLimits, RefuseBudgetsThatNeverEnd) {
     EXPECT_THAT([&] { (void)budget_of({.samples_per_pixel = number}); },
                 ThrowsMessage<UsageError>(HasSubstr("--spp: must be above 0 and at most 1e+07")));
   }
-  EXPECT_THAT([] { (void)budget_of({.seconds = infinity}); },
-              ThrowsMessage<UsageError>(HasSubstr("--seconds")));
-  EXPECT_THAT([] { (void)budget_of({.samples = 0}); },
-              ThrowsMessage<UsageError>(HasSubstr("--samples")));
+  for (const double number : {infinity, std::nan(""), 0.0, 1e30}) {
+    EXPECT_THAT([&] { (void)budget_of({.seconds = number}); },
+                ThrowsMessage<UsageError>(HasSubstr("--seconds")));
+  }
+  for (const std::int64_t number : {std::int64_t{0}, std::int64_t{9'000'000'000'000'000'000}}) {
+    EXPECT_THAT([&] { (void)budget_of({.samples = number}); },
+                ThrowsMessage<UsageError>(HasSubstr("--samples")));
+  }
   EXPECT_THAT([] { (void)budget_of({.samples = 1, .seconds = 1.0}); },
               ThrowsMessage<UsageError>(HasSubstr("cannot be combined")));
   EXPECT_EQ(budget_of({.default_samples_per_pixel = 3.0}).samples_per_pixel, 3.0);

@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/image/image_file.h"
 #include "tests/temporary_folder.h"
+#include "tests/waiting.h"
 
 namespace foveola {
 namespace {
@@ -57,6 +58,32 @@ TEST(DisplayPicturesTest, NumbersGoOnAfterThoseThatAreThere) {
   EXPECT_EQ(pictures.write_next(grey_picture()), "foveola-3.png");
   pictures.finish();
   EXPECT_TRUE(std::filesystem::exists("foveola-2.png") && std::filesystem::exists("foveola-3.png"));
+  std::filesystem::current_path(before);
+}
+
+TEST(DisplayPicturesTest, AreSavedOnceTheyAreThere) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  DisplayPictures pictures;
+  std::promise<RgbImage> drawn;
+  pictures.write_next(drawn.get_future());
+  EXPECT_TRUE(pictures.take_written().empty());
+  drawn.set_value(RgbImage(4, 2));
+  const auto next = [&] {
+    std::vector<DisplayPictures::Written> written;
+    test::wait_until("a written picture",
+                     [&] { return !(written = pictures.take_written()).empty(); });
+    return written.front();
+  };
+  const DisplayPictures::Written saved = next();
+  EXPECT_EQ(saved.fault, "");
+  EXPECT_TRUE(std::filesystem::exists(saved.file));
+  EXPECT_TRUE(pictures.take_written().empty()) << "once";
+  std::filesystem::remove_all(folder.path());
+  pictures.write_next(grey_picture());
+  EXPECT_NE(next().fault, "") << "into a folder that is gone";
+  EXPECT_NO_THROW(pictures.finish()) << "it was reported";
   std::filesystem::current_path(before);
 }
 
