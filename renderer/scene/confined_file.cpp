@@ -9,16 +9,18 @@
 #include <fmt/format.h>
 
 #include "renderer/base/confined_path.h"
+#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace fs = std::filesystem;
 namespace {
 
-/// RFC 3986, section 3.1: a letter, then letters, digits, "+", "-" and ".", up to a colon.
-bool has_scheme(std::string_view uri) {
+/// RFC 3986, section 3.1: a letter, then letters, digits, "+", "-" and ".", up to a colon. That of
+/// a path of another machine is its own matter.
+bool has_other_scheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
-  if (colon == std::string_view::npos || colon == 0) {
+  if (colon == std::string_view::npos || colon == 0 || is_foreign_reference(uri)) {
     return false;
   }
   const std::string_view scheme = uri.substr(0, colon);
@@ -47,11 +49,11 @@ std::string percent_decoded(std::string_view uri) {
 }
 
 fs::path confined_file(const fs::path& folder, std::string_view uri) {
-  const std::string name = percent_decoded(uri);
+  const std::string name = local_reference(percent_decoded(uri));
   const auto refusal = [&](const std::string& why) {
     return std::runtime_error(fmt::format("refers to \"{}\", {}", sanitised(name), why));
   };
-  if (has_scheme(uri)) {
+  if (has_other_scheme(uri)) {
     throw refusal("which is not a relative path (only data: and relative references are read)");
   }
   try {
@@ -62,9 +64,9 @@ fs::path confined_file(const fs::path& folder, std::string_view uri) {
 }
 
 std::optional<fs::path> confined_file_if_there(const fs::path& folder, std::string_view uri) {
-  const fs::path name = percent_decoded(uri);
-  const bool stays_inside = !has_scheme(uri) && name.is_relative() &&
-                            std::find(name.begin(), name.end(), "..") == name.end();
+  const fs::path name = local_reference(percent_decoded(uri));
+  const bool stays_inside =
+      !has_other_scheme(uri) && std::find(name.begin(), name.end(), "..") == name.end();
   std::error_code failure;
   if (stays_inside && !fs::exists(folder / name, failure)) {
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/confined_file.h"
+#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/sanitised.h"
 
@@ -35,13 +36,17 @@ void GltfImages::load(int image) {
   } else {
     try {
       if (!confined_file_if_there(file_.folder, source.uri)) {
-        missing_files_.insert(file_.folder / percent_decoded(source.uri));
+        missing_files_.insert(file_.folder / local_reference(reference_of(image)));
       }
       load_file(image, confined_file(file_.folder, source.uri));
     } catch (const std::runtime_error& refusal) {
       throw GltfFault(fmt::format("images[{}].uri", image), refusal.what());
     }
   }
+}
+
+std::string GltfImages::reference_of(int image) const {
+  return percent_decoded(file_.model->images[static_cast<std::size_t>(image)].uri);
 }
 
 void GltfImages::load_file(int image, const std::filesystem::path& path) {

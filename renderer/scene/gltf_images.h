@@ -22,6 +22,9 @@ class GltfImages {
   /// GltfFault if that is not possible.
   void load(int image);
 
+  /// What it is called where it lies in a file of its own, decoded; else empty, or a data: uri.
+  std::string reference_of(int image) const;
+
   /// The PNG or JPEG bytes, or whatever they are, of an image that has been loaded.
   std::span<const unsigned char> encoded(int image) const;
 

@@ -122,6 +122,7 @@ int TextureSet::load(int texture) {
                         : "has no source image");
   }
   images_.load(image);
+  foreign_.add(images_.reference_of(image), warnings_);
   return image;
 }
 

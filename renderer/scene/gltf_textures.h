@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_images.h"
 #include "renderer/scene/kept_parts.h"
@@ -77,6 +78,7 @@ class TextureSet {
   KeptParts<Texels>* kept_;
   bool is_strict_;
   Warnings& warnings_;
+  ForeignReferences foreign_;
   TextureList<Content> textures_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/mtl_file.h"
 #include "renderer/scene/mtl_materials.h"
@@ -79,6 +80,7 @@ struct Library {
 Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFile& obj,
                        bool is_strict, Warnings& warnings) {
   Library library;
+  ForeignReferences foreign;
   for (const std::string& statement : obj.material_libraries) {
     for (const std::string& name : library_names(folder, statement)) {
       const std::string where = path.string() + ": mtllib";
@@ -87,14 +89,16 @@ Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFi
         throw Error(where, missing(name), where_files_belong);
       }
       if (!file) {
-        library.missing_files.insert(folder / with_slashes(name));
+        library.missing_files.insert(folder / local_reference(name));
         warnings.add("a material library is left out: " + sanitised(name) + " does not exist");
         continue;
       }
+      foreign.add(name, warnings);
       if (!library.files.insert(*file).second) {
         continue;
       }
-      const std::string subfolder = name.substr(0, name.find_last_of("/\\") + 1);
+      const std::string local = local_reference(name);
+      const std::string subfolder = local.substr(0, local.find_last_of('/') + 1);
       for (MtlMaterial& material : read_mtl_file(*file)) {
         const std::string key = material.name;
         library.materials.try_emplace(
@@ -142,7 +146,11 @@ class UsedMaterials {
     }
     const LibraryMaterial& source = found->second;
     const auto find_texture = [&](const std::string& texture) {
-      return texture_file(source.folder + texture, source.place);
+      foreign_.add(texture, warnings_);
+      const std::string local = local_reference(trimmed(texture));
+      const bool is_beside_obj = is_foreign_reference(texture) && !source.folder.empty() &&
+                                 !file_if_there(folder_, source.folder + local, source.place);
+      return texture_file(is_beside_obj ? local : source.folder + local, source.place);
     };
     return material_of(source.values, find_texture, textures_, source.place, warnings_);
   }
@@ -154,7 +162,7 @@ class UsedMaterials {
       throw Error(place, missing(name), where_files_belong);
     }
     if (!file) {
-      missing_textures_.insert(folder_ / with_slashes(name));
+      missing_textures_.insert(folder_ / name);
       warn_of_lost_texture(sanitised(name) + " does not exist", place, warnings_);
     }
     return file.value_or(fs::path());
@@ -165,6 +173,7 @@ class UsedMaterials {
   bool is_strict_;
   Warnings& warnings_;
   ObjTextureSet textures_;
+  ForeignReferences foreign_;
   std::set<fs::path> missing_textures_;
   std::map<std::string, std::size_t, std::less<>> index_of_;
   std::vector<Material> materials_;

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "renderer/scene/confined_file.h"
+#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/text_lines.h"
 
 namespace foveola {
@@ -11,9 +12,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// confined_file takes URIs, where a percent sign begins an escape.
-std::string as_uri(std::string_view name) {
+std::string as_uri(const std::string& name) {
   std::string uri;
-  for (const char c : with_slashes(name)) {
+  for (const char c : name) {
     uri += c == '%' ? "%25" : std::string(1, c);
   }
   return uri;
@@ -60,18 +61,12 @@ std::optional<fs::path> in_its_own_case(const fs::path& folder, const fs::path& 
 
 }  // namespace
 
-std::string with_slashes(std::string_view name) {
-  std::string path(trimmed(name));
-  std::replace(path.begin(), path.end(), '\\', '/');
-  return path;
-}
-
 std::optional<fs::path> find_obj_reference(const fs::path& folder, std::string_view name) {
-  const std::string uri = as_uri(name);
-  if (auto file = confined_file_if_there(folder, uri)) {
+  const std::string local = local_reference(trimmed(name));
+  if (auto file = confined_file_if_there(folder, as_uri(local))) {
     return file;
   }
-  const std::optional<fs::path> other = in_its_own_case(folder, percent_decoded(uri));
+  const std::optional<fs::path> other = in_its_own_case(folder, local);
   return other ? std::optional(confined_file(folder, as_uri(other->native()))) : std::nullopt;
 }
 

@@ -9,13 +9,10 @@
 
 namespace foveola {
 
-/// `name` with slashes between its folders, and no blanks around it.
-std::string with_slashes(std::string_view name);
-
-/// The file inside `folder` that `name` refers to, with slashes or backslashes between its folders.
-/// What no file is called exactly may be called in letters of another case (ASCII), if only one
-/// file is. Nothing if there is none. Throws std::runtime_error that says why, as confined_file
-/// does, if `name` leads out of the folder.
+/// The file inside `folder` that `name` refers to, as local_reference() has it, without blanks
+/// around it. What no file is called exactly may be called in letters of another case (ASCII), if
+/// only one file is. Nothing if there is none. Throws std::runtime_error that says why, as
+/// confined_file does, if `name` leads out of the folder.
 std::optional<std::filesystem::path> find_obj_reference(const std::filesystem::path& folder,
                                                         std::string_view name);
 

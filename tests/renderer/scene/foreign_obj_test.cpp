@@ -14,6 +14,35 @@ using ::testing::IsEmpty;
 
 class ForeignObj : public ObjText {};
 
+/// Blender's exporter writes absolute paths by default.
+TEST_F(ForeignObj, TexturesOfAnotherMachineAreThoseBesideTheScene) {
+  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0});
+  write("wood.png", image);
+  write("sub/stone.png", image);
+  for (const char* library : {"m.mtl", "sub/m.mtl"}) {
+    for (const char* path : {"/home/artist/wood.png", "C:\\maps\\Wood.png", "file:///x/wood.png"}) {
+      write(library, std::string("newmtl m\nmap_Kd ") + path + "\n");
+      const Scene scene =
+          load("mtllib " + std::string(library) + "\n" + three_corners + textured_face);
+      EXPECT_THAT(scene.warnings, IsEmpty()) << library << " " << path;
+      ASSERT_EQ(scene.textures.size(), 1U);
+    }
+  }
+  write("sub/m.mtl", "newmtl m\nmap_Kd /x/stone.png\n");
+  EXPECT_EQ(load("mtllib sub\\m.mtl\n" + three_corners + textured_face).textures.size(), 1U);
+  write("m.mtl", "newmtl m\nmap_Kd /x/gone.png\n");
+  const std::string gone = "mtllib C:\\x\\m.mtl\n" + three_corners + textured_face;
+  EXPECT_THAT(load(gone).warnings,
+              ElementsAre("a texture is left out: gone.png does not exist (m.mtl: m)"));
+  EXPECT_THAT(strict_error_of(gone), HasSubstr("refers to \"gone.png\", a file that does not"));
+  write("m.mtl", "newmtl m\nmap_Kd /x/wood.png\nmap_Ke /y/wood.png\n");
+  EXPECT_THAT(load("mtllib m.mtl\n" + three_corners + textured_face).warnings,
+              ElementsAre(HasSubstr("/x/wood.png and a file of the same name in another folder")));
+  write("m.mtl", "newmtl m\n");
+  EXPECT_THAT(load("mtllib /x/m.mtl\nmtllib D:\\m.mtl\n" + three_corners + textured_face).warnings,
+              ElementsAre(HasSubstr("/x/m.mtl and a file of the same name in another folder")));
+}
+
 TEST_F(ForeignObj, TexturesThatCannotBeHadAreLeftOut) {
   write("text.tga", "this is no image");
   write("m.mtl", "newmtl m\nmap_Kd gone.png\nmap_d gone.png\nmap_Ke text.tga\nmap_Pr gone.png\n");
