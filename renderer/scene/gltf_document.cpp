@@ -124,7 +124,8 @@ void write_whole_numbers_as_integers(Json& value) {
 }  // namespace
 
 bool is_supported_extension(std::string_view name) {
-  static constexpr std::array<std::string_view, 16> supported = {
+  static constexpr std::array<std::string_view, 18> supported = {
+      "EXT_mesh_gpu_instancing",    "KHR_node_visibility",
       "EXT_meshopt_compression",    "EXT_texture_webp",
       "KHR_draco_mesh_compression", "KHR_lights_punctual",
       "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",

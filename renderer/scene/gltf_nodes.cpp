@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,6 +15,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <tiny_gltf.h>
 
+#include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_deformation.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_values.h"
@@ -95,14 +99,13 @@ DVec3 vector_or(const std::vector<double>& numbers, const DVec3& absent) {
 
 std::string place_of(int node) { return fmt::format("nodes[{}]", node); }
 
-DMat4 rotation_of(const tinygltf::Node& node, int index) {
-  if (node.rotation.empty()) {
-    return DMat4(1.0);
-  }
-  const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+/// numbers: x, y, z and w of a quaternion.
+template <typename Number>
+DMat4 rotation_of(const Number* numbers, int node) {
+  const glm::dquat rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
   const double length = glm::length(rotation);
   if (!(length > 0.0) || !std::isfinite(length)) {
-    throw GltfFault(place_of(index) + ".rotation", "is not a rotation");
+    throw GltfFault(place_of(node) + ".rotation", "is not a rotation");
   }
   return glm::mat4_cast(rotation / length);
 }
@@ -116,7 +119,8 @@ DMat4 parent_from_local(const tinygltf::Node& node, int index) {
     return matrix;
   }
   const DMat4 translation = glm::translate(DMat4(1.0), vector_or(node.translation, DVec3(0.0)));
-  const DMat4 rotation = rotation_of(node, index);
+  const DMat4 rotation =
+      node.rotation.empty() ? DMat4(1.0) : rotation_of(node.rotation.data(), index);
   return glm::scale(translation * rotation, vector_or(node.scale, DVec3(1.0)));
 }
 
@@ -128,6 +132,63 @@ void require_finite(const DMat4& matrix, int node) {
       }
     }
   }
+}
+
+/// Where EXT_mesh_gpu_instancing has the node's mesh, in the node's coordinates; once at its origin
+/// without it.
+std::vector<DMat4> instances_of(const tinygltf::Model& model, const tinygltf::Node& node,
+                                int index) {
+  const GltfValues attributes =
+      GltfValues(node.extensions, "EXT_mesh_gpu_instancing").object("attributes");
+  if (!attributes.exists()) {
+    return {DMat4(1.0)};
+  }
+  const std::string place = place_of(index) + ".extensions.EXT_mesh_gpu_instancing.attributes";
+  std::optional<std::size_t> count;
+  const auto read = [&](const std::string& name, int components) {
+    std::vector<float> numbers;
+    if (const int accessor = attributes.integer(name, -1); accessor >= 0) {
+      const std::string where = fmt::format("{}.{}", place, name);
+      numbers = read_numbers(model, accessor, components, where);
+      const std::size_t elements = element_count(model, accessor);
+      if (count.value_or(elements) != elements) {
+        throw GltfFault(where, "is of another number of instances than the others");
+      }
+      count = elements;
+    }
+    return numbers;
+  };
+  const std::vector<float> translations = read("TRANSLATION", 3);
+  const std::vector<float> rotations = read("ROTATION", 4);
+  const std::vector<float> scales = read("SCALE", 3);
+  std::vector<DMat4> instances(count.value_or(1), DMat4(1.0));
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    if (!translations.empty()) {
+      instances[i] = glm::translate(instances[i], DVec3(glm::make_vec3(&translations[3 * i])));
+    }
+    if (!rotations.empty()) {
+      instances[i] *= rotation_of(&rotations[4 * i], index);
+    }
+    if (!scales.empty()) {
+      instances[i] = glm::scale(instances[i], DVec3(glm::make_vec3(&scales[3 * i])));
+    }
+    require_finite(instances[i], index);
+  }
+  return instances;
+}
+
+/// Nodes may share an accessor, so that a small file can name any number.
+void require_few_instances(std::size_t count, int node) {
+  constexpr std::size_t max_instances = std::size_t{1} << 22;
+  if (count > max_instances) {
+    throw GltfFault(place_of(node),
+                    fmt::format("brings the meshes in the scene to more than {}", max_instances));
+  }
+}
+
+/// What KHR_node_visibility says of the node itself.
+bool is_visible(const tinygltf::Node& node) {
+  return GltfValues(node.extensions, "KHR_node_visibility").boolean("visible", true);
 }
 
 /// KHR_lights_punctual's light at `node`, or -1.
@@ -178,6 +239,8 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
   PlacedNodes placed;
   placed.meshes.resize(model.meshes.size());
   std::vector<DMat4> world_from_local(model.nodes.size(), DMat4(1.0));
+  std::vector<bool> is_hidden(model.nodes.size());
+  std::size_t instance_count = 0;
   const std::vector<int> roots = root_nodes(model, parents);
   std::vector<int> pending(roots.rbegin(), roots.rend());
   while (!pending.empty()) {
@@ -187,25 +250,36 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
     const int parent = parents[static_cast<std::size_t>(index)];
     DMat4& transform = world_from_local[static_cast<std::size_t>(index)];
     transform = parent_from_local(node, index);
+    bool is_shown = is_visible(node);
     if (parent != no_parent) {
       transform = world_from_local[static_cast<std::size_t>(parent)] * transform;
+      is_shown = is_shown && !is_hidden[static_cast<std::size_t>(parent)];
     }
+    is_hidden[static_cast<std::size_t>(index)] = !is_shown;
     require_finite(transform, index);
     const Placement placement{.node = index, .world_from_local = transform};
-    if (node.mesh >= 0) {
-      Placement& place_of_mesh =
-          placed.meshes[static_cast<std::size_t>(node.mesh)].emplace_back(placement);
+    if (node.mesh >= 0 && is_shown) {
+      std::vector<Placement>& places = placed.meshes[static_cast<std::size_t>(node.mesh)];
       if (is_skinned(model, node)) {  // by its joints, which stand in the world
-        place_of_mesh.world_from_local = DMat4(1.0);
-      } else if (node.skin >= 0) {
-        warnings.add("a skin is ignored: its mesh has no joints or no weights", place_of(index));
+        places.push_back({.node = index});
+      } else {
+        const std::vector<DMat4> instances = instances_of(model, node, index);
+        instance_count += instances.size();
+        require_few_instances(instance_count, index);
+        for (const DMat4& instance : instances) {
+          places.push_back({.node = index, .world_from_local = transform * instance});
+          require_finite(places.back().world_from_local, index);
+        }
+        if (node.skin >= 0) {
+          warnings.add("a skin is ignored: its mesh has no joints or no weights", place_of(index));
+        }
       }
     }
     if (node.camera >= 0) {
       placed.cameras.push_back(
           {.index = static_cast<std::size_t>(node.camera), .placement = placement});
     }
-    if (const int light = light_of(node); light >= 0) {
+    if (const int light = light_of(node); light >= 0 && is_shown) {
       placed.lights.push_back({.index = static_cast<std::size_t>(light), .placement = placement});
     }
     pending.insert(pending.end(), node.children.rbegin(), node.children.rend());

@@ -34,8 +34,9 @@ struct PlacedNodes {
 };
 
 /// Visits the nodes of the default scene (else the first; else, where a file has no scenes, all
-/// root nodes). Throws GltfFault, naming the place, if the nodes are not a strict tree or a
-/// transform is not finite.
+/// root nodes). Of a node that KHR_node_visibility hides, and of those below it, no mesh and no
+/// light is placed; EXT_mesh_gpu_instancing places a mesh several times. Throws GltfFault, naming
+/// the place, if the nodes are not a strict tree or a transform is not finite.
 PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings);
 
 /// The perspective cameras, their positions seen from `origin`. A roll about the line of sight,

@@ -68,19 +68,23 @@ class Schema {
   }
 
   Rule node() const {
-    return object({{"name", optional, text()},
-                   {"children", optional, indices("nodes")},
-                   {"mesh", optional, index("meshes")},
-                   {"camera", optional, index("cameras")},
-                   {"skin", optional, index("skins")},
-                   {"weights", optional, array_of(any_number())},
-                   {"matrix", optional, numbers(16)},
-                   {"translation", optional, numbers(3)},
-                   {"rotation", optional, numbers(4)},
-                   {"scale", optional, numbers(3)},
-                   {"extensions", optional,
-                    object({{"KHR_lights_punctual", optional,
-                             object({{"light", required, light_index()}})}})}});
+    return object(
+        {{"name", optional, text()},
+         {"children", optional, indices("nodes")},
+         {"mesh", optional, index("meshes")},
+         {"camera", optional, index("cameras")},
+         {"skin", optional, index("skins")},
+         {"weights", optional, array_of(any_number())},
+         {"matrix", optional, numbers(16)},
+         {"translation", optional, numbers(3)},
+         {"rotation", optional, numbers(4)},
+         {"scale", optional, numbers(3)},
+         {"extensions", optional,
+          object(
+              {{"KHR_lights_punctual", optional, object({{"light", required, light_index()}})},
+               {"EXT_mesh_gpu_instancing", optional,
+                object({{"attributes", required, map_of(index("accessors"))}})},
+               {"KHR_node_visibility", optional, object({{"visible", optional, boolean()}})}})}});
   }
 
   Rule mesh() const {

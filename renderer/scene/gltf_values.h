@@ -31,6 +31,9 @@ class GltfValues {
   int integer(const std::string& name, int absent) const {
     return has(name) ? value_->Get(name).GetNumberAsInt() : absent;
   }
+  bool boolean(const std::string& name, bool absent) const {
+    return has(name) ? value_->Get(name).Get<bool>() : absent;
+  }
   glm::dvec2 vec2(const std::string& name, const glm::dvec2& absent) const {
     return has(name) ? glm::dvec2(element(name, 0), element(name, 1)) : absent;
   }

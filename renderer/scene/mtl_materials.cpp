@@ -69,6 +69,12 @@ class MaterialReader {
     }
     return limited(values_.diffuse, 1.0F, "Kd");
   }
+  /// Exporters write a black Kd beside a map that is meant to be seen.
+  Rgb seen_diffuse() const {
+    const Rgb stated = diffuse();
+    const bool is_black = max_component(stated) == 0.0F && !values_.diffuse_texname.empty();
+    return is_black ? Rgb(1.0F) : stated;
+  }
   Rgb specular() const {
     if (!has("Ks")) {
       return Rgb(values_.specular_texname.empty() ? 0.0F : 1.0F);
@@ -112,7 +118,7 @@ class MaterialReader {
   }
 
   void make_surface(Material& material) const {
-    material.base_color = diffuse();
+    material.base_color = seen_diffuse();
     if (has("Pr") || has("Pm") || has("map_Pr") || has("map_Pm")) {
       make_physically_based(material);
     } else {
@@ -205,24 +211,37 @@ class MaterialReader {
     }
   }
 
+  /// By norm, or by a bump map in colours, as which Blender writes them.
   void read_normals(Material& material) const {
-    material.normal_texture = texture_of(values_.normal_texname, values_.normal_texopt, false);
-    if (material.normal_texture.exists()) {
-      material.normal_scale =
-          limited(values_.normal_texopt.bump_multiplier, -100.0F, 100.0F, "-bm");
+    const bool has_norm = !values_.normal_texname.empty();
+    const std::string& name = has_norm ? values_.normal_texname : values_.bump_texname;
+    const tinyobj::texture_option_t& options =
+        has_norm ? values_.normal_texopt : values_.bump_texopt;
+    const fs::path file = file_of(name);
+    const bool is_used = !file.empty() && (has_norm || has_colors(file));
+    if (has_norm || !is_used) {
+      warn_of_map(values_.bump_texname, "bump maps in greys are ignored");
+    }
+    if (!is_used) {
+      return;
+    }
+    material.normal_texture = use_of({.first = file}, options);
+    material.normal_scale = limited(options.bump_multiplier, -100.0F, 100.0F, "-bm");
+  }
+
+  void warn_of_map(const std::string& name, const char* warning) const {
+    if (!name.empty()) {
+      warnings_.add(warning, place_);
     }
   }
 
   void warn_of_what_is_ignored() const {
-    const std::array<std::pair<const std::string*, const char*>, 4> ignored = {
-        {{&values_.bump_texname, "bump maps are ignored"},
-         {&values_.displacement_texname, "displacement maps are ignored"},
+    const std::array<std::pair<const std::string*, const char*>, 3> ignored = {
+        {{&values_.displacement_texname, "displacement maps are ignored"},
          {&values_.reflection_texname, "reflection maps are ignored"},
          {&values_.specular_highlight_texname, "maps of the highlight's exponent are ignored"}}};
     for (const auto& [name, warning] : ignored) {
-      if (!name->empty()) {
-        warnings_.add(warning, place_);
-      }
+      warn_of_map(*name, warning);
     }
     warnings_.add("a map that names no file is ignored", place_, source_.maps_without_file);
     for (const std::string& statement : source_.without_numbers) {

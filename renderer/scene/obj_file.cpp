@@ -15,6 +15,7 @@
 #include "renderer/base/files.h"
 #include "renderer/scene/obj_colors.h"
 #include "renderer/scene/obj_numbers.h"
+#include "renderer/scene/obj_smoothing.h"
 #include "renderer/scene/text_lines.h"
 
 namespace foveola {
@@ -30,8 +31,13 @@ constexpr std::size_t most_parts = std::size_t{1} << 20;
 /// loses polygons whose ears it cannot find, and cannot be made to stop at a bad index.
 class Collector {
  public:
-  Collector(std::string file_name, ObjFile& obj, Warnings& warnings)
-      : file_name_(std::move(file_name)), obj_(obj), warnings_(warnings) {}
+  /// smoothing_groups: of smoothing_groups_in().
+  Collector(std::string file_name, std::vector<unsigned> smoothing_groups, ObjFile& obj,
+            Warnings& warnings)
+      : file_name_(std::move(file_name)),
+        smoothing_groups_(std::move(smoothing_groups)),
+        obj_(obj),
+        warnings_(warnings) {}
 
   static tinyobj::callback_t callbacks() {
     tinyobj::callback_t callbacks;
@@ -95,6 +101,9 @@ class Collector {
     }
     ObjPart& part = current_part();
     part.begins.push_back(part.corners.size());
+    if (faces_ <= smoothing_groups_.size()) {
+      part.smoothing_groups.push_back(smoothing_groups_[faces_ - 1]);
+    }
     for (int i = 0; i < count; ++i) {
       part.corners.push_back(
           {.position = resolved(corners[i].vertex_index, obj_.positions.size(), "vertex"),
@@ -124,6 +133,7 @@ class Collector {
   static constexpr std::size_t no_part = std::numeric_limits<std::size_t>::max();
 
   std::string file_name_;
+  std::vector<unsigned> smoothing_groups_;
   ObjFile& obj_;
   Warnings& warnings_;
   std::string object_;
@@ -167,9 +177,11 @@ ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings) {
   join_continued_lines(text);
   obj.material_libraries = material_libraries_in(text);
   obj.colors = vertex_colors_in(text);
+  std::vector<unsigned> smoothing_groups = smoothing_groups_in(text);
   std::istringstream stream(with_infinities_for_no_numbers(std::move(text)));
-  Collector collector(path.string(), obj, warnings);
+  Collector collector(path.string(), std::move(smoothing_groups), obj, warnings);
   tinyobj::LoadObjWithCallback(stream, Collector::callbacks(), &collector);
+  add_smooth_normals(obj);
   obj.colors.resize(obj.colors.empty() ? 0 : obj.positions.size(), Rgb(1.0F));
   return obj;
 }

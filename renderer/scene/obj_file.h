@@ -24,10 +24,11 @@ struct ObjCorner {
 
 /// The faces of one object that have one material.
 struct ObjPart {
-  std::string object;               ///< the last "o", or, as long as there was none, "g"
-  std::string material;             ///< the last "usemtl"; may be empty
-  std::vector<ObjCorner> corners;   ///< one face after the other
-  std::vector<std::size_t> begins;  ///< for each face, the index of its first corner
+  std::string object;                      ///< the last "o", or, as long as there was none, "g"
+  std::string material;                    ///< the last "usemtl"; may be empty
+  std::vector<ObjCorner> corners;          ///< one face after the other
+  std::vector<std::size_t> begins;         ///< for each face, the index of its first corner
+  std::vector<unsigned> smoothing_groups;  ///< of each face, 0: none; empty if no face has one
 };
 
 struct ObjFile {
@@ -40,9 +41,9 @@ struct ObjFile {
   std::string sha256;                           ///< SHA-256 of the file
 };
 
-/// Reads the file at `path`: faces with their indices resolved and in range. Lines, points, curves
-/// and smoothing groups are not read. Throws Error if the file cannot be read, is no text, or a
-/// face names what has not been given before it.
+/// Reads the file at `path`: faces with their indices resolved and in range, and normals as of
+/// add_smooth_normals(). Lines, points and curves are not read. Throws Error if the file cannot be
+/// read, is no text, or a face names what has not been given before it.
 ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings);
 
 }  // namespace foveola

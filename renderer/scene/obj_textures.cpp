@@ -99,6 +99,25 @@ std::size_t most_bytes_of(const ObjTexture& texture, const std::map<fs::path, Im
 
 }  // namespace
 
+bool has_colors(const fs::path& file) {
+  constexpr int noise = 8;  // of JPEG's greys
+  try {
+    const DecodedImage image = decode(file, false).value();
+    const auto step = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; step > 2 && i < image.texels.size(); i += step) {
+      const auto [low, high] =
+          std::minmax({image.texels[i], image.texels[i + 1], image.texels[i + 2]});
+      if (high - low > noise) {
+        return true;
+      }
+    }
+  } catch (const OutputIsInput&) {
+    throw;
+  } catch (const Error&) {  // it is left out, as any bump map
+  }
+  return false;
+}
+
 int ObjTextureSet::add(const ObjTexture& texture, Wrap wrap) {
   return textures_.add(texture, {.wrap_u = wrap, .wrap_v = wrap});
 }

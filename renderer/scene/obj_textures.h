@@ -30,6 +30,10 @@ struct ObjTexture {
   auto operator<=>(const ObjTexture&) const = default;
 };
 
+/// Whether the image at `file` can be decoded and has other colours than greys: a bump map that has
+/// is a normal map.
+bool has_colors(const std::filesystem::path& file);
+
 class ObjTextureSet {
  public:
   /// The index, in what decode() will return, of `texture` continued by `wrap`.

@@ -1,4 +1,6 @@
 // OBJ files as other programs and systems write them, and that lack a texture.
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "tests/encoded_image.h"
@@ -13,6 +15,30 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 class ForeignObj : public ObjText {};
+
+/// Two squares that meet at a right angle, with the edge of x = 0 in common, where the mean of
+/// their normals is +Y.
+TEST_F(ForeignObj, SmoothingGroupsHaveSmoothNormals) {
+  const std::string roof = "v 0 0 0\nv 0 0 1\nv -1 -1 1\nv -1 -1 0\nv 1 -1 1\nv 1 -1 0\n";
+  const std::string left = "f 1 4 3 2\n";
+  const std::string right = "f 1 2 5 6\n";
+  const Scene smooth = load(roof + "s 1\n" + left + right);
+  const Mesh& mesh = smooth.meshes.at(0);
+  ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+  int edges = 0;
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    const float x = mesh.positions[i].x;
+    const Vec3 expected = glm::normalize(Vec3(x, 1.0F, 0.0F));
+    EXPECT_NEAR(glm::distance(mesh.normals[i], expected), 0.0F, 1e-6F) << x;
+    edges += x == 0.0F ? 1 : 0;
+  }
+  EXPECT_EQ(edges, 2) << "one vertex for both faces";
+  EXPECT_TRUE(load(roof + "s off\n" + left + right).meshes.at(0).normals.empty());
+  const Mesh two = load(roof + "s 1\n" + left + "s 2\n" + right).meshes.at(0);
+  for (std::size_t i = 0; i < two.normals.size(); ++i) {
+    EXPECT_NEAR(std::abs(two.normals[i].x), std::sqrt(0.5F), 1e-6F) << "of its own group alone";
+  }
+}
 
 /// Blender's exporter writes absolute paths by default.
 TEST_F(ForeignObj, TexturesOfAnotherMachineAreThoseBesideTheScene) {

@@ -198,8 +198,8 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/images/0/uri", "a.png", "images[0]: must have either a uri or a bufferView"},
       {"/cameras/0/type", "fisheye", "cameras[0].type: must be one of perspective"},
       {"/extensionsUsed/0", 3, "extensionsUsed[0]: must be a text"},
-      {"/extensionsRequired/0", "EXT_mesh_gpu_instancing",
-       "extensionsRequired[0]: the extension EXT_mesh_gpu_instancing is not supported"}};
+      {"/extensionsRequired/0", "EXT_mesh_manifold",
+       "extensionsRequired[0]: the extension EXT_mesh_manifold is not supported"}};
   for (const Wrong& wrong : cases) {
     Json document = complete();
     document[Json::json_pointer(wrong.pointer)] = wrong.value;
@@ -227,7 +227,7 @@ TEST(GltfDocument, NamesWhatIsMissing) {
 
 /// Compressed textures have no fallback where the extension is required.
 TEST(GltfDocument, NamesEveryRequiredExtensionThatIsNotSupported) {
-  for (const char* name : {"KHR_texture_basisu", "EXT_mesh_gpu_instancing"}) {
+  for (const char* name : {"KHR_texture_basisu", "EXT_mesh_manifold"}) {
     Json document = complete();
     document["extensionsRequired"] = {name};
     EXPECT_THAT(fault_in(document), StartsWith("extensionsRequired[0]: the extension " +

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -251,6 +252,46 @@ TEST_F(Nodes, ADeepChainIsNoProblem) {
   glb.document["nodes"][depth / 2]["translation"] = {0, 0, 5};
   glb.document["scenes"][0]["nodes"] = {depth - 1};
   EXPECT_EQ(world_position(load(glb), 0, 0).z, 5.0F);
+}
+
+/// EXT_mesh_gpu_instancing: the node's transform comes after the instance's T R S.
+TEST_F(Nodes, InstancesStandWhereTheirAttributesSay) {
+  GlbBuilder glb = one_triangle();
+  const int places = glb.add_vectors({{-1, 0, 0}, {0, 0, 0}, {1, 0, 5}});
+  const int scales = glb.add_vectors({{1, 1, 1}, {2, 2, 2}, {1, 1, 1}});
+  const auto turn = static_cast<std::int8_t>(std::lround(127 * std::sqrt(0.5)));
+  const int turns = glb.add_accessor(
+      std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 0, 127, 0, 0, turn, turn}, int8, "VEC4", 4);
+  glb.document["accessors"][turns]["normalized"] = true;
+  glb.document["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  Json& node = glb.document["nodes"][0];
+  node["translation"] = {0, 10, 0};
+  Json& attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes = {{"TRANSLATION", places}, {"SCALE", scales}, {"ROTATION", turns}};
+  const Scene scene = load(glb);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  ASSERT_EQ(scene.meshes.size(), 3U);
+  expect_placed_near(world_position(scene, 0, 1), {0, 10, 0});
+  expect_placed_near(world_position(scene, 1, 1), {2, 10, 0});
+  expect_placed_near(world_position(scene, 2, 1), {1, 11, 5});  // (1, 0, 0) turned to (0, 1, 0)
+  attributes["SCALE"] = glb.add_vectors({{1, 1, 1}});
+  EXPECT_THAT(error_of(glb), HasSubstr("attributes.SCALE: is of another number of instances"));
+}
+
+/// KHR_node_visibility: and all that is below it; a light as well, whose node is one of these.
+TEST_F(Nodes, HiddenOnesAreNotShown) {
+  GlbBuilder glb = nested({Json::object(), Json::object()});
+  glb.document["extensionsRequired"] = {"KHR_node_visibility"};
+  glb.document["extensionsUsed"] = {"KHR_lights_punctual"};
+  glb.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  glb.document["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  Json& visibility = glb.document["nodes"][1]["extensions"]["KHR_node_visibility"];
+  visibility = {{"visible", true}};
+  EXPECT_EQ(load(glb).meshes.size(), 1U);
+  EXPECT_EQ(load(glb).lights.size(), 1U);
+  visibility = {{"visible", false}};
+  EXPECT_TRUE(load(glb).meshes.empty());
+  EXPECT_TRUE(load(glb).lights.empty());
 }
 
 }  // namespace

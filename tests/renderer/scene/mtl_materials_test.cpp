@@ -187,6 +187,18 @@ TEST_F(MtlMaterials, ClampedOrNotAMapIsDecodedOnce) {
   EXPECT_EQ(&scene.textures[0].texels(), &scene.textures[1].texels());
 }
 
+/// Blender writes normal maps so.
+TEST_F(MtlMaterials, ABumpMapInColoursIsANormalMap) {
+  write("n.png", png(1, 1, 3, std::vector<std::uint8_t>{218, 128, 218}));
+  const Scene bump = scene_of("Kd 1 1 1\nmap_Bump -bm 0.5 n.png\n");
+  const Scene norm = scene_of("Kd 1 1 1\nnorm -bm 0.5 n.png\n");
+  for (const Scene* scene : {&bump, &norm}) {
+    EXPECT_THAT(scene->warnings, IsEmpty());
+    EXPECT_EQ(scene->materials.at(0).normal_scale, 0.5F);
+    EXPECT_NEAR(scene->textures.at(0).sample({0, 0}).r, 218.0F / 255.0F, 1e-6F);
+  }
+}
+
 /// One picture with associated alpha, and of linear floats: (200, 100, 50) above, in sRGB.
 TEST_F(MtlMaterials, TiffsHaveTheirColoursWhateverTheirNumbersAre) {
   for (const char* name : {"associated.tif", "float.tif"}) {
@@ -197,6 +209,12 @@ TEST_F(MtlMaterials, TiffsHaveTheirColoursWhateverTheirNumbersAre) {
     EXPECT_NEAR(above.g, 0.127, 0.004) << name;
     EXPECT_NEAR(above.b, 0.032, 0.004) << name;
   }
+}
+
+TEST_F(MtlMaterials, AMapOverBlackIsSeen) {
+  grey("grey.png", 200);
+  EXPECT_EQ(material("Kd 0 0 0\nmap_Kd grey.png\nillum 4\nNi 1\nTf 1 1 1\n").base_color, Rgb(1.0F));
+  EXPECT_EQ(material("Kd 0 0 0\n").base_color, Rgb(0.0F));
 }
 
 TEST_F(MtlMaterials, ColoursAreSrgbAndDataLinear) {
@@ -269,7 +287,7 @@ TEST_F(MtlMaterials, SaysWhatItIgnoresAndLimits) {
   grey("bump.png", 9);
   EXPECT_THAT(read("Kd 2 0.5 -1\nmap_Bump bump.png\nmap_Ns bump.png\n").second,
               ElementsAre("Kd is limited to the range it may have (2 times, first at m.mtl: m)",
-                          "bump maps are ignored (m.mtl: m)",
+                          "bump maps in greys are ignored (m.mtl: m)",
                           "maps of the highlight's exponent are ignored (m.mtl: m)"));
   EXPECT_EQ(read("Kd 2 0.5 -1\n").first.base_color, Rgb(1, 0.5F, 0));
 }
