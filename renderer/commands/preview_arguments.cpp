@@ -31,10 +31,10 @@ PreviewChoices choices_from(const PreviewArguments& arguments) {
       .methods = methods_from(arguments.method),
       .look = {.fill_unsampled = arguments.fill_unsampled, .curve = tone_curve(arguments.look)}};
   const std::vector<std::pair<std::string, bool*>> overlays = {
-      {"gaze", &choices.shows_gaze},       {"rings", &choices.shows_rings},
-      {"density", &choices.shows_density}, {"times", &choices.shows_frame_times},
-      {"latency", &choices.shows_latency}, {"view", &choices.shows_view},
-      {"help", &choices.shows_help}};
+      {"gaze", &choices.shows_gaze},         {"rings", &choices.shows_rings},
+      {"density", &choices.shows_density},   {"times", &choices.shows_frame_times},
+      {"latency", &choices.shows_latency},   {"view", &choices.shows_view},
+      {"warnings", &choices.shows_warnings}, {"help", &choices.shows_help}};
   for (const std::string& name : arguments.shown) {
     for (const auto& [overlay, choice] : overlays) {
       *choice = *choice || name == overlay;
@@ -103,7 +103,8 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
       "Fill unsampled pixels from what is known around them; they are black otherwise");
   command.add_option("--show", arguments.shown, "Overlays to show to begin with")
       ->delimiter(',')
-      ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "view", "help"}));
+      ->check(CLI::IsMember(
+          {"gaze", "rings", "density", "times", "latency", "view", "warnings", "help"}));
   command.add_flag("--watch", arguments.watch,
                    "Expect the scene's files to change, so that the first change, too, is shown as "
                    "soon as later ones; rays take a third longer");

@@ -80,6 +80,8 @@ SceneChange change_of(ReloadedScene reloaded) {
   for (const std::string& warning : reloaded.scene->warnings) {
     change.remarks.push_back(warning_line(warning));
   }
+  change.warnings = reloaded.scene->warnings;
+  change.has_studio_light = reloaded.scene->has_studio_light;
   change.tracer = &reloaded.scene->tracer;
   change.surroundings = surroundings_of(*reloaded.scene);
   change.owner = std::move(reloaded.scene);
@@ -103,6 +105,7 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   const Workers workers(arguments.threads);
   const PictureChoices picture = window_picture(request, framebuffer);
   SceneChoices choices = request.scene;
+  choices.lights_unlit = true;
   choices.framed_for = picture_of({}, picture).field_of_view;
   KeptForReload kept;
   if (arguments.watch) {
@@ -145,6 +148,8 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
       .window_px = shown_in.display.window_px(),
       .keeps_last_picture = !arguments.screenshot.empty(),
       .corrects_gaze = arguments.correct_gaze,
+      .warnings = loaded.warnings,
+      .has_studio_light = loaded.has_studio_light,
       .notify = print_notice,
       .take_change =
           [&] {

@@ -51,24 +51,40 @@ Vec3 place_near_a_part(const Scene& scene, const Standpoint& standpoint,
 
 }  // namespace
 
-std::vector<std::string> lacks_of(const Scene& scene, bool camera_is_enclosed) {
+void add_studio_light(Scene& scene) {
+  Environment& studio = scene.environment.emplace();
+  studio.map_width = 8;
+  studio.map_height = 4;
+  for (const float radiance : {1.6F, 1.2F, 0.6F, 0.3F}) {
+    studio.map.insert(studio.map.end(), 8, Rgb(radiance));
+  }
+}
+
+std::vector<std::string> lacks_of(const Scene& scene, bool camera_is_enclosed,
+                                  bool has_studio_light) {
   std::vector<std::string> lacks;
   if (scene.object_count() == 0) {
     lacks.emplace_back(
         "there is nothing to see but what surrounds the scene; export its objects as meshes, and "
         "not only those that are selected");
   }
-  if (has_light(scene)) {
+  if (has_light(scene) && !has_studio_light) {
     return lacks;
   }
-  lacks.emplace_back(
-      camera_is_enclosed
-          ? "nothing in the scene shines, so that pictures of it are black; it is closed around "
-            "the "
-            "camera, where no light comes in from outside: export lights in it, or a material that "
-            "emits, or see it from outside by --camera X,Y,Z and --environment 1,1,1"
-          : "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
-            "render and preview lights it evenly, and see their --help for daylight and images");
+  if (camera_is_enclosed) {
+    lacks.emplace_back(
+        "nothing in the scene shines, so that pictures of it are black; it is closed around the "
+        "camera, where no light comes in from outside: export lights in it, or a material that "
+        "emits, or see it from outside by --camera X,Y,Z and --environment 1,1,1");
+  } else if (has_studio_light) {
+    lacks.emplace_back(
+        "nothing in the scene shines: it is shown in a studio light; choose another by "
+        "--environment, see --help for daylight and images");
+  } else {
+    lacks.emplace_back(
+        "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
+        "render and preview lights it evenly, and see their --help for daylight and images");
+  }
   return lacks;
 }
 

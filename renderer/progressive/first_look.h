@@ -11,9 +11,13 @@
 
 namespace foveola {
 
+/// Lights a scene in which nothing shines evenly from all around, and more from above.
+void add_studio_light(Scene& scene);
+
 /// One line each for what a scene lacks: geometry, or light; the option that mends it is the one
-/// that helps where the camera stands.
-std::vector<std::string> lacks_of(const Scene& scene, bool camera_is_enclosed);
+/// that helps where the camera stands. has_studio_light: whether only that lights it.
+std::vector<std::string> lacks_of(const Scene& scene, bool camera_is_enclosed,
+                                  bool has_studio_light = false);
 
 /// Where a file without a camera is seen from, why, and how to look from elsewhere; one more line
 /// if nearly all of the picture is empty, because objects lie too far apart.

@@ -15,6 +15,7 @@
 #include "renderer/progressive/surroundings.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/made_up_names.h"
+#include "renderer/scene/scene_facts.h"
 
 namespace foveola {
 namespace {
@@ -29,9 +30,12 @@ void make_diffuse(Material& material) {
   material.normal_texture = {};
 }
 
-Scene with_materials(Scene scene, bool diffuse) {
+Scene as_chosen(Scene scene, bool diffuse, bool has_studio_light) {
   if (diffuse) {
     std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
+  }
+  if (has_studio_light) {
+    add_studio_light(scene);
   }
   return scene;
 }
@@ -129,7 +133,8 @@ LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, doubl
                          const Workers& workers, const SceneChoices& choices, KeptForReload* kept)
     : source(scene_source),
       load_seconds(timed_scene.second),
-      scene(with_materials(std::move(timed_scene.first), choices.diffuse)),
+      has_studio_light(choices.lights_unlit && !has_light(timed_scene.first)),
+      scene(as_chosen(std::move(timed_scene.first), choices.diffuse, has_studio_light)),
       tracer(build(scene, workers, kept, build_seconds)),
       warnings(scene.warnings),
       camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)),
@@ -140,7 +145,7 @@ LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, doubl
     tracer.learn_lights(camera.position, workers);
     build_seconds += seconds(clock.now() - start);
   }
-  for (std::string& lack : lacks_of(scene, camera_is_enclosed)) {
+  for (std::string& lack : lacks_of(scene, camera_is_enclosed, has_studio_light)) {
     warnings.push_back(std::move(lack));
   }
 }

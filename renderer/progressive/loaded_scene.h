@@ -24,7 +24,8 @@ struct SceneChoices {
   std::optional<AzimuthElevation> head;  ///< world, with its horizon level; default: the camera's
   /// The field of view of the picture that a place to stand is chosen for.
   std::optional<FieldOfView> framed_for;  ///< default: the usual picture's
-  bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
+  bool diffuse = false;       ///< every material is Lambertian in its base colour, emission kept
+  bool lights_unlit = false;  ///< a scene in which nothing shines gets a studio light
   /// Which lights reach where is learned from the camera's place (see PathTracer::learn_lights).
   bool learns_lights = true;
 };
@@ -43,6 +44,7 @@ struct LoadedScene {
   SceneSource source;
   double load_seconds = 0.0;
   double build_seconds = 0.0;
+  bool has_studio_light = false;  ///< whether only that lights it
   Scene scene;
   PathTracer tracer;
   /// One line each: what loading warned of, where one stands if neither the scene nor the choices

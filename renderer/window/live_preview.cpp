@@ -33,6 +33,7 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
       drawing_(parts.preview->film(), parts.presenter->film_drawer(), *parts.workers) {
   show_view();
   restart();
+  tell_of_warnings();
 }
 
 LivePreviewReport LivePreview::run(const std::stop_token& stop) {
@@ -71,6 +72,17 @@ void LivePreview::tell_of_pictures() {
       tell("not saved: " + picture.fault, MessageStay::long_enough);
       print("foveola: warning: a picture was not saved: " + picture.fault);
     }
+  }
+}
+
+void LivePreview::tell_of_warnings() {
+  if (settings_.has_studio_light) {
+    tell("nothing in the scene shines: a studio light", MessageStay::long_enough);
+  }
+  if (const std::size_t count = settings_.warnings.size(); count > 0) {
+    tell(fmt::format("{} warning{} of the scene: w shows {}", count, count == 1 ? "" : "s",
+                     count == 1 ? "it" : "them"),
+         MessageStay::long_enough);
   }
 }
 
@@ -116,6 +128,9 @@ void LivePreview::follow_change() {
     parts_.preview->show(*change->tracer, parts_.camera->position());
     scene_ = std::move(change->owner);
     tell("the scene has changed");
+    settings_.warnings = std::move(change->warnings);
+    settings_.has_studio_light = change->has_studio_light;
+    tell_of_warnings();
   } else {
     tell("the scene has changed but does not load, see the terminal: the old one stays",
          MessageStay::long_enough);
@@ -376,6 +391,7 @@ std::vector<TextPanel> LivePreview::panels() const {
     notes.push_back(status);
   }
   return preview_panels(choices_, {.notes = std::move(notes),
+                                   .warnings = settings_.warnings,
                                    .frames = report_.frames,
                                    .tracker = settings_.tracker,
                                    .display = settings_.display,

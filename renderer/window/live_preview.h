@@ -40,6 +40,8 @@ struct SceneChange {
   std::shared_ptr<const void> owner;   ///< keeps the tracer and the surroundings alive
   CameraSurroundings surroundings;     ///< those of the new scene
   std::vector<std::string> remarks;    ///< on the new scene, or why the old one stays
+  std::vector<std::string> warnings;   ///< on the new scene
+  bool has_studio_light = false;       ///< whether only that lights it
   Nanoseconds changed{0};              ///< when the files were complete
 };
 
@@ -63,6 +65,8 @@ struct LivePreviewSettings {
   bool keeps_last_picture = false;      ///< whether the last frame's picture is kept
   bool corrects_gaze = false;           ///< whether the gaze is corrected by what each check finds
   CalibrationTiming gaze_check;         ///< timing of such a check
+  std::vector<std::string> warnings;    ///< on the scene: counted at first, and shown by a key
+  bool has_studio_light = false;        ///< whether only that lights it; named at first
   /// Called with each line that the user should read at once; may be empty.
   std::function<void(const std::string& line)> notify;
   /// Asked before each frame for what became of the last change of the scene; may be empty.
@@ -147,6 +151,7 @@ class LivePreview {
   void judge(const std::vector<WatchedTarget>& watched);
   void take_picture(ShownFrame& frame);
   void tell_of_pictures();
+  void tell_of_warnings();
   std::vector<TextPanel> panels() const;
   ShownNow shown_now() const;
 

@@ -42,6 +42,7 @@ constexpr std::array letters = {
     LetterMeaning{'l', PreviewAction::show_latency, "latency"},
     LetterMeaning{'c', PreviewAction::check_gaze, "check the tracker: five dots"},
     LetterMeaning{'p', PreviewAction::take_picture, "picture of the film, as a file"},
+    LetterMeaning{'w', PreviewAction::show_warnings, "warnings of the scene"},
     LetterMeaning{'q', PreviewAction::close, "quit, as Escape"},
     LetterMeaning{'?', PreviewAction::show_help, "this help, as F1"},
 };
@@ -167,6 +168,9 @@ bool follow(PreviewAction action, PreviewChoices& choices) {
       break;
     case PreviewAction::show_view:
       toggle(choices.shows_view);
+      break;
+    case PreviewAction::show_warnings:
+      toggle(choices.shows_warnings);
       break;
     case PreviewAction::show_help:
       toggle(choices.shows_help);

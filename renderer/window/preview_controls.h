@@ -26,6 +26,7 @@ enum class PreviewAction {
   show_frame_times,
   show_latency,
   show_view,
+  show_warnings,
   show_help,
   cut_fireflies,
   next_curve,
@@ -63,6 +64,7 @@ struct PreviewChoices {
   bool shows_frame_times = false;
   bool shows_latency = false;
   bool shows_view = false;
+  bool shows_warnings = false;
   bool shows_help = false;
 };
 

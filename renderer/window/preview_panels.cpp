@@ -44,6 +44,15 @@ std::string latency_line(const LatencySpread& spread) {
                      spread.provenance == Provenance::assumed ? "  assumed" : "");
 }
 
+std::vector<std::string> warning_lines(std::span<const std::string> warnings) {
+  std::vector<std::string> lines = {warnings.empty() ? "no warnings of the scene"
+                                                     : "warnings of the scene"};
+  for (const std::string& warning : warnings) {
+    lines.push_back("- " + warning);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
@@ -153,6 +162,9 @@ std::vector<TextPanel> preview_panels(const PreviewChoices& choices,
   };
   if (!contents.notes.empty()) {
     show(PanelPlace::bottom_left, contents.notes);
+  }
+  if (choices.shows_warnings) {
+    show(PanelPlace::middle, warning_lines(contents.warnings));
   }
   if (choices.shows_help) {
     show(PanelPlace::middle, help_lines());

@@ -53,7 +53,8 @@ std::string view_options(const ShownNow& shown);
 
 /// What panels tell of.
 struct PanelContents {
-  std::vector<std::string> notes;  ///< what the user should read now
+  std::vector<std::string> notes;         ///< what the user should read now
+  std::span<const std::string> warnings;  ///< on the scene
   std::span<const LiveFrame> frames;
   const TrackerProfile& tracker;
   const DisplayProfile& display;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/progressive/loaded_scene.h"
 #include "renderer/stability/shapes.h"
 
 namespace foveola::test {
@@ -37,6 +38,19 @@ TEST(FirstLook, TellsWhatIsMissingAndWhatMendsIt) {
   Scene lit = boxes_at({0});
   lit.lights.resize(1);
   EXPECT_THAT(lacks_of(lit, false), IsEmpty());
+}
+
+TEST(FirstLook, AnUnlitSceneIsShownInAStudioLightWhereThatIsWanted) {
+  const Workers workers;
+  const LoadedScene dark({}, boxes_at({0}), workers);
+  EXPECT_FALSE(dark.scene.environment);
+  const LoadedScene studio({}, boxes_at({0}), workers, {.lights_unlit = true});
+  ASSERT_TRUE(studio.scene.environment);
+  EXPECT_GT(studio.scene.environment->map.front().g, studio.scene.environment->map.back().g);
+  EXPECT_THAT(studio.warnings, testing::Contains(HasSubstr("is shown in a studio light")));
+  Scene lit = boxes_at({0});
+  lit.lights.resize(1);
+  EXPECT_FALSE(LoadedScene({}, lit, workers, {.lights_unlit = true}).scene.environment);
 }
 
 TEST(FirstLook, AsksForLightsWithinWhereNoneComesIn) {

@@ -88,6 +88,20 @@ TEST(PreviewPanelsTest, ThoseThatWereChosenAreShown) {
   EXPECT_TRUE(panels[1].has_density_scale);
 }
 
+TEST(PreviewPanelsTest, WarningsOfTheTerminalCanBeRead) {
+  const TrackerProfile tracker{.rate_hz = 70.0};
+  const DisplayProfile display{.refresh_rate_hz = 60.0};
+  const std::vector<std::string> warnings = {"a texture is left out", "normals are replaced"};
+  const PanelContents contents{.warnings = warnings, .tracker = tracker, .display = display};
+  PreviewChoices choices{.methods = {"fv"}};
+  EXPECT_THAT(preview_panels(choices, contents), IsEmpty());
+  follow(*action_of(CharacterTyped{'w'}), choices);
+  const std::vector<TextPanel> panels = preview_panels(choices, contents);
+  ASSERT_THAT(panels, SizeIs(1));
+  EXPECT_THAT(panels[0].lines, ElementsAre("warnings of the scene", "- a texture is left out",
+                                           "- normals are replaced"));
+}
+
 TEST(PreviewPanelsTest, NotesAreTheMostImportant) {
   const TrackerProfile tracker{.rate_hz = 70.0};
   const DisplayProfile display{.refresh_rate_hz = 60.0};
