@@ -130,6 +130,23 @@ TEST(SurfaceTest, WideRaysSeeTheMeanOfATexture) {
   EXPECT_NEAR(surface_point(scene, centre, down, 2.0F).reflectance.base_color.r, 0.5, 0.01);
 }
 
+/// The floor shows the left half of a picture, whose other half is white.
+TEST(SurfaceTest, WideRaysSeeNothingBeyondTheirTriangle) {
+  Material material = dielectric(1.0F);
+  material.base_color_texture.texture = 0;
+  Scene scene = floor_scene(material);
+  for (Vec2& uv : scene.meshes[0].uv_sets[0]) {
+    uv.x *= 0.5F;
+  }
+  std::vector<std::uint8_t> halves;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const std::uint8_t value = i % 64 < 32 ? 51 : 255;
+    halves.insert(halves.end(), {value, value, value, 255});
+  }
+  scene.textures.emplace_back(64, 64, halves, false, Wrap::repeat, Wrap::repeat);
+  EXPECT_NEAR(surface_point(scene, centre, down, 20.0F).reflectance.base_color.r, 0.2, 1e-5);
+}
+
 /// The floor's u runs along +x, its v along +z (towards the viewer), as its corners say.
 Scene floor_with_normal_map(const std::vector<std::uint8_t>& texel) {
   Material material = dielectric(0.5F);
