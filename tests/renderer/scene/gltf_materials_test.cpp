@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "tests/renderer/scene/glb_builder.h"
 
@@ -328,17 +333,23 @@ TEST_F(GltfMaterials, RefusesMoreTexelsThanItsFilesHaveARightTo) {
   EXPECT_THAT(error_of(glb), HasSubstr(" bytes of the files"));
 }
 
-TEST_F(GltfMaterials, RefusesMoreTexelsThanMemoryHolds) {
+/// Images of 768 MiB each.
+TEST_F(GltfMaterials, RefusesMoreTexelsThanHalfOfTheMemoryHolds) {
+  const double memory_mib = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
+                            static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+  const double limit_mib = std::max(2048.0, memory_mib / 2.0);
+  const int images = static_cast<int>(limit_mib / 768.0) + 1;
   GlbBuilder glb = with_material(plain);
+  Json primitive = glb.document["meshes"][0]["primitives"][0];
   const std::string large = huge_png(50000);
-  const Json texture = {{"index", glb.add_texture(large)}};
-  const Json normal = {{"index", glb.add_texture(large)}};
-  const Json emissive = {{"index", glb.add_texture(large)}};
-  glb.document["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", texture}}},
-                                  {"normalTexture", normal},
-                                  {"emissiveTexture", emissive},
-                                  {"emissiveFactor", {1, 1, 1}}};
-  EXPECT_THAT(error_of(glb), HasSubstr("images: would take 2304 MiB of memory; up to 2048 are"));
+  for (int i = 0; i < images; ++i) {
+    primitive["material"] = glb.add("materials", textured(glb.add_texture(large)));
+    glb.document["meshes"][0]["primitives"].push_back(primitive);
+  }
+  EXPECT_THAT(
+      error_of(glb),
+      HasSubstr(fmt::format("images: would take {} MiB of memory; up to {:.0f} are allowed here",
+                            768 * images, limit_mib)));
 }
 
 }  // namespace
