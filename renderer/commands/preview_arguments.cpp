@@ -148,6 +148,7 @@ PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFin
                          .gaze_filter = parse_gaze_filter(arguments.gaze_filter)};
   request.render.film_size = parse_size("--size", arguments.size);
   request.render.trace = arguments.trace;
+  request.render.visits_pixels_in_rounds = true;
   if (!arguments.gaze_file.empty()) {
     request.replayed_gaze = read_gaze_file(arguments.gaze_file);
   }

@@ -1,5 +1,8 @@
 #include "renderer/film/sample_pass.h"
 
+#include <bit>
+#include <cmath>
+
 #include "renderer/base/random.h"
 
 namespace foveola {
@@ -8,9 +11,63 @@ namespace {
 /// Points that one task draws.
 constexpr std::size_t point_block = 4096;
 
+/// Keeps the places within cells apart from the order of the cells.
+constexpr std::uint32_t place_stream = 0x706c6163U;
+
+/// A cell in a round that visits each of `cells` once: the box of a Sobol point in the smallest
+/// grid with powers of two that holds them. A box outside gives the rank of another point instead
+/// (cycle walking: Black and Rogaway 2002, "Ciphers with Arbitrary Finite Domains").
+IVec2 visited_cell(const IVec2& cells, std::uint64_t rank, std::uint32_t seed) {
+  const IVec2 boxes(std::bit_ceil(static_cast<std::uint32_t>(cells.x)),
+                    std::bit_ceil(static_cast<std::uint32_t>(cells.y)));
+  while (true) {
+    const IVec2 box(sobol_2d(rank, seed) * Vec2(boxes));
+    if (box.x < cells.x && box.y < cells.y) {
+      return box;
+    }
+    rank = static_cast<std::uint64_t>(
+        box.y < cells.y ? std::int64_t{cells.x} * cells.y +
+                              std::int64_t{boxes.x - cells.x} * box.y + box.x - cells.x
+                        : std::int64_t{boxes.x} * box.y + box.x);
+  }
+}
+
+/// The position in [0, 1) of a place in a cell; its rounding is undone where it leaves the cell.
+float position_in(int cell, float place, int cells) {
+  const auto size = static_cast<float>(cells);
+  float position = (static_cast<float>(cell) + place) / size;
+  while (static_cast<int>(position * size) > cell) {
+    position = std::nextafter(position, 0.0F);
+  }
+  while (static_cast<int>(position * size) < cell) {
+    position = std::nextafter(position, 1.0F);
+  }
+  return position;
+}
+
+/// Point `index` of the pattern that visits cells in rounds. Within a cell the points of all rounds
+/// are a Sobol sequence.
+Vec2 point_in_rounds(const IVec2& cells, std::uint64_t index, std::uint32_t seed) {
+  const auto columns = static_cast<std::uint64_t>(cells.x);
+  const std::uint64_t in_round = columns * static_cast<std::uint64_t>(cells.y);
+  const std::uint64_t round = index / in_round;
+  const IVec2 cell =
+      visited_cell(cells, index % in_round, mix(seed, static_cast<std::uint32_t>(round)));
+  const std::uint64_t number = static_cast<std::uint64_t>(cell.y) * columns + cell.x;
+  const Vec2 place =
+      sobol_2d(round, mix(mix(seed, place_stream), static_cast<std::uint32_t>(number)));
+  return {position_in(cell.x, place.x, cells.x), position_in(cell.y, place.y, cells.y)};
+}
+
 /// Draws the points of `range` from the one at `begin` on.
 void draw(const PointRange& range, std::size_t begin, std::span<Vec2> points) {
   const std::uint64_t first = range.first + begin;
+  if (range.cells.x > 0) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i] = point_in_rounds(range.cells, first + i, range.seed);
+    }
+    return;
+  }
   if (range.numbers == RandomNumbers::low_discrepancy) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       points[i] = sobol_2d(first + i, range.seed);

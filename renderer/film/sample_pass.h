@@ -25,6 +25,9 @@ struct PointRange {
   std::uint64_t count = 0;
   std::uint32_t seed = 0;
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
+  /// Columns and rows of cells that are visited in rounds, each once in a round, so that their
+  /// counts differ by one at most. `numbers` then has no effect. 0: no cells.
+  IVec2 cells{0};
 };
 
 /// Keeps its buffers from pass to pass.

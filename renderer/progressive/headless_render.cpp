@@ -147,6 +147,7 @@ ProgressiveSettings progressive_of(const RenderSettings& settings, const LoadedS
   ProgressiveSettings progressive = loaded.rendered_with(settings.progressive);
   progressive.film_size = shot.size;
   progressive.pixel_angle_rad = shot.pixel_angle_rad;
+  progressive.visits_pixels_in_rounds = true;
   progressive.trace.seed = seed_of(settings);
   if (progressive.adaptive) {
     progressive.adaptive->exposure_stops = exposure.stops;

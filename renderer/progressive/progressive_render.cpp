@@ -120,8 +120,12 @@ RayCounts ProgressiveRender::trace(std::span<const SampleJob> jobs, std::span<Rg
 
 void ProgressiveRender::draw(const ViewSampler& sampler, std::uint64_t points,
                              const SamplePass::Trace& trace) {
-  const PointRange range = {
-      .first = next_point_, .count = points, .seed = pattern_seed_, .numbers = settings_.numbers};
+  const bool in_rounds = settings_.visits_pixels_in_rounds && sampler.keeps_points();
+  const PointRange range = {.first = next_point_,
+                            .count = points,
+                            .seed = pattern_seed_,
+                            .numbers = settings_.numbers,
+                            .cells = in_rounds ? settings_.film_size : IVec2(0)};
   const std::vector<DroppedSample> dropped =
       pass_.run(sampler, range, trace, film_, *workers_,
                 [this](std::vector<ViewSample>& samples) { adjust(samples); });

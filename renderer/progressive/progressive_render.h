@@ -24,6 +24,9 @@ struct ProgressiveSettings {
   /// Its seed is that of the paths. Its pixel angle is that of the film, whatever stands here.
   TraceSettings trace;
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
+  /// Visits all pixels in rounds where the sampler is uniform over the film, so that their counts
+  /// differ by one at most. Off in studies, whose sample positions are those of one sequence.
+  bool visits_pixels_in_rounds = false;
   /// Sends samples away from pixels whose noise is no longer seen. Off in the published study.
   std::optional<VisibleNoise> adaptive;
   bool keep_variances = false;  ///< in the film, even without adaptive sampling

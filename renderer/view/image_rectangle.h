@@ -15,6 +15,7 @@ struct ImageRectangle {
   /// A point of the unit square, stretched over the rectangle; u in [0, 1).
   Vec2 place(const Vec2& point) const;
   bool contains(const Vec2& image) const;
+  bool operator==(const ImageRectangle&) const = default;
 };
 
 /// The smallest that holds all of the viewport: all around where the viewport holds a pole. Under a

@@ -19,6 +19,8 @@ class RectangleSampler : public ViewSampler {
     sample_places(points, [this](const Vec2& point) { return rectangle_.place(point); }, samples);
   }
 
+  bool keeps_points() const override { return rectangle_ == ImageRectangle{}; }
+
   double density_per_sr(const Vec3& direction) const override {
     return rectangle_.contains(equirect_from_direction(direction))
                ? equirect_area_per_sr(direction) / rectangle_.area()

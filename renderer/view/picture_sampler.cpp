@@ -15,6 +15,8 @@ class PictureSampler final : public ViewSampler {
     }
   }
 
+  bool keeps_points() const override { return true; }
+
   double density_per_sr(const Vec3& direction) const override {
     const std::optional<Vec2> plane = viewport_->project(direction);
     return plane ? 1.0 / viewport_->sr_per_area(*plane) : 0.0;

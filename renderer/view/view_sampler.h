@@ -37,6 +37,8 @@ class ViewSampler {
   /// Maps points of the unit square [0, 1)^2 to as many samples, one to one. Several threads call
   /// it at once, each for a part of the points.
   virtual void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const = 0;
+  /// Whether each sample's image position is its point, so that a point chooses the pixel.
+  virtual bool keeps_points() const { return false; }
   /// The probability density of `direction` per steradian; integrates to 1 over the sphere.
   virtual double density_per_sr(const Vec3& direction) const = 0;
 };

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
+#include "renderer/view/picture_sampler.h"
 #include "tests/renderer/view/every_method.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
@@ -51,6 +54,78 @@ TEST(SamplePass, WholeNetsGiveEveryPixelTheSame) {
              workers);
     EXPECT_THAT(film.resolve().samples, testing::Each(8U));
   }
+}
+
+// Neither side of most sizes is a power of two; with Sobol points alone 18 to 24 % of the pixels of
+// those had nothing after a round.
+TEST(SamplePass, VisitsInRoundsDifferByOneAtMost) {
+  const Workers workers(2);
+  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
+  const std::unique_ptr<ViewSampler> picture = make_picture_sampler();
+  picture->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+  for (const IVec2 size : {IVec2(1917, 1079), IVec2(1280, 720), IVec2(64, 64), IVec2(3, 1)}) {
+    for (const ViewSampler* sampler : {od.get(), picture.get()}) {
+      ASSERT_TRUE(sampler->keeps_points());
+      EquirectFilm film(size.x, size.y);
+      SamplePass pass;
+      PointRange points = {.seed = 7, .cells = size};
+      const auto counts_at = [&](std::uint64_t end) {
+        points.count = end - points.first;
+        pass.run(*sampler, points, trace_direction, film, workers);
+        points.first = end;
+        const std::vector<std::uint32_t> counts = film.resolve().samples;
+        const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
+        return std::pair(*fewest, *most);
+      };
+      const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * size.y;
+      EXPECT_EQ(counts_at(pixels / 3), std::pair(0U, 1U));
+      EXPECT_EQ(counts_at(pixels), std::pair(1U, 1U));
+      EXPECT_EQ(counts_at(pixels + pixels / 3), std::pair(1U, 2U));
+    }
+  }
+}
+
+// The mean of a place that is uniform in [0, 1) has a variance of 1/12 over the number of samples;
+// that of one place in each of four equal parts has 1/12 / 4^3.
+TEST(SamplePass, RoundsStratifyEachPixel) {
+  const Workers workers(2);
+  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
+  constexpr IVec2 size(100, 75);
+  const auto place_in_pixel = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    std::transform(jobs.begin(), jobs.end(), radiance.begin(), [&](const SampleJob& job) {
+      return Rgb(glm::fract(equirect_from_direction(job.direction) * Vec2(size)), 0.0F);
+    });
+  };
+  EquirectFilm film(size.x, size.y);
+  SamplePass().run(*od, {.count = 4 * 100 * 75, .seed = 3, .cells = size}, place_in_pixel, film,
+                   workers);
+  DVec2 variance(0.0);
+  for (const Rgb& mean : film.resolve().color.pixels) {
+    const DVec2 error = DVec2(mean) - 0.5;
+    variance += error * error / (100.0 * 75.0);
+  }
+  EXPECT_NEAR(variance.x, 1.0 / 768.0, 0.1 / 768.0);
+  EXPECT_NEAR(variance.y, 1.0 / 768.0, 0.1 / 768.0);
+}
+
+// A third of a round: squares of 20 x 20 pixels hold 133 points each. As many at random would
+// differ by 9.4 (a standard deviation, without replacement), Sobol points by about 1.
+TEST(SamplePass, ARoundFillsTheFilmEvenly) {
+  const Workers workers(2);
+  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
+  constexpr IVec2 size(640, 480);
+  EquirectFilm film(size.x, size.y);
+  SamplePass().run(*od, {.count = 640 * 480 / 3, .seed = 5, .cells = size}, trace_direction, film,
+                   workers);
+  double variance = 0.0;
+  for (int square = 0; square < 32 * 24; ++square) {
+    double count = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      count += film.sample_count(square % 32 * 20 + i % 20, square / 32 * 20 + i / 20);
+    }
+    variance += (count - 400.0 / 3.0) * (count - 400.0 / 3.0) / (32.0 * 24.0);
+  }
+  EXPECT_LT(std::sqrt(variance), 8.0);
 }
 
 TEST(SamplePass, CutsAndThreadsDoNotMatter) {

@@ -93,6 +93,25 @@ TEST_F(ProgressiveRenderTest, ARestartWithAnotherSeedIsAnotherRender) {
             render_of_two.film().resolve().color.pixels);
 }
 
+// A viewport's samples, and a gaze's, fall where the sampler says, pixels or not.
+TEST_F(ProgressiveRenderTest, OnlyASamplerThatIsUniformVisitsPixelsInRounds) {
+  const auto samples = [&](const ViewSampler& sampler, bool in_rounds) {
+    settings_.film_size = {150, 75};
+    settings_.visits_pixels_in_rounds = in_rounds;
+    ProgressiveRender rendered = render();
+    rendered.advance(sampler, 5000);
+    rendered.advance(sampler, std::uint64_t{150} * 75 - 5000);
+    return rendered.film().resolve().samples;
+  };
+  EXPECT_THAT(samples(*even_sampler_, true), testing::Each(1U));
+  EXPECT_THAT(samples(*even_sampler_, false), testing::Contains(0U));
+  for (const char* method : {"fv", "vp", "vp-rect", "crop:width=40"}) {
+    const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
+    sampler->aim({.viewport = Viewport({}, FieldOfView{})});
+    EXPECT_EQ(samples(*sampler, true), samples(*sampler, false)) << method;
+  }
+}
+
 // Each of two patterns of as many points as there are pixels gives every pixel one of them.
 TEST_F(ProgressiveRenderTest, AnotherPatternAddsToTheFilm) {
   constexpr std::uint64_t pixels = 256 * 128;
