@@ -14,6 +14,9 @@ class Value;
 
 namespace foveola {
 
+/// Normal textures are scaled by at most so much.
+inline constexpr double steepest_normal_scale = 1e3;
+
 /// A glTF textureInfo.
 struct TextureReference {
   int index = -1;  ///< -1: none

@@ -81,9 +81,13 @@ void read_clearcoat(const tinygltf::Material& source, MaterialContext& context,
     material.clearcoat_roughness_texture =
         extension.texture("clearcoatRoughnessTexture", Encoding::linear);
   }
-  if (extension.values().has("clearcoatNormalTexture")) {
-    context.warn("normal textures of clear coats are ignored",
-                 extension.place_of("clearcoatNormalTexture"));
+  if (const GltfValues normal = extension.values().object("clearcoatNormalTexture");
+      normal.exists()) {
+    material.clearcoat_normal_scale =
+        context.limited(normal.number("scale", 1.0), -steepest_normal_scale, steepest_normal_scale,
+                        extension.place_of("clearcoatNormalTexture.scale"));
+    material.clearcoat_normal_texture =
+        extension.texture("clearcoatNormalTexture", Encoding::linear);
   }
 }
 

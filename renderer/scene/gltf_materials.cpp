@@ -60,12 +60,11 @@ void read_metallic_roughness(const tinygltf::Material& source, MaterialContext& 
 
 void read_normal_texture(const tinygltf::Material& source, MaterialContext& context,
                          Material& material) {
-  constexpr double steepest = 1e3;
   if (source.normalTexture.index < 0) {
     return;
   }
-  material.normal_scale =
-      context.limited(source.normalTexture.scale, -steepest, steepest, "normalTexture.scale");
+  material.normal_scale = context.limited(source.normalTexture.scale, -steepest_normal_scale,
+                                          steepest_normal_scale, "normalTexture.scale");
   if (material.normal_scale != 0.0F) {
     material.normal_texture = context.use(reference_to(source.normalTexture), Encoding::linear);
   }
@@ -121,8 +120,10 @@ bool needs_default_material(const tinygltf::Model& model) {
 
 VertexNeeds needs_of(const Material& material, const std::vector<int>& uv_sets) {
   VertexNeeds needs{.uv_sets = uv_sets, .normal_texture = std::nullopt};
-  if (material.normal_texture.exists()) {
-    needs.normal_texture = material.normal_texture;
+  for (const TextureUse* use : {&material.normal_texture, &material.clearcoat_normal_texture}) {
+    if (!needs.normal_texture && use->exists()) {
+      needs.normal_texture = *use;
+    }
   }
   return needs;
 }

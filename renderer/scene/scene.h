@@ -57,6 +57,7 @@ struct Material {
   float attenuation_distance_m = std::numeric_limits<float>::infinity();
   float clearcoat = 0.0F;
   float clearcoat_roughness = 0.0F;
+  float clearcoat_normal_scale = 1.0F;
   Rgb sheen_color{0.0F};
   float sheen_roughness = 0.0F;
 
@@ -69,6 +70,8 @@ struct Material {
   TextureUse transmission_texture;         ///< red
   TextureUse clearcoat_texture;            ///< red
   TextureUse clearcoat_roughness_texture;  ///< green
+  /// As normal_texture, with the same tangents; without it the clear coat has no normal map.
+  TextureUse clearcoat_normal_texture;
   TextureUse sheen_color_texture;
   TextureUse sheen_roughness_texture;  ///< alpha
 
@@ -80,10 +83,10 @@ struct Material {
 template <typename Material_>
 auto texture_uses(Material_& m) {
   return std::array{
-      &m.base_color_texture,   &m.metallic_roughness_texture, &m.normal_texture,
-      &m.emissive_texture,     &m.specular_texture,           &m.specular_color_texture,
-      &m.transmission_texture, &m.clearcoat_texture,          &m.clearcoat_roughness_texture,
-      &m.sheen_color_texture,  &m.sheen_roughness_texture};
+      &m.base_color_texture,       &m.metallic_roughness_texture, &m.normal_texture,
+      &m.emissive_texture,         &m.specular_texture,           &m.specular_color_texture,
+      &m.transmission_texture,     &m.clearcoat_texture,          &m.clearcoat_roughness_texture,
+      &m.clearcoat_normal_texture, &m.sheen_color_texture,        &m.sheen_roughness_texture};
 }
 
 /// Triangles of one material. Front faces are counter-clockwise.

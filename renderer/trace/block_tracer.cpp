@@ -260,8 +260,7 @@ Rgb BlockTracer::thin_transmittance(Ray ray) {
     }
     const SurfacePoint point = surface_point(traced_.scene, hit, direction);
     const Frame frame(point.shading_normal);
-    transmittance *=
-        Bsdf(point.reflectance, frame.to_local(-direction), traced_.tables).straight_transmission();
+    transmittance *= bsdf_at(point, frame, direction, traced_.tables).straight_transmission();
     ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
   }
   return Rgb(0.0F);

@@ -50,17 +50,19 @@ OpaqueLayersOf<float> layers_of(const Reflectance& reflectance, const Scattering
 
 }  // namespace
 
-Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
+Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
+           const Vec3& coat_normal)
     : outgoing_(raised_above_grazing(outgoing)) {
   if (is_matte(reflectance)) {
     layers_ = OpaqueLayersOf<float>(reflectance.base_color);
     diffuse_probability_ = layers_.diffuse_albedo();
   } else {
-    set_layers(reflectance, tables);
+    set_layers(reflectance, tables, coat_normal);
   }
 }
 
-void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables) {
+void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables,
+                      const Vec3& coat_normal) {
   microfacets_ = MicrofacetLobe(reflectance.roughness, outgoing_);
   layers_ = layers_of(reflectance, tables, outgoing_.z);
   if ((1.0F - reflectance.metallic) * reflectance.transmission > 0.0F) {
@@ -69,7 +71,7 @@ void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& ta
   const float base_albedo =
       choose_probabilities(layers_.specular_albedo(), layers_.diffuse_albedo());
   if (has_covers(reflectance)) {
-    covers_.emplace(reflectance, outgoing_, base_albedo, tables);
+    covers_.emplace(reflectance, outgoing_, coat_normal, base_albedo, tables);
     base_scale_ = covers_->base_scale();
     base_probability_ = covers_->base_probability();
   }
@@ -116,9 +118,9 @@ float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
   return total;
 }
 
-BsdfValue Bsdf::eval(const Vec3& incoming) const {
-  if (incoming.z > 0.0F) {
-    const BsdfValue base = eval_reflection(incoming);
+BsdfValue Bsdf::eval(const Vec3& incoming, bool is_reflected) const {
+  if (is_reflected) {
+    const BsdfValue base = incoming.z > 0.0F ? eval_reflection(incoming) : BsdfValue{};
     return covers_ ? covers_->over(base, incoming) : base;
   }
   if (incoming.z < 0.0F && (wall_ || glass_)) {
@@ -165,19 +167,25 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
   }
   const float clearcoat = covers_->clearcoat_probability();
   if (u_lobe < clearcoat) {
-    if (covers_->clearcoat().is_smooth()) {
-      return BsdfSample{.incoming = mirrored(),
-                        .weight = Rgb(covers_->clearcoat_reflectance(outgoing_.z) / clearcoat),
-                        .pdf = clearcoat,
-                        .is_specular = true};
-    }
-    return reflection(covers_->clearcoat().sample(azimuth_at(u.x), u.y));
+    return sample_clearcoat(u);
   }
   const float above_base = clearcoat + covers_->sheen_probability();
   if (u_lobe < above_base) {
-    return weighed(sample_uniform_hemisphere(u));
+    return weighed(sample_uniform_hemisphere(u), /*is_reflected=*/true);
   }
   return sample_base(rescaled(u_lobe, above_base, base_probability_), u);
+}
+
+std::optional<BsdfSample> Bsdf::sample_clearcoat(const Vec2& u) const {
+  if (const std::optional<CoverLayers::Mirror> mirror = covers_->clearcoat_mirror()) {
+    const float probability = covers_->clearcoat_probability();
+    return BsdfSample{.incoming = mirror->incoming,
+                      .weight = Rgb(mirror->reflectance / probability),
+                      .pdf = probability,
+                      .is_specular = true};
+  }
+  const std::optional<Vec3> incoming = covers_->sample_clearcoat(u);
+  return incoming ? weighed(*incoming, /*is_reflected=*/true) : std::nullopt;
 }
 
 std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
@@ -189,16 +197,18 @@ std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
   }
   const float opaque_probability = specular_probability_ + diffuse_probability_;
   if (u_lobe < opaque_probability || transmission_probability_ == 0.0F) {
-    return weighed(sample_cosine_hemisphere(azimuth_at(u.x), u.y));
+    return weighed(sample_cosine_hemisphere(azimuth_at(u.x), u.y), /*is_reflected=*/true);
   }
   if (glass_) {
     return sample_glass(rescaled(u_lobe, opaque_probability, transmission_probability_), u);
   }
   if (microfacets_.is_smooth()) {
-    return specular(-outgoing_, transmitted_, transmission_probability_);
+    BsdfSample straight = specular(-outgoing_, transmitted_, transmission_probability_);
+    straight.is_transmitted = true;
+    return straight;
   }
   const Vec3 incoming = wall_->sample(u);
-  return incoming.z < 0.0F ? weighed(incoming) : std::nullopt;
+  return incoming.z < 0.0F ? weighed(incoming, /*is_reflected=*/false) : std::nullopt;
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(float u_fresnel, const Vec2& u) const {
@@ -221,25 +231,28 @@ std::optional<BsdfSample> Bsdf::sample_glass(float u_fresnel, const Vec2& u) con
     sample = specular(incoming, transmitted_ * ((1.0F - reflectance) * glass_->radiance_scale()),
                       transmission_probability_ * (1.0F - reflectance));
   } else {
-    sample = weighed(incoming);
+    sample = weighed(incoming, /*is_reflected=*/false);
   }
   if (sample) {
+    sample->is_transmitted = true;
     sample->radiance_scale = glass_->radiance_scale();
   }
   return sample;
 }
 
 std::optional<BsdfSample> Bsdf::reflection(const Vec3& incoming) const {
-  return incoming.z > 0.0F ? weighed(incoming) : std::nullopt;
+  return incoming.z > 0.0F ? weighed(incoming, /*is_reflected=*/true) : std::nullopt;
 }
 
-std::optional<BsdfSample> Bsdf::weighed(const Vec3& incoming) const {
-  const BsdfValue value = eval(incoming);
+std::optional<BsdfSample> Bsdf::weighed(const Vec3& incoming, bool is_reflected) const {
+  const BsdfValue value = eval(incoming, is_reflected);
   if (value.pdf == 0.0F) {
     return std::nullopt;
   }
-  return BsdfSample{
-      .incoming = incoming, .weight = value.times_cosine / value.pdf, .pdf = value.pdf};
+  return BsdfSample{.incoming = incoming,
+                    .weight = value.times_cosine / value.pdf,
+                    .pdf = value.pdf,
+                    .is_transmitted = !is_reflected};
 }
 
 /// share: how much of the light from `incoming` is scattered, without the covers. probability: of

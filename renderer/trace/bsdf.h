@@ -20,11 +20,16 @@ namespace foveola {
 class Bsdf {
  public:
   /// outgoing: unit length, z > 0. tables: of a scene with such a material; must outlive this
-  /// object.
-  Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables);
+  /// object. coat_normal: the clear coat's, unit length, on the side of the outgoing direction.
+  Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
+       const Vec3& coat_normal = {0.0F, 0.0F, 1.0F});
 
-  /// incoming: unit length. Perfect mirrors and lenses have no value.
-  BsdfValue eval(const Vec3& incoming) const;
+  /// incoming: unit length, from the side of the surface that is_reflected says; beyond the shading
+  /// normal's horizon only a clear coat with another normal has a value. Perfect mirrors and lenses
+  /// have no value.
+  BsdfValue eval(const Vec3& incoming, bool is_reflected) const;
+  /// The side is that of the shading normal.
+  BsdfValue eval(const Vec3& incoming) const { return eval(incoming, incoming.z > 0.0F); }
 
   /// The share of light that passes a smooth thin wall straight on, as a specular sample with
   /// incoming = -outgoing.
@@ -35,15 +40,17 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
-  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
+  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables,
+                  const Vec3& coat_normal);
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
   float choose_probabilities(float specular_albedo, float diffuse_albedo);
   BsdfValue eval_reflection(const Vec3& incoming) const;
   BsdfValue eval_transmission(const Vec3& incoming) const;
   std::optional<BsdfSample> sample_base(float u_lobe, const Vec2& u) const;
   std::optional<BsdfSample> sample_glass(float u_fresnel, const Vec2& u) const;
+  std::optional<BsdfSample> sample_clearcoat(const Vec2& u) const;
   std::optional<BsdfSample> reflection(const Vec3& incoming) const;
-  std::optional<BsdfSample> weighed(const Vec3& incoming) const;
+  std::optional<BsdfSample> weighed(const Vec3& incoming, bool is_reflected) const;
   BsdfSample specular(const Vec3& incoming, const Rgb& share, float probability) const;
 
   Vec3 mirrored() const { return {-outgoing_.x, -outgoing_.y, outgoing_.z}; }

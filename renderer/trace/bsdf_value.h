@@ -37,11 +37,12 @@ inline CoatReflectance coat_reflectance(const Reflectance& reflectance) {
 }
 
 struct BsdfSample {
-  Vec3 incoming;  ///< unit length, local; z < 0: transmitted
+  Vec3 incoming;  ///< unit length, local
   Rgb weight;     ///< BSDF times |cosine| over pdf
   float pdf;      ///< per steradian; of a specular sample the probability
   /// The direction is the only one of a perfect mirror or lens: eval() knows nothing of it.
   bool is_specular = false;
+  bool is_transmitted = false;  ///< through the surface; else it is reflected
   /// How much transmission has scaled the radiance: eta^2 when refracted (MATERIALS.md), else 1.
   /// Roulette takes it out again.
   float radiance_scale = 1.0F;

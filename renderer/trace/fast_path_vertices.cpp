@@ -85,8 +85,10 @@ void BlockTracer::apply_normal_maps(const Group& group, const Vec3s& direction,
     const std::size_t index = group.first + lane;
     points.turn_shading_normal(
         lane, direction,
-        mapped_normal(traced_.scene, mesh_point(index, points, lane),
-                      object_at(index).view.instance, points.smooth_normal_at(lane)));
+        mapped_normal(traced_.scene,
+                      normal_map(material_of(traced_.scene, *object_at(index).view.mesh)),
+                      mesh_point(index, points, lane), object_at(index).view.instance,
+                      points.smooth_normal_at(lane)));
   });
 }
 

@@ -20,6 +20,12 @@ inline float reflectance_at_normal(float ior) {
   return root * root;
 }
 
+/// A clear coat's reflectance (KHR_materials_clearcoat): Schlick's of index 1.5. cosine: in [0, 1].
+inline float clearcoat_reflectance(float cosine) {
+  const float normal = reflectance_at_normal(1.5F);
+  return normal + (1.0F - normal) * schlick_weight(cosine);
+}
+
 /// What a smooth interface between two dielectrics does to unpolarised light.
 struct FresnelSplit {
   float reflected = 1.0F;           ///< share of the power, in [0, 1]

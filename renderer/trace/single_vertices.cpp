@@ -62,7 +62,7 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
   const SurfacePoint point =
       surface_point(traced_.scene, hit, path.ray.direction, width_at(path, hit));
   const Frame frame(point.shading_normal);
-  const Bsdf bsdf(point.reflectance, frame.to_local(-path.ray.direction), traced_.tables);
+  const Bsdf bsdf = bsdf_at(point, frame, path.ray.direction, traced_.tables);
   const auto sample = bsdf.sample(numbers.lobe, numbers.scattering);
   const bool is_vertex = vertex_ <= settings_.max_depth;
   const ShadingPoint shading_point = shading_point_at(point, traced_.lights);
@@ -73,7 +73,7 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
     return Step::ended;
   }
   path.ray.key = numbers.next_key;
-  if (object.is_thin_transmissive && sample->is_specular && sample->incoming.z < 0.0F) {
+  if (object.is_thin_transmissive && sample->is_specular && sample->is_transmitted) {
     path.throughput *= sample->weight;
     return Step::passed;
   }
@@ -87,7 +87,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const ShadingPoint
                        const Frame& frame, const BsdfSample& sample, const TracedObject& object) {
   Vec3 direction = glm::normalize(frame.to_world(sample.incoming));
   float side = glm::dot(direction, point.geometric_normal);
-  if (side * sample.incoming.z <= 0.0F) {
+  if ((sample.is_transmitted ? -side : side) <= 0.0F) {
     if (!sample.is_specular || side == 0.0F) {
       return false;
     }
@@ -129,10 +129,10 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point,
   }
   const Vec3 incoming = frame.to_local(light->direction);
   const float side = glm::dot(light->direction, point.geometric_normal);
-  if (side * incoming.z <= 0.0F) {
+  if (side == 0.0F) {
     return;
   }
-  Rgb gain = direct_light(path.throughput, bsdf.eval(incoming), *light,
+  Rgb gain = direct_light(path.throughput, bsdf.eval(incoming, side > 0.0F), *light,
                           light_samples_weighed_ * light->pdf);
   if (gain == Rgb(0.0F)) {
     return;

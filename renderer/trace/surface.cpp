@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/trace/fresnel.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/triangle.h"
 
@@ -65,10 +66,9 @@ Mat3 world_normal_from_local(const Mat4& world_from_local) {
           sign * glm::cross(linear[0], linear[1])};
 }
 
-Vec3 mapped_normal(const Scene& scene, const MeshPoint& point, const Instance* instance,
-                   const Vec3& normal) {
-  const Material& material = material_of(scene, point.mesh);
-  if (point.mesh.tangents.empty()) {
+Vec3 mapped_normal(const Scene& scene, const NormalMap& map, const MeshPoint& point,
+                   const Instance* instance, const Vec3& normal) {
+  if (!map.texture.exists() || point.mesh.tangents.empty()) {
     return normal;
   }
   const Vec4 tangent_and_sign =
@@ -86,10 +86,10 @@ Vec3 mapped_normal(const Scene& scene, const MeshPoint& point, const Instance* i
     return normal;
   }
   tangent /= length;
-  const Vec3 texel = 2.0F * Vec3(texture_value(scene, material.normal_texture, point)) - 1.0F;
+  const Vec3 texel = 2.0F * Vec3(texture_value(scene, map.texture, point)) - 1.0F;
   const Vec3 bitangent = sign * glm::cross(normal, tangent);
-  return normalized_or(
-      material.normal_scale * (texel.x * tangent + texel.y * bitangent) + texel.z * normal, normal);
+  return normalized_or(map.scale * (texel.x * tangent + texel.y * bitangent) + texel.z * normal,
+                       normal);
 }
 
 float relative_width(float ray_width_m, float facing, float double_area) {
@@ -112,6 +112,25 @@ Vec3 vertex_normal(const MeshPoint& point, const Instance* instance) {
                              : world_normal_from_local(instance->world_from_local) * normal;
 }
 
+NormalMap coat_normal_map(const Material& material) {
+  return {material.clearcoat_normal_texture, material.clearcoat_normal_scale};
+}
+
+/// The share of light from below that a clear coat lets through against `direction`.
+float coat_transmittance(const Scene& scene, const Material& material, const MeshPoint& point,
+                         const Instance* instance, const Vec3& front_normal,
+                         const Vec3& direction) {
+  const bool is_inside = material.is_solid && glm::dot(front_normal, direction) > 0.0F;
+  if (is_inside) {
+    return 1.0F;
+  }
+  const Vec3 normal = mapped_normal(scene, coat_normal_map(material), point, instance,
+                                    normalized_or(vertex_normal(point, instance), front_normal));
+  const float strength =
+      material.clearcoat * texture_value(scene, material.clearcoat_texture, point).r;
+  return 1.0F - strength * clearcoat_reflectance(std::abs(glm::dot(normal, direction)));
+}
+
 }  // namespace
 
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction,
@@ -127,18 +146,29 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
   if (ray_width_m > 0.0F && !mesh.uv_sets.empty()) {
     point.relative_width = relative_width(ray_width_m, geometry.facing, front.double_area);
   }
-  if (material_of(scene, mesh).normal_texture.exists()) {
-    geometry.shading_normal = geometry.mapped_shading_normal(
-        mapped_normal(scene, point, instance, geometry.smooth_normal), direction);
-  }
-  return {geometry, reflectance_at(scene, point, geometry.facing < 0.0F)};
+  const auto mapped = [&](const NormalMap& map) {
+    return map.texture.exists()
+               ? geometry.mapped_shading_normal(
+                     mapped_normal(scene, map, point, instance, geometry.smooth_normal), direction)
+               : geometry.shading_normal;
+  };
+  const Material& material = material_of(scene, mesh);
+  const Vec3 coat_normal = mapped(coat_normal_map(material));
+  geometry.shading_normal = mapped(normal_map(material));
+  return {geometry, reflectance_at(scene, point, geometry.facing < 0.0F), coat_normal};
 }
 
-Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,
-                     const Vec2& barycentric) {
-  const Material& material = material_of(scene, mesh);
-  return material.emission *
-         Rgb(texture_value(scene, material.emissive_texture, {mesh, triangle, barycentric}));
+Rgb emitted_radiance(const Scene& scene, std::uint32_t object, std::uint32_t triangle,
+                     const Vec2& barycentric, const Vec3& direction) {
+  const MeshPoint point{scene.mesh_of(object), triangle, barycentric};
+  const Material& material = material_of(scene, point.mesh);
+  Rgb radiance = material.emission * Rgb(texture_value(scene, material.emissive_texture, point));
+  if (material.clearcoat > 0.0F) {
+    const Vec3 front_normal = Triangle(scene, object, triangle).front_normal();
+    radiance *= coat_transmittance(scene, material, point, scene.instance_of(object), front_normal,
+                                   direction);
+  }
+  return radiance;
 }
 
 SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3& direction) {
@@ -152,7 +182,7 @@ SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3&
   if (front_cosine <= 0.0F && !material.double_sided) {
     return {};
   }
-  return {.radiance = emitted_radiance(scene, mesh, hit.triangle, hit.barycentric),
+  return {.radiance = emitted_radiance(scene, hit.object, hit.triangle, hit.barycentric, direction),
           .cosine = std::abs(front_cosine)};
 }
 

@@ -17,6 +17,7 @@ namespace foveola {
 /// leak. Emission does heed it: single-sided emitters shine from their front face only.
 struct SurfacePoint : SurfaceGeometryOf<float> {
   Reflectance reflectance;
+  Vec3 coat_normal;  ///< unit; the clear coat's, on the side that the ray came from
 
   /// Where rays leave the surface on the other side.
   Vec3 origin_beyond() const { return position - rounding_error * geometric_normal; }
@@ -29,10 +30,19 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
 
 // What surface_point() puts together, for those who do so for several points at once.
 
-/// What the normal texture makes of the front's `normal`, interpolated between the vertices; that
-/// itself where the mesh has no tangents.
-Vec3 mapped_normal(const Scene& scene, const MeshPoint& point, const Instance* instance,
-                   const Vec3& normal);
+/// A texture of normals as a material uses it.
+struct NormalMap {
+  const TextureUse& texture;
+  float scale;
+};
+inline NormalMap normal_map(const Material& material) {
+  return {material.normal_texture, material.normal_scale};
+}
+
+/// What the map makes of the front's `normal`, interpolated between the vertices; that itself where
+/// there is no map or the mesh has no tangents.
+Vec3 mapped_normal(const Scene& scene, const NormalMap& map, const MeshPoint& point,
+                   const Instance* instance, const Vec3& normal);
 
 Reflectance untextured_reflectance(const Material& material);
 Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_back);
@@ -48,9 +58,10 @@ struct SurfaceEmission {
 };
 SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3& direction);
 
-/// What `mesh` emits at a point of one of its triangles, towards a side that it shines to.
-Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,
-                     const Vec2& barycentric);
+/// What an object emits at a point of one of its triangles against `direction` (unit length), on a
+/// side that it shines to. A clear coat reflects its share back (KHR_materials_clearcoat).
+Rgb emitted_radiance(const Scene& scene, std::uint32_t object, std::uint32_t triangle,
+                     const Vec2& barycentric, const Vec3& direction);
 
 /// The colour of an unlit surface at a hit, which it shows whatever shines on it.
 Rgb unlit_color(const Scene& scene, const Hit& hit);

@@ -160,6 +160,7 @@ void TriangleLights::add_object(std::uint32_t object, bool by_area) {
   const Mesh& mesh = scene_.mesh_of(object);
   const Material& material = material_of(scene_, mesh);
   const bool is_textured = material.emissive_texture.exists() && !mesh.uv_sets.empty();
+  const bool is_uniform = !is_textured && material.clearcoat == 0.0F && !has_opacity(scene_, mesh);
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     const Triangle triangle(scene_, object, t);
@@ -174,7 +175,7 @@ void TriangleLights::add_object(std::uint32_t object, bool by_area) {
                           .rounding_error = triangle.rounding_error(),
                           .shining_sides = material.double_sided ? 2.0F : 1.0F,
                           .radiance = material.emission},
-         /*is_uniform=*/!is_textured && !has_opacity(scene_, mesh), object, t});
+         is_uniform, object, t});
   }
 }
 
@@ -227,7 +228,8 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   if (sample.pdf == 0.0F) {
     return std::nullopt;
   }
-  sample.radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric);
+  sample.radiance = opaque * emitted_radiance(scene_, emitter.object, emitter.index, barycentric,
+                                              glm::normalize(sample.to_light));
   return sample;
 }
 

@@ -72,7 +72,7 @@ class TriangleLights {
 
  private:
   struct Emitter : EmitterOf<float> {
-    bool is_uniform;  ///< shines with `radiance` everywhere
+    bool is_uniform;  ///< shines with `radiance` everywhere and in all directions
     std::uint32_t object;
     std::uint32_t index;  ///< the triangle's index in its mesh
   };
@@ -93,7 +93,7 @@ class TriangleLights::Drawn {
  public:
   explicit Drawn(const TriangleLights& lights) { emitters_.fill(lights.emitters_.data()); }
 
-  /// Whether the triangle's points can be drawn here: it shines with one colour. The others are
+  /// Whether the triangle's points can be drawn here: it shines with one radiance. The others are
   /// left to TriangleLights::sample().
   static bool can_draw(const TriangleLights& lights, std::size_t triangle) {
     return lights.emitters_[triangle].is_uniform;

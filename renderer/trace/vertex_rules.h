@@ -4,12 +4,25 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/base/angles.h"
 #include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
+#include "renderer/trace/bsdf.h"
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/lights.h"
+#include "renderer/trace/scattering_tables.h"
+#include "renderer/trace/surface.h"
 
 namespace foveola {
+
+/// How a surface scatters against a ray's direction, in the frame of its shading normal.
+inline Bsdf bsdf_at(const SurfacePoint& point, const Frame& frame, const Vec3& direction,
+                    const ScatteringTables& tables) {
+  const Vec3 coat_normal = point.coat_normal == point.shading_normal
+                               ? Vec3(0.0F, 0.0F, 1.0F)
+                               : frame.to_local(point.coat_normal);
+  return Bsdf(point.reflectance, frame.to_local(-direction), tables, coat_normal);
+}
 
 /// How much more often paths survive than their brightness says: those of at least half the
 /// camera's always do. Ending them so much later costs 5 to 26 % more rays and takes 13 to 33 % of

@@ -156,11 +156,23 @@ TEST_F(MaterialExtensions, Clearcoat) {
                                    {{"clearcoatFactor", 0.5},
                                     {"clearcoatTexture", texture_0},
                                     {"clearcoatRoughnessFactor", 0.25},
-                                    {"clearcoatRoughnessTexture", texture_1}}}});
+                                    {"clearcoatRoughnessTexture", texture_1},
+                                    {"clearcoatNormalTexture", {{"index", 1}, {"scale", -0.5}}}}}});
   EXPECT_EQ(material.clearcoat, 0.5F);
   EXPECT_EQ(material.clearcoat_roughness, 0.25F);
   EXPECT_EQ(material.clearcoat_texture.texture, 0);
   EXPECT_EQ(material.clearcoat_roughness_texture.texture, 1);
+  EXPECT_TRUE(material.clearcoat_normal_texture.exists());
+  EXPECT_EQ(material.clearcoat_normal_scale, -0.5F);
+  EXPECT_FALSE(material.normal_texture.exists());
+}
+
+TEST_F(MaterialExtensions, ANormalTextureOfTheClearcoatAloneGetsTangents) {
+  const Scene scene =
+      scene_with({{"KHR_materials_clearcoat",
+                   {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", texture_1}}}});
+  EXPECT_EQ(scene.meshes.at(0).tangents.size(), scene.meshes.at(0).positions.size());
+  EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
 TEST_F(MaterialExtensions, Sheen) {

@@ -288,18 +288,18 @@ TEST_F(GltfMaterials, WarnsOfMissingCoordinates) {
 
 TEST_F(GltfMaterials, EachThingIgnoredIsOneWarning) {
   GlbBuilder glb = with_material(plain);
-  const Json coat = {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", {{"index", 0}}}};
+  const Json volume = {{"thicknessFactor", 1}, {"attenuationDistance", 0}};
   for (int i = 0; i < 3; ++i) {
-    glb.add("materials", {{"extensions", {{"KHR_materials_clearcoat", coat}}}});
+    glb.add("materials", {{"extensions", {{"KHR_materials_volume", volume}}}});
   }
-  glb.document["extensionsUsed"] = {"KHR_materials_iridescence", "KHR_materials_clearcoat",
+  glb.document["extensionsUsed"] = {"KHR_materials_iridescence", "KHR_materials_volume",
                                     "KHR_materials_emissive_strength"};
   EXPECT_THAT(load(glb).warnings,
               ElementsAre("the extension KHR_materials_iridescence is ignored: thin films have no "
                           "colours",
-                          "normal textures of clear coats are ignored (3 times, first at "
-                          "materials[1].extensions.KHR_materials_clearcoat."
-                          "clearcoatNormalTexture)"));
+                          "an attenuationDistance that is not positive is taken as infinite (3 "
+                          "times, first at materials[1].extensions.KHR_materials_volume."
+                          "attenuationDistance)"));
 }
 
 TEST_F(GltfMaterials, ReadsImagesByUri) {

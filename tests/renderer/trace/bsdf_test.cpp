@@ -255,5 +255,46 @@ TEST(BsdfTest, SmoothGlassIsReciprocalUpToEtaSquared) {
   EXPECT_NEAR(in->weight.g * in->pdf * 2.25, out->weight.g * out->pdf / 2.25, 1e-5);
 }
 
+/// Seen in its own frame, a clear coat over nothing is the same whatever the base's normal is.
+TEST(BsdfTest, AClearCoatScattersInItsOwnFrame) {
+  const Reflectance coat{
+      .base_color = Rgb(0.0F), .specular = 0.0F, .clearcoat = 1.0F, .clearcoat_roughness = 0.4F};
+  const Vec3 normal = glm::normalize(Vec3(0.5F, -0.3F, 0.8F));
+  const Frame frame(normal);
+  const Vec3 outgoing = glm::normalize(Vec3(0.4F, 0.5F, 0.6F));
+  const Bsdf tilted(coat, outgoing, scattering_tables(), normal);
+  const Bsdf upright(coat, frame.to_local(outgoing), scattering_tables());
+  Pcg32 random(8);
+  int beyond_the_horizon = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 in = uniform_hemisphere(random);
+    const Vec3 in_base = frame.to_world(in);
+    beyond_the_horizon += in_base.z < 0.0F ? 1 : 0;
+    const BsdfValue expected = upright.eval(in);
+    const BsdfValue value = tilted.eval(in_base, /*is_reflected=*/true);
+    EXPECT_NEAR(value.times_cosine.g, expected.times_cosine.g,
+                1e-4F * expected.times_cosine.g + 1e-6F);
+    EXPECT_NEAR(value.pdf, expected.pdf, 1e-4F * expected.pdf + 1e-6F);
+    EXPECT_EQ(tilted.eval(in_base, /*is_reflected=*/false).pdf, 0.0F);
+    if (const auto sample =
+            tilted.sample(unit_float(random.next()), {0.3F, unit_float(random.next())})) {
+      EXPECT_FALSE(sample->is_transmitted);
+      EXPECT_NEAR(sample->pdf, tilted.eval(sample->incoming, true).pdf, 1e-5F * sample->pdf);
+    }
+  }
+  EXPECT_GT(beyond_the_horizon, 100);
+}
+
+TEST(BsdfTest, ASmoothClearCoatMirrorsAboutItsOwnNormal) {
+  const Reflectance coat{.base_color = Rgb(0.0F), .specular = 0.0F, .clearcoat = 1.0F};
+  const Vec3 normal = glm::normalize(Vec3(0.2F, 0.1F, 1.0F));
+  const Vec3 outgoing(0.6F, 0.0F, 0.8F);
+  const auto sample = Bsdf(coat, outgoing, scattering_tables(), normal).sample(0.5F, Vec2(0.5F));
+  ASSERT_TRUE(sample);
+  const float cosine = glm::dot(outgoing, normal);
+  EXPECT_NEAR(glm::distance(sample->incoming, 2.0F * cosine * normal - outgoing), 0.0, 1e-6);
+  EXPECT_NEAR(sample->weight.g, 0.04 + 0.96 * std::pow(1.0 - cosine, 5.0), 1e-5);
+}
+
 }  // namespace
 }  // namespace foveola

@@ -1,5 +1,7 @@
 // Scenes whose radiance is known: furnaces, planes and lights, by closed forms and quadrature.
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -7,6 +9,7 @@
 
 #include "paths.h"
 #include "reference_bsdf.h"
+#include "renderer/base/angles.h"
 #include "renderer/trace/bsdf.h"
 #include "renderer/trace/environment_light.h"
 #include "renderer/trace/lights.h"
@@ -112,7 +115,10 @@ Scene floor_and_light(const Material& material) {
   return scene;
 }
 
-double floor_radiance(const ReferenceMaterial& material) {
+/// lamp: what the light shines with at a cosine to its normal, in units of 5.
+double floor_radiance(
+    const ReferenceMaterial& material,
+    const std::function<double(double)>& lamp = [](double) { return 1.0; }) {
   const ReferenceCoat coat(material.alpha());
   const double a = std::sqrt(0.5);
   constexpr int steps = 800;
@@ -123,7 +129,7 @@ double floor_radiance(const ReferenceMaterial& material) {
       const DVec3 to((i + 0.5) / steps - 0.5, 2.0 * (k + 0.5) / steps - 1.0, 1.0);
       const double squared = glm::dot(to, to);
       const DVec3 w = to / std::sqrt(squared);
-      sum += reference_bsdf(material, coat, DVec3(-a, 0.0, a), w) * w.z * w.z / squared;
+      sum += reference_bsdf(material, coat, DVec3(-a, 0.0, a), w) * w.z * w.z / squared * lamp(w.z);
     }
   }
   return 5.0 * 2.0 * sum / (steps * steps);
@@ -140,6 +146,43 @@ TEST(KnownAnswerTest, DirectLightOfARectangleIsItsQuadrature) {
         mean_radiance(floor_and_light(floor), Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000);
     expect_mean(radiance, floor_radiance(material), 1.5e-3, 0.015);
   }
+}
+
+/// As much as a camera sees of it: Schlick's F of the coat is missing in each direction.
+TEST(KnownAnswerTest, ACoatedLampLightsByWhatItsCoatLetsThrough) {
+  const auto lamp = [](double cosine) { return 1.0 - (0.04 + 0.96 * std::pow(1.0 - cosine, 5.0)); };
+  Scene scene = floor_and_light(dielectric(0.8F));
+  scene.materials[1].clearcoat = 1.0F;
+  const MeanEstimate radiance = mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000);
+  expect_mean(radiance, floor_radiance({0.8, 0.0, 1.0}, lamp), 1.5e-3);
+}
+
+/// A smooth coat over a black base whose normal map leans by some 20 degrees; lamps of radiance 1
+/// straight above, and where a mirror that leans as the map would show one.
+TEST(KnownAnswerTest, AClearCoatMirrorsAboutItsOwnNormal) {
+  const std::vector<std::uint8_t> texel{171, 128, 247, 255};
+  const Vec3 leaning = glm::normalize(2.0F * Vec3(texel[0], texel[2], 0) / 255.0F - Vec3(1, 1, 0));
+  const Vec3 aside = glm::reflect(Vec3(0, -1, 0), leaning);
+  const auto shown = [&](const Vec3& to_lamp, bool coat_is_mapped) {
+    Scene scene;
+    scene.materials = {matte(Rgb(0.0F)), lamp(Rgb(1.0F), true)};
+    scene.materials[0].clearcoat = 1.0F;
+    (coat_is_mapped ? scene.materials[0].clearcoat_normal_texture
+                    : scene.materials[0].normal_texture)
+        .texture = 0;
+    scene.textures.emplace_back(1, 1, texel, false, Wrap::repeat, Wrap::repeat);
+    const Frame frame(to_lamp);
+    const Vec3 across = 2.0F * frame.tangent;
+    const Vec3 along = 2.0F * frame.bitangent;
+    scene.meshes = {quad(Vec3(-1, 0, 1), Vec3(2, 0, 0), Vec3(0, 0, -2), 0),
+                    quad(10.0F * to_lamp - 0.5F * (across + along), across, along, 1)};
+    scene.meshes[0].tangents.assign(4, Vec4(1, 0, 0, 1));
+    return mean_radiance(scene, Vec3(0, 5, 0), Vec3(0, -1, 0), 2, 1000).mean();
+  };
+  EXPECT_NEAR(shown(Vec3(0, 1, 0), false), 0.04, 1e-5);
+  EXPECT_EQ(shown(aside, false), 0.0);
+  EXPECT_EQ(shown(Vec3(0, 1, 0), true), 0.0);
+  EXPECT_NEAR(shown(aside, true), 0.04 + 0.96 * std::pow(1.0 - leaning.y, 5.0), 1e-5);
 }
 
 /// The image environment through the whole estimator: a bright square of sky 40 times the rest.

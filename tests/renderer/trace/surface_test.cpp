@@ -1,7 +1,13 @@
 #include "renderer/trace/surface.h"
 
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
 #include <gtest/gtest.h>
 
+#include "renderer/base/angles.h"
 #include "scenes.h"
 
 namespace foveola {
@@ -89,6 +95,27 @@ TEST(SurfaceTest, SingleSidedEmittersShineFromTheirFront) {
   EXPECT_EQ(surface_emission(scene, centre, up).radiance, Rgb(0.0F));
 }
 
+// KHR_materials_clearcoat, "Emission": what is left is 1 - clearcoat * F, by Schlick's F of 0.04.
+TEST(SurfaceTest, AClearCoatReflectsItsShareOfTheEmissionBack) {
+  Material material = emitter(2.0F);
+  material.clearcoat = 1.0F;
+  Scene scene = floor_scene(material);
+  const auto emission = [&](double angle_deg) {
+    const double angle = radians(angle_deg);
+    return surface_emission(scene, centre, Vec3(std::sin(angle), -std::cos(angle), 0.0)).radiance.g;
+  };
+  EXPECT_NEAR(emission(0.0), 1.920, 5e-4);
+  EXPECT_NEAR(emission(60.0), 1.860, 5e-4);
+  EXPECT_NEAR(emission(80.0), 1.180, 5e-4);
+  scene.materials[0].clearcoat = 0.5F;
+  EXPECT_NEAR(emission(80.0), 0.5 * (2.0 + 1.180), 5e-4);
+  // The coat's own normal, leaning towards the ray by 60 degrees.
+  scene.meshes[0].normals.assign(
+      4, direction_from({.azimuth_rad = -0.5 * std::numbers::pi, .elevation_rad = radians(30.0)}));
+  scene.materials[0].clearcoat = 1.0F;
+  EXPECT_NEAR(emission(60.0), 1.920, 5e-4);
+}
+
 TEST(SurfaceTest, DoubleSidedEmittersShineBothWays) {
   const Scene scene = floor_scene(emitter(3.0F, true));
   EXPECT_EQ(surface_emission(scene, centre, up).radiance, Rgb(3.0F));
@@ -167,6 +194,18 @@ TEST(SurfaceTest, NormalTextureTiltsTheNormalInItsTangentFrame) {
   EXPECT_NEAR(glm::length(surface_point(scene, centre, down).shading_normal - expected), 0.0, 1e-6);
   EXPECT_NEAR(glm::length(surface_point(scene, centre, up).shading_normal + expected), 0.0, 1e-6)
       << "from behind, the same surface seen from the other side";
+}
+
+TEST(SurfaceTest, AClearCoatHasItsOwnNormalTextureOrNone) {
+  Scene scene = floor_with_normal_map({204, 153, 230, 255});
+  const SurfacePoint base_mapped = surface_point(scene, centre, down);
+  EXPECT_EQ(base_mapped.coat_normal, up);
+  std::swap(scene.materials[0].normal_texture, scene.materials[0].clearcoat_normal_texture);
+  const SurfacePoint coat_mapped = surface_point(scene, centre, down);
+  EXPECT_EQ(coat_mapped.coat_normal, base_mapped.shading_normal);
+  EXPECT_EQ(coat_mapped.shading_normal, up);
+  scene.materials[0].clearcoat_normal_scale = 0.0F;
+  EXPECT_NEAR(glm::distance(surface_point(scene, centre, down).coat_normal, up), 0.0, 1e-6);
 }
 
 TEST(SurfaceTest, NormalScaleMultipliesTheTilt) {
