@@ -13,6 +13,7 @@
 #include "renderer/progressive/picture.h"
 #include "renderer/progressive/standpoint.h"
 #include "renderer/progressive/surroundings.h"
+#include "renderer/scene/far_geometry.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
@@ -67,6 +68,16 @@ const CameraView& camera_named(const Scene& scene, const std::string& name) {
   return scene.cameras[static_cast<std::size_t>(found - names.begin())];
 }
 
+/// Throws Error.
+void require_traceable(const Vec3& camera) {
+  if (!is_traceable(camera)) {
+    throw Error("the camera",
+                fmt::format("{:g},{:g},{:g} is not within {:.2g} m of the scene's origin", camera.x,
+                            camera.y, camera.z, max_coordinate_m),
+                "give a nearer place: --camera X,Y,Z");
+  }
+}
+
 CameraView choose_camera(const SceneSource& source, const Scene& scene, const RayScene& rays,
                          const SceneChoices& choices, std::vector<std::string>& warnings) {
   CameraView view;
@@ -90,6 +101,7 @@ CameraView choose_camera(const SceneSource& source, const Scene& scene, const Ra
     view.heading = *choices.head;
     view.roll_rad = 0.0;
   }
+  require_traceable(view.position);
   return view;
 }
 

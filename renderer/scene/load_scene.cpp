@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/far_geometry.h"
 #include "renderer/scene/foreign_format.h"
 #include "renderer/scene/nested_volumes.h"
 #include "renderer/scene/sky.h"
@@ -269,6 +270,7 @@ Scene load_scene(const SceneSource& source, KeptSceneParts* kept) {
     add_sun(scene, sun);
   }
   Warnings warnings;
+  drop_far_parts(scene, warnings);
   replace_environment(scene, source, warnings);
   const std::vector<std::string> lines = warnings.lines();
   scene.warnings.insert(scene.warnings.end(), lines.begin(), lines.end());

@@ -34,7 +34,20 @@ Bounds box_of(const Instance& instance, const Bounds& mesh) {
   return box;
 }
 
-/// Of instances without vertices: nowhere.
+/// The numbers of the boxes that reach farthest to either side along each axis.
+std::vector<std::size_t> farthest(const std::vector<Bounds>& boxes) {
+  std::vector<std::size_t> numbers;
+  for (int axis = 0; axis < 3 && !boxes.empty(); ++axis) {
+    const auto by_lower = [axis](const Bounds& box) { return box.lower[axis]; };
+    const auto by_upper = [axis](const Bounds& box) { return box.upper[axis]; };
+    numbers.push_back(std::ranges::min_element(boxes, {}, by_lower) - boxes.begin());
+    numbers.push_back(std::ranges::max_element(boxes, {}, by_upper) - boxes.begin());
+  }
+  return numbers;
+}
+
+}  // namespace
+
 std::vector<Bounds> boxes_of_instances(const Scene& scene) {
   std::vector<Bounds> prototypes(scene.prototypes.size(), nowhere);
   for (std::size_t i = 0; i < prototypes.size(); ++i) {
@@ -50,20 +63,6 @@ std::vector<Bounds> boxes_of_instances(const Scene& scene) {
   }
   return boxes;
 }
-
-/// The numbers of the boxes that reach farthest to either side along each axis.
-std::vector<std::size_t> farthest(const std::vector<Bounds>& boxes) {
-  std::vector<std::size_t> numbers;
-  for (int axis = 0; axis < 3 && !boxes.empty(); ++axis) {
-    const auto by_lower = [axis](const Bounds& box) { return box.lower[axis]; };
-    const auto by_upper = [axis](const Bounds& box) { return box.upper[axis]; };
-    numbers.push_back(std::ranges::min_element(boxes, {}, by_lower) - boxes.begin());
-    numbers.push_back(std::ranges::max_element(boxes, {}, by_upper) - boxes.begin());
-  }
-  return numbers;
-}
-
-}  // namespace
 
 const Mesh& Scene::mesh_of(std::uint32_t object) const {
   const Instance* instance = instance_of(object);

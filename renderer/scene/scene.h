@@ -206,4 +206,8 @@ struct Scene {
   Bounds bounds() const;
 };
 
+/// A box around each instance, that of its prototype's box. Without vertices, the lower bounds are
+/// above the upper ones.
+std::vector<Bounds> boxes_of_instances(const Scene& scene);
+
 }  // namespace foveola

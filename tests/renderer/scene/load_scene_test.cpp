@@ -40,6 +40,34 @@ TEST_F(LoadScene, WithoutExtrasIsTheFile) {
   EXPECT_FALSE(scene.environment.has_value());
 }
 
+// Embree takes numbers up to 1.844e18, the way from one end of the scene to the other too.
+TEST_F(LoadScene, LeavesOutWhatStandsBeyondAllRays) {
+  SceneSource far = source();
+  far.file = write("far.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 1e19 0\nv 0 0 8e17\n"
+                   "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  const Scene scene = load_scene(far);
+  EXPECT_EQ(scene.triangle_count(), 2U);
+  EXPECT_EQ(scene.bounds().upper, Vec3(1.0F, 1.0F, 8e17F));
+  EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("triangles beyond 9e+17 m")));
+
+  GlbBuilder glb = one_triangle();
+  glb.document["extensionsUsed"] = {"KHR_lights_punctual"};
+  glb.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}},
+                                                                 {{"type", "directional"}}};
+  for (int light = 0; light < 2; ++light) {
+    for (const double height : {8e17, 1e19}) {
+      const Json node = {{"translation", {0, height, 0}},
+                         {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}};
+      glb.document["scenes"][0]["nodes"].push_back(glb.add("nodes", node));
+    }
+  }
+  far.file = write("far.glb", glb.bytes());
+  const Scene lit = load_scene(far);
+  EXPECT_EQ(lit.lights.size(), 3U) << "directional lights stand nowhere";
+  EXPECT_THAT(lit.warnings, testing::ElementsAre(HasSubstr("lights beyond 9e+17 m")));
+}
+
 TEST_F(LoadScene, WarnsOfAnotherFileThanTheDescribedOne) {
   SceneSource described = source();
   described.title = "Hall";
