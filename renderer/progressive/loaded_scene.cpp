@@ -151,6 +151,9 @@ LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, doubl
       warnings(scene.warnings),
       camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)),
       camera_is_enclosed(is_enclosed(tracer.ray_scene(), camera.position)) {
+  for (std::string& warning : tracer.warnings()) {
+    warnings.push_back(std::move(warning));
+  }
   if (choices.learns_lights) {
     const SteadyClock clock;
     const Nanoseconds start = clock.now();

@@ -62,6 +62,13 @@ void BlockTracer::find_hits() {
     }
     traced_.rays.find_hits(queries, group.lanes());
     hits_->store(first, queries);
+    if (!traced_.lights.coincident().empty()) {
+      for_each_lane(hits_->met_surface(first) & group.lanes(), [&](std::size_t lane) {
+        const std::size_t index = first + lane;
+        hits_->put(index,
+                   traced_.lights.coincident().seen(hits_->at(index), paths_->direction.at(index)));
+      });
+    }
   }
   for (std::size_t first = 0; first < active_; first += lane_count) {
     for_each_lane(hits_->met_surface(first) & group_at(first).lanes(), [&](std::size_t lane) {

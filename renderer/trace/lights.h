@@ -56,6 +56,9 @@ class Lights {
   /// Nothing shines: every radiance is zero.
   bool empty() const { return empty_; }
 
+  /// Which of several surfaces in one place is seen, and lights.
+  const CoincidentSurfaces& coincident() const { return local_.coincident(); }
+
   /// u_kind decides something.
   bool has_several_kinds() const {
     return (environment_ ? 1 : 0) + (suns_.empty() ? 0 : 1) + (local_.empty() ? 0 : 1) > 1;

@@ -22,6 +22,8 @@ class LocalLights {
   /// There is nothing to draw.
   bool empty() const { return !choice_; }
 
+  const CoincidentSurfaces& coincident() const { return triangles_.coincident(); }
+
   /// Whether something shines that is not drawn (see TriangleLights).
   bool has_unlisted() const { return triangles_.has_unlisted(); }
 

@@ -120,6 +120,13 @@ struct PathHits {
   Hit at(std::size_t i) const {
     return {.t = t[i], .barycentric = {u[i], v[i]}, .object = object[i], .triangle = triangle[i]};
   }
+  void put(std::size_t i, const Hit& hit) {
+    t[i] = hit.t;
+    u[i] = hit.barycentric.x;
+    v[i] = hit.barycentric.y;
+    object[i] = hit.object;
+    triangle[i] = hit.triangle;
+  }
   /// Which of the eight from `first` on hit anything.
   LaneMask met_surface(std::size_t first) const {
     return LaneMask(object.load(first) != Hit::nothing);

@@ -119,6 +119,14 @@ RayLog PathTracer::log_rays(const Vec3& viewpoint, std::span<const SampleJob> jo
   return log;
 }
 
+std::vector<std::string> PathTracer::warnings() const {
+  std::vector<std::string> lines;
+  if (std::optional<std::string> overlap = implementation_->traced.lights.coincident().warning()) {
+    lines.push_back(std::move(*overlap));
+  }
+  return lines;
+}
+
 const RayScene& PathTracer::ray_scene() const { return implementation_->traced.rays; }
 
 PathRecord PathTracer::replay(const Vec3& viewpoint, const SampleJob& job,

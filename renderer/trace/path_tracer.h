@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "renderer/base/parallel.h"
@@ -112,6 +113,9 @@ class PathTracer {
   /// The rays that trace() asks Embree about, block after block of the jobs.
   RayLog log_rays(const Vec3& viewpoint, std::span<const SampleJob> jobs,
                   const TraceSettings& settings) const;
+
+  /// What about the scene's lights is not as the file may mean it: a line each.
+  std::vector<std::string> warnings() const;
 
   /// What the rays are traced against.
   const RayScene& ray_scene() const;

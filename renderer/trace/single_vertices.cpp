@@ -50,6 +50,9 @@ bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
     ++ray_count();
     note(path.ray);
     hit = traced_.rays.closest_hit(path.ray);
+    if (!hit.missed()) {
+      hit = traced_.lights.coincident().seen(hit, path.ray.direction);
+    }
     if (!gather(path, hit)) {
       return false;
     }

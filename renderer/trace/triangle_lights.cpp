@@ -153,6 +153,24 @@ TriangleLights::TriangleLights(const Scene& scene, bool by_area)
       has_unlisted_ = true;
     }
   }
+  heed_coincidence();
+}
+
+void TriangleLights::heed_coincidence() {
+  std::vector<SceneTriangle> places;
+  places.reserve(emitters_.size());
+  for (const Emitter& emitter : emitters_) {
+    places.push_back(emitter.place);
+  }
+  coincident_.emplace(scene_, places);
+  if (coincident_->empty()) {
+    return;
+  }
+  for (Emitter& emitter : emitters_) {
+    emitter.rounding_error =
+        std::max(emitter.rounding_error, coincident_->clearance_m(emitter.place));
+    emitter.is_uniform = emitter.is_uniform && !coincident_->may_be_hidden(emitter.place);
+  }
 }
 
 void TriangleLights::add_object(std::uint32_t object, bool by_area) {
@@ -175,14 +193,16 @@ void TriangleLights::add_object(std::uint32_t object, bool by_area) {
                           .rounding_error = triangle.rounding_error(),
                           .shining_sides = material.double_sided ? 2.0F : 1.0F,
                           .radiance = material.emission},
-         is_uniform, object, t});
+         is_uniform,
+         {.object = object, .triangle = t}});
   }
 }
 
 double TriangleLights::power(std::size_t triangle) const {
   const Emitter& emitter = emitters_[triangle];
   const double power = emitter.shining_sides * std::numbers::pi *
-                       static_cast<double>(emitter.area) * radiance_of_object_[emitter.object];
+                       static_cast<double>(emitter.area) *
+                       radiance_of_object_[emitter.place.object];
   return power > 0.0 && std::isfinite(power) && is_finite(emitter.front_normal) ? power : 0.0;
 }
 
@@ -192,13 +212,14 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
   }
   const Emitter& emitter = emitters_[triangle];
   const TriangleOf<float>& corners = emitter.triangle;
-  return {.box = {.lower = glm::min(corners.p0, glm::min(corners.p1, corners.p2)),
-                  .upper = glm::max(corners.p0, glm::max(corners.p1, corners.p2))},
-          .axis = DVec3(emitter.front_normal),
-          .spread_rad = 0.0,
-          .falloff_rad = 0.5 * std::numbers::pi,
-          .two_sided = emitter.shining_sides > 1.0F,
-          .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
+  return {
+      .box = {.lower = glm::min(corners.p0, glm::min(corners.p1, corners.p2)),
+              .upper = glm::max(corners.p0, glm::max(corners.p1, corners.p2))},
+      .axis = DVec3(emitter.front_normal),
+      .spread_rad = 0.0,
+      .falloff_rad = 0.5 * std::numbers::pi,
+      .two_sided = emitter.shining_sides > 1.0F,
+      .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.place.object]};
 }
 
 std::optional<SphericalTriangle> TriangleLights::seen_from_near(const Emitter& emitter,
@@ -219,8 +240,8 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   }
   const auto seen = seen_from_near(emitter, place);
   const Vec2 barycentric = seen ? seen->sample(u) : sample_barycentric(u);
-  const Mesh& mesh = scene_.mesh_of(emitter.object);
-  const float opaque = opacity(scene_, mesh, emitter.index, barycentric);
+  const auto& [object, index] = emitter.place;
+  const float opaque = opacity(scene_, scene_.mesh_of(object), index, barycentric);
   if (!(opaque > 0.0F)) {
     return std::nullopt;
   }
@@ -228,8 +249,11 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   if (sample.pdf == 0.0F) {
     return std::nullopt;
   }
-  sample.radiance = opaque * emitted_radiance(scene_, emitter.object, emitter.index, barycentric,
-                                              glm::normalize(sample.to_light));
+  const Vec3 direction = glm::normalize(sample.to_light);
+  if (!coincident_->is_seen(emitter.place, emitter.triangle.at(barycentric), direction)) {
+    return std::nullopt;
+  }
+  sample.radiance = opaque * emitted_radiance(scene_, object, index, barycentric, direction);
   return sample;
 }
 

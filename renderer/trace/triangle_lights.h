@@ -9,6 +9,7 @@
 
 #include "renderer/base/lanes.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/coincident_surfaces.h"
 #include "renderer/trace/light_bounds.h"
 #include "renderer/trace/local_light_sample.h"
 #include "renderer/trace/ray_scene.h"
@@ -45,6 +46,9 @@ class TriangleLights {
 
   std::size_t size() const { return emitters_.size(); }
 
+  /// Which of several triangles in one place is seen, and lights.
+  const CoincidentSurfaces& coincident() const { return *coincident_; }
+
   /// Whether something shines that is not in the list.
   bool has_unlisted() const { return has_unlisted_; }
 
@@ -73,19 +77,20 @@ class TriangleLights {
  private:
   struct Emitter : EmitterOf<float> {
     bool is_uniform;  ///< shines with `radiance` everywhere and in all directions
-    std::uint32_t object;
-    std::uint32_t index;  ///< the triangle's index in its mesh
+    SceneTriangle place;
   };
 
   /// The triangle seen from `place`, if it is to be sampled by its solid angle.
   static std::optional<SphericalTriangle> seen_from_near(const Emitter& emitter, const Vec3& place);
 
   void add_object(std::uint32_t object, bool by_area);
+  void heed_coincidence();
 
   const Scene& scene_;
   std::vector<Emitter> emitters_;
   std::vector<std::uint32_t> first_of_object_;
   std::vector<float> radiance_of_object_;  ///< mean luminance
+  std::optional<CoincidentSurfaces> coincident_;
   bool has_unlisted_ = false;
 };
 
