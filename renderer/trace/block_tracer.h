@@ -115,13 +115,18 @@ class BlockTracer {
   /// Estimates the light that arrives at the vertex, and sends the path on.
   Step scatter(Path& path, const Hit& hit, const TracedObject& object,
                const VertexNumbers& numbers);
-  void queue_light(const Path& path, const SurfacePoint& point, const ShadingPoint& shading_point,
-                   const Frame& frame, const Bsdf& bsdf, const TracedObject& object,
-                   const VertexNumbers& numbers);
+  void queue_light(const Path& path, const Hit& hit, const SurfacePoint& point,
+                   const ShadingPoint& shading_point, const Frame& frame, const Bsdf& bsdf,
+                   const TracedObject& object, const VertexNumbers& numbers);
   /// False if the path ends: its direction lies on one side of the shading normal and on the other
   /// side of the surface, or something of it is not finite.
-  bool send(Path& path, const SurfacePoint& point, const ShadingPoint& shading_point,
-            const Frame& frame, const BsdfSample& sample, const TracedObject& object);
+  bool send(Path& path, const Hit& hit, const SurfacePoint& point,
+            const ShadingPoint& shading_point, const Frame& frame, const BsdfSample& sample,
+            const TracedObject& object);
+  /// Moves the origin of a ray that leaves a triangle below its plane, but above the horizon of the
+  /// smooth surface, to that surface. False if it is not above the triangle, or something is in
+  /// between.
+  bool lift_origin(const Hit& hit, const Vec3& geometric_normal, Vec3& origin);
   /// Whether a job's new values are finite; if not, its radiance becomes not_a_number.
   bool finite(std::uint32_t job, const Rgb& radiance, const Vec3& direction);
   bool survives_roulette(Path& path, float u) const;
@@ -139,6 +144,10 @@ class BlockTracer {
   void queue_lights(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
                     const ShadingPoints& shading_points, const Frames& frames,
                     const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
+  /// The lanes whose rays can leave in `direction`, which is above the horizon; lifts their
+  /// origins.
+  LaneMask lift_origins(const Group& group, LaneMask lanes, const Vec3s& direction,
+                        const SurfacePoints& points, Vec3s& origin);
   LaneMask send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
                 const ShadingPoints& shading_points, const Frames& frames,
                 const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);

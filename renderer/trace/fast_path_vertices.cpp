@@ -36,8 +36,8 @@ LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
   const FastPathBsdfs bsdfs(layers, outgoing, traced_.tables.ggx());
   ShadingPoints shading_points;
   shading_points.position.store(points.position);
-  shading_points.normal.store(points.geometric_normal);
-  shading_points.region.store(traced_.lights.regions_of(points.position, points.geometric_normal));
+  shading_points.normal.store(points.horizon_normal);
+  shading_points.region.store(traced_.lights.regions_of(points.position, points.horizon_normal));
   queue_lights(group, lanes, points, shading_points, frames, bsdfs, numbers);
   return goes_on | send(group, lanes, points, shading_points, frames, bsdfs, numbers);
 }
@@ -102,22 +102,46 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
   const LightSamples light = traced_.lights.sample(shading_points, numbers.light, lanes);
   const Vec3s incoming = frames.to_local(light.direction);
   LaneMask arrives = lanes & (light.pdf != 0.0F) & ~(incoming.z <= 0.0F) &
-                     ~(dot(light.direction, points.geometric_normal) <= 0.0F);
+                     ~(dot(light.direction, points.horizon_normal) <= 0.0F);
   if (!any_lane(arrives)) {
     return;
   }
   const auto value = bsdfs.eval(chosen(arrives, incoming, all_lanes(straight_up)));
   const Vec3s gain = direct_light(paths_->throughput.load(group.first), value, light, light.pdf);
   arrives &= (gain.x != 0.0F) | (gain.y != 0.0F) | (gain.z != 0.0F);
-  const Vec3s to_light = shadow_direction(light, points.position, points.origin);
+  Vec3s origin = points.origin;
+  arrives = lift_origins(group, arrives, light.direction, points, origin);
+  const Vec3s to_light = shadow_direction(light, points.position, origin);
   arrives = finite(group, arrives, gain, to_light);
-  shadow_rays_.add(LanePacking(bits_of(arrives)), points.origin, to_light, light.t_max,
+  shadow_rays_.add(LanePacking(bits_of(arrives)), origin, to_light, light.t_max,
                    numbers.shadow_key);
   Vec3Lanes radiance;
   radiance.store(gain);
   for_each_lane(arrives, [&](std::size_t lane) {
     pending_.push_back({.job = paths_->job[group.first + lane], .radiance = radiance.at(lane)});
   });
+}
+
+LaneMask BlockTracer::lift_origins(const Group& group, LaneMask lanes, const Vec3s& direction,
+                                   const SurfacePoints& points, Vec3s& origin) {
+  const LaneMask below_plane = lanes & (dot(direction, points.geometric_normal) <= 0.0F);
+  if (!any_lane(below_plane)) {
+    return lanes;
+  }
+  Vec3Lanes origins;
+  origins.store(origin);
+  Vec3Lanes normals;
+  normals.store(points.geometric_normal);
+  for_each_lane(below_plane, [&](std::size_t lane) {
+    Vec3 lifted = origins.at(lane);
+    if (lift_origin(hits_->at(group.first + lane), normals.at(lane), lifted)) {
+      origins.put(lane, lifted);
+    } else {
+      lanes[lane] = 0;
+    }
+  });
+  origin = origins.load();
+  return lanes;
 }
 
 LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
@@ -129,7 +153,9 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
   const Vec3s direction = normalized(frames.to_world(sample.incoming));
   // Written so that what is not a number comes through, and is found below.
   LaneMask goes_on = lanes & (sample.pdf != 0.0F) & ~(sample.incoming.z <= 0.0F) &
-                     ~(dot(direction, points.geometric_normal) <= 0.0F);
+                     ~(dot(direction, points.horizon_normal) <= 0.0F);
+  Vec3s origin = points.origin;
+  goes_on = lift_origins(group, goes_on, direction, points, origin);
   Vec3s throughput = paths.throughput.load(first) * sample.weight;
   const Floats brightest = max_component(throughput) / paths.radiance_scale.load(first);
   goes_on = finite(group, goes_on, throughput, direction) & (brightest > 0.0F);
@@ -139,12 +165,12 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
     throughput = chosen(is_dim, (1.0F / survives) * throughput, throughput);
     goes_on &= ~is_dim | (numbers.roulette < survives);
   }
-  paths.origin.store(first, goes_on, points.origin);
+  paths.origin.store(first, goes_on, origin);
   paths.direction.store(first, goes_on, direction);
   paths.throughput.store(first, goes_on, throughput);
   paths.pdf.store(first, goes_on, sample.pdf);
   paths.shading_point_position.store(first, goes_on, points.position);
-  paths.shading_point_normal.store(first, goes_on, points.geometric_normal);
+  paths.shading_point_normal.store(first, goes_on, points.horizon_normal);
   paths.shading_point_transmits.store(first, goes_on, Uints{});
   paths.shading_point_region.store(first, goes_on, shading_points.region.load());
   paths.key.store(first, goes_on, numbers.next_key);

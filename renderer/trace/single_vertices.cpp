@@ -8,11 +8,14 @@
 namespace foveola {
 namespace {
 
+/// Which side light comes from is up to the triangle where the surface transmits.
 ShadingPoint shading_point_at(const SurfacePoint& point, const Lights& lights) {
+  const bool transmits = point.reflectance.transmission > 0.0F;
+  const Vec3& normal = transmits ? point.geometric_normal : point.horizon_normal;
   return {.position = point.position,
-          .normal = point.geometric_normal,
-          .transmits = point.reflectance.transmission > 0.0F,
-          .region = lights.region_of(point.position, point.geometric_normal)};
+          .normal = normal,
+          .transmits = transmits,
+          .region = lights.region_of(point.position, normal)};
 }
 
 /// The absorption on the other side of a surface that a path has reached.
@@ -70,7 +73,7 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
   const bool is_vertex = vertex_ <= settings_.max_depth;
   const ShadingPoint shading_point = shading_point_at(point, traced_.lights);
   if (is_vertex) {
-    queue_light(path, point, shading_point, frame, bsdf, object, numbers);
+    queue_light(path, hit, point, shading_point, frame, bsdf, object, numbers);
   }
   if (!sample) {
     return Step::ended;
@@ -81,15 +84,36 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
     return Step::passed;
   }
   path.width_m = width_at(path, hit);
-  const bool continues = is_vertex && send(path, point, shading_point, frame, *sample, object) &&
+  const bool continues = is_vertex &&
+                         send(path, hit, point, shading_point, frame, *sample, object) &&
                          survives_roulette(path, numbers.roulette);
   return continues ? Step::scattered : Step::ended;
 }
 
-bool BlockTracer::send(Path& path, const SurfacePoint& point, const ShadingPoint& shading_point,
-                       const Frame& frame, const BsdfSample& sample, const TracedObject& object) {
+bool BlockTracer::lift_origin(const Hit& hit, const Vec3& geometric_normal, Vec3& origin) {
+  const Vec3 bulge = smooth_bulge(traced_.scene, hit, geometric_normal);
+  if (!(glm::dot(bulge, geometric_normal) > 0.0F)) {
+    return false;
+  }
+  Ray ray{.origin = origin, .direction = bulge};
+  ray.t_max = 1.0F;
+  ++counts_.shadow;
+  if (notes_.rays != nullptr) {
+    notes_.rays->shadow.push_back(ray);
+  }
+  if (!traced_.rays.closest_hit(ray).missed()) {
+    return false;
+  }
+  origin += bulge;
+  return true;
+}
+
+bool BlockTracer::send(Path& path, const Hit& hit, const SurfacePoint& point,
+                       const ShadingPoint& shading_point, const Frame& frame,
+                       const BsdfSample& sample, const TracedObject& object) {
   Vec3 direction = glm::normalize(frame.to_world(sample.incoming));
-  float side = glm::dot(direction, point.geometric_normal);
+  const Vec3& horizon = sample.is_specular ? point.geometric_normal : shading_point.normal;
+  float side = glm::dot(direction, horizon);
   if ((sample.is_transmitted ? -side : side) <= 0.0F) {
     if (!sample.is_specular || side == 0.0F) {
       return false;
@@ -98,8 +122,12 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const ShadingPoint
     direction -= 2.0F * side * point.geometric_normal;
     side = -side;
   }
-  path.shading_point = shading_point;
   path.ray.origin = side > 0.0F ? point.origin : point.origin_beyond();
+  if (side > 0.0F && glm::dot(direction, point.geometric_normal) <= 0.0F &&
+      !lift_origin(hit, point.geometric_normal, path.ray.origin)) {
+    return false;
+  }
+  path.shading_point = shading_point;
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
   path.throughput *= sample.weight;
@@ -114,7 +142,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const ShadingPoint
   return finite(path.job, path.throughput, direction);
 }
 
-void BlockTracer::queue_light(const Path& path, const SurfacePoint& point,
+void BlockTracer::queue_light(const Path& path, const Hit& hit, const SurfacePoint& point,
                               const ShadingPoint& shading_point, const Frame& frame,
                               const Bsdf& bsdf, const TracedObject& object,
                               const VertexNumbers& numbers) {
@@ -131,7 +159,7 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point,
     return;
   }
   const Vec3 incoming = frame.to_local(light->direction);
-  const float side = glm::dot(light->direction, point.geometric_normal);
+  const float side = glm::dot(light->direction, shading_point.normal);
   if (side == 0.0F) {
     return;
   }
@@ -144,6 +172,10 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point,
   Ray shadow_ray;
   shadow_ray.key = numbers.shadow_key;
   shadow_ray.origin = is_beyond ? point.origin_beyond() : point.origin;
+  if (side > 0.0F && glm::dot(light->direction, point.geometric_normal) <= 0.0F &&
+      !lift_origin(hit, point.geometric_normal, shadow_ray.origin)) {
+    return;
+  }
   shadow_ray.direction = shadow_direction(*light, point.position, shadow_ray.origin);
   shadow_ray.t_max = light->t_max;
   const Rgb absorption = is_beyond

@@ -158,6 +158,31 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
   return {geometry, reflectance_at(scene, point, geometry.facing < 0.0F), coat_normal};
 }
 
+Vec3 smooth_bulge(const Scene& scene, const Hit& hit, const Vec3& side) {
+  const Mesh& mesh = scene.mesh_of(hit.object);
+  if (mesh.normals.empty()) {
+    return Vec3(0.0F);
+  }
+  const Instance* instance = scene.instance_of(hit.object);
+  const Triangle triangle(mesh, instance, hit.triangle);
+  const Vec3 point = triangle.at(hit.barycentric);
+  const auto& [a, b, c] = mesh.triangles[hit.triangle];
+  Vec3 bulge(0.0F);
+  const auto add = [&](std::uint32_t vertex, const Vec3& corner, float weight) {
+    Vec3 normal = mesh.normals[vertex];
+    if (instance != nullptr) {
+      normal = world_normal_from_local(instance->world_from_local) * normal;
+    }
+    normal = normalized_or(normal, side);
+    normal *= std::copysign(1.0F, glm::dot(normal, side));
+    bulge -= weight * std::min(glm::dot(point - corner, normal), 0.0F) * normal;
+  };
+  add(a, triangle.p0, 1.0F - hit.barycentric.x - hit.barycentric.y);
+  add(b, triangle.p1, hit.barycentric.x);
+  add(c, triangle.p2, hit.barycentric.y);
+  return bulge;
+}
+
 Rgb emitted_radiance(const Scene& scene, std::uint32_t object, std::uint32_t triangle,
                      const Vec2& barycentric, const Vec3& direction) {
   const MeshPoint point{scene.mesh_of(object), triangle, barycentric};

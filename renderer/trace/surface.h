@@ -47,6 +47,11 @@ Vec3 mapped_normal(const Scene& scene, const NormalMap& map, const MeshPoint& po
 Reflectance untextured_reflectance(const Material& material);
 Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_back);
 
+/// The way from a point of a triangle to the smooth surface that its vertices' normals describe, as
+/// far as that bulges towards `side`, a normal of the triangle (Hanika 2021, "Hacking the Shadow
+/// Terminator"). 0 where it does not.
+Vec3 smooth_bulge(const Scene& scene, const Hit& hit, const Vec3& side);
+
 /// MeshPoint::relative_width. facing: the cosine between the ray and the surface's normal.
 /// double_area: of the triangle, in square metres.
 float relative_width(float ray_width_m, float facing, float double_area);

@@ -40,6 +40,9 @@ template <typename Number>
 struct SurfaceGeometryOf {
   using Vector = Vec3Of<Number>;
 
+  /// Normals that differ by less, 0.08 degrees, are those of a flat surface.
+  static constexpr float flattest_cosine = 0.999999F;
+
   Vector position;
   Number rounding_error;    ///< metres; see TriangleOf
   Number facing;            ///< the cosine between the ray and the front's normal
@@ -47,6 +50,7 @@ struct SurfaceGeometryOf {
   Vector origin;            ///< where rays leave the surface on the side the ray came from
   Vector smooth_normal;     ///< unit; the front's, interpolated between the vertices
   Vector shading_normal;    ///< unit, on the same side; the ray always comes from its front
+  Vector horizon_normal;  ///< unit: light is reflected above it; the smooth surface's, unless flat
 
   /// front_normal: the triangle's, unit length. vertex_normal: interpolated between the front's
   /// normals at the corners, of any length; zero where the mesh has none. direction: the ray's,
@@ -61,7 +65,9 @@ struct SurfaceGeometryOf {
         origin(origin_before(position, direction, geometric_normal, distance, rounding_error)),
         smooth_normal(normalized_or(vertex_normal, front_normal)),
         shading_normal(turned_to_ray(smooth_normal, geometric_normal, smooth_normal, direction,
-                                     geometric_normal)) {}
+                                     geometric_normal)),
+        horizon_normal(chosen(dot(shading_normal, geometric_normal) > flattest_cosine,
+                              geometric_normal, shading_normal)) {}
 
   /// The shading normal if a normal map makes `mapped` of the smooth normal.
   Vector mapped_shading_normal(const Vector& mapped, const Vector& direction) const {

@@ -277,6 +277,57 @@ TEST(KnownAnswerTest, BothStrategiesAndTheirCombinationAgree) {
   }
 }
 
+/// The share of the places on a ball under a sun that are darker than a fifth of the cosine of the
+/// smooth normal, where that is 0.05 to 0.6.
+double share_of_black_places(const Mesh& ball, bool general_path) {
+  constexpr double ball_albedo = 0.8;
+  constexpr std::uint32_t side = 256;
+  const Vec3 to_sun = glm::normalize(Vec3(1.0F, 0.4F, -0.3F));
+  Scene scene;
+  scene.materials = {matte(Rgb(static_cast<float>(ball_albedo)))};
+  scene.meshes = {ball};
+  scene.lights = {{.name = "",
+                   .kind = PunctualLight::Kind::directional,
+                   .direction = -to_sun,
+                   .intensity = Rgb(std::numbers::pi_v<float>)}};
+  const PathTracer tracer(scene, workers());
+  const Vec3 viewpoint(0, 0, 5);
+  std::vector<SampleJob> jobs;
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const Vec2 place = (Vec2(i % side, i / side) + 0.5F) / static_cast<float>(side) - 0.5F;
+    jobs.push_back({.direction = glm::normalize(Vec3(0.45F * place, -1.0F)), .pixel = i});
+  }
+  std::vector<Rgb> radiance(jobs.size());
+  tracer.trace(viewpoint, jobs, radiance, {.max_depth = 1, .uses_general_path = general_path},
+               workers());
+  int places = 0;
+  int black = 0;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const Hit hit = tracer.ray_scene().closest_hit(viewpoint, jobs[i].direction);
+    if (hit.missed()) {
+      continue;
+    }
+    const SurfacePoint point = surface_point(scene, hit, jobs[i].direction);
+    const double cosine = glm::dot(point.shading_normal, to_sun);
+    if (cosine > 0.05 && cosine < 0.6) {
+      ++places;
+      black += radiance[i].g < 0.2 * ball_albedo * cosine ? 1 : 0;
+    }
+  }
+  EXPECT_GT(places, 3000);
+  return static_cast<double>(black) / places;
+}
+
+// Of a ball of 320 triangles 3 % were black, in a staircase along the terminator; Cycles has 0.18
+// %.
+TEST(KnownAnswerTest, SmoothBallsOfFewTrianglesHaveNoStaircase) {
+  const Mesh ball = inside_out(inward_sphere(1.0F, 2, 0));
+  for (const bool general_path : {false, true}) {
+    EXPECT_LE(share_of_black_places(ball, general_path), 0.003);
+    EXPECT_EQ(share_of_black_places(flat_shaded(ball), general_path), 0.0);
+  }
+}
+
 /// A lamp behind a sheet whose left half (x < 0) is cut out, and a floor beyond.
 TEST(KnownAnswerTest, LightPassesThroughCutOuts) {
   Scene scene = floor_and_light(dielectric(0.8F));
