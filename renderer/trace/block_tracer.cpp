@@ -40,6 +40,7 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
 void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) {
   paths_->fill({.ray = {.origin = viewpoint},
                 .pdf = certain,
+                .absorption_per_m = traced_.absorption_at(viewpoint),
                 .spread_rad = camera_spread_rad(settings_.pixel_angle_rad)});
   for (const SampleJob& job : jobs) {
     SampleStream random(settings_.seed, job.pixel, job.sample_number);

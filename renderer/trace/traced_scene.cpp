@@ -1,10 +1,15 @@
 #include "renderer/trace/traced_scene.h"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
 
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
 #include "renderer/trace/surface.h"
+#include "renderer/trace/triangle.h"
 
 namespace foveola {
 namespace {
@@ -31,6 +36,31 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
       is_on_fast_path(untextured) && (!traced.is_constant || is_on_fast_path(traced.layers));
   traced.has_normal_map = material.normal_texture.exists() && !mesh.tangents.empty();
   return traced;
+}
+
+/// The innermost solid around a place: the first that a ray leaves without having entered it.
+std::optional<std::uint32_t> solid_around(const Scene& scene, const RayScene& rays,
+                                          const Vec3& place, const Vec3& direction) {
+  constexpr int max_crossings = 256;
+  std::map<std::uint32_t, int> entered;
+  Ray ray{.origin = place, .direction = direction};
+  for (int crossing = 0; crossing < max_crossings; ++crossing) {
+    const Hit hit = rays.closest_hit(ray);
+    if (hit.missed()) {
+      break;
+    }
+    const Material& material = material_of(scene, scene.mesh_of(hit.object));
+    if (material.is_solid && material.transmission > 0.0F) {
+      const Vec3 front = Triangle(scene, hit.object, hit.triangle).front_normal();
+      if (glm::dot(front, direction) < 0.0F) {
+        ++entered[hit.object];
+      } else if (--entered[hit.object] < 0) {
+        return hit.object;
+      }
+    }
+    ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
+  }
+  return std::nullopt;
 }
 
 std::uint8_t traits_of(const TracedObject& object) {
@@ -62,6 +92,21 @@ TracedScene::TracedScene(const Scene& source, const Workers& workers, const Ligh
                       (!traced.is_unlit && (!traced.is_on_fast_path || traced.layers.is_shiny));
     is_dark = is_dark && !traced.is_unlit;
   }
+}
+
+Rgb TracedScene::absorption_at(const Vec3& place) const {
+  if (!has_absorption) {
+    return Rgb(0.0F);
+  }
+  // Two of three directions decide, since a solid's mesh may have holes.
+  const auto around = [&](const Vec3& direction) {
+    return solid_around(scene, rays, place, glm::normalize(direction));
+  };
+  const auto first = around({0.61F, 0.53F, -0.59F});
+  const auto second = around({-0.71F, 0.37F, 0.47F});
+  const auto found = first == second ? first : around({0.23F, -0.83F, 0.31F});
+  const bool is_agreed = first == second || found == first || found == second;
+  return found && is_agreed ? objects[*found].absorption_per_m : Rgb(0.0F);
 }
 
 }  // namespace foveola

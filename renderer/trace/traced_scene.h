@@ -49,6 +49,9 @@ struct TracedScene {
   bool has_other_lobes;              ///< something scatters otherwise than a Lambertian layer alone
   bool is_dark;                      ///< nothing shines: every radiance is zero
 
+  /// The absorption per metre at a place: that of the innermost solid around it.
+  Rgb absorption_at(const Vec3& place) const;
+
   TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
               KeptHierarchies* kept);
 };

@@ -277,6 +277,38 @@ TEST(KnownAnswerTest, BothStrategiesAndTheirCombinationAgree) {
   }
 }
 
+/// Boxes of index 1, which neither reflect nor bend, that leave half and a tenth of light after a
+/// metre, under a sky of radiance 1.
+TEST(KnownAnswerTest, ACameraInASolidIsAbsorbedFromItsFirstMetre) {
+  const auto absorbing = [](float left_after_a_metre) {
+    Material material = matte(Rgb(1.0F));
+    material.ior = 1.0F;
+    material.transmission = 1.0F;
+    material.is_solid = true;
+    material.attenuation_color = Rgb(left_after_a_metre);
+    material.attenuation_distance_m = 1.0F;
+    return material;
+  };
+  Scene scene;
+  scene.materials = {absorbing(0.5F), absorbing(0.1F)};
+  scene.meshes = {inside_out(inward_box(Vec3(0.0F), 2.0F, 0))};
+  scene.environment = constant_environment(1.0F);
+  const auto radiance = [&](const Vec3& viewpoint) {
+    Rgb arriving;
+    PathTracer(scene, workers())
+        .trace(viewpoint, jobs_along(Vec3(1, 0, 0), 1), {&arriving, 1},
+               {.vertices_before_roulette = no_roulette}, workers());
+    return arriving.g;
+  };
+  EXPECT_NEAR(radiance(Vec3(0, 0.3F, 0.2F)), 0.25, 1e-4);
+  EXPECT_NEAR(radiance(Vec3(1.5F, 0.3F, 0.2F)), std::sqrt(0.5), 1e-4);
+  EXPECT_NEAR(radiance(Vec3(-5, 0.3F, 0.2F)), 0.0625, 1e-4);
+  EXPECT_NEAR(radiance(Vec3(5, 0.3F, 0.2F)), 1.0, 1e-6);
+  scene.meshes.push_back(inside_out(inward_box(Vec3(0.0F), 0.5F, 1)));
+  EXPECT_NEAR(radiance(Vec3(0, 0.3F, 0.2F)), std::sqrt(0.1), 1e-4) << "outside of each is air";
+  EXPECT_NEAR(radiance(Vec3(1.5F, 0.3F, 0.2F)), std::sqrt(0.5), 1e-4);
+}
+
 /// The share of the places on a ball under a sun that are darker than a fifth of the cosine of the
 /// smooth normal, where that is 0.05 to 0.6.
 double share_of_black_places(const Mesh& ball, bool general_path) {
