@@ -1,8 +1,7 @@
 #include "study/console/command_entry.h"
 
-#include <gmock/gmock.h>
-
 #include "study/console/console_command.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {

@@ -1,12 +1,9 @@
 #include "study/console/console_answer.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class ConsoleAnswers : public ::testing::Test {
  protected:

@@ -2,15 +2,13 @@
 
 #include <array>
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "tests/matchers.h"
+
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 using namespace std::chrono_literals;
 

@@ -3,15 +3,13 @@
 #include <array>
 
 #include <fcntl.h>
-#include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "tests/matchers.h"
 #include "tests/waiting.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
 
 /// All lines until there are `count`; throws std::runtime_error if there never are.
 std::vector<std::string> wait_for_lines(LineReader& reader, std::size_t count) {

@@ -2,18 +2,15 @@
 
 #include <cstdio>
 
-#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include "tests/at_terminal.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
 
 using test::AtTerminal;
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 /// Shows a session until it is asked to quit; answers each line by saying it.
 int run_until_quit() {

@@ -2,20 +2,13 @@
 
 #include <algorithm>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/utf8.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
 
-using ::testing::Contains;
-using ::testing::ElementsAre;
 using ::testing::Field;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 const std::vector<std::string> said = {"   1.000 s  The first.", "   2.000 s  The second."};
 
@@ -67,8 +60,8 @@ TEST_F(ScreenLayout, WarningsStandAboveWhatWasSaid) {
 TEST_F(ScreenLayout, WhatIsNoPersonsEyeStandsOut) {
   content_.status.gaze.eye = "simulated";
   EXPECT_THAT(screen_lines(content_, {}),
-              Contains(testing::AllOf(Field(&ScreenLine::text, HasSubstr("THE EYE IS SIMULATED")),
-                                      Field(&ScreenLine::look, LineLook::warning))));
+              Contains(AllOf(Field(&ScreenLine::text, HasSubstr("THE EYE IS SIMULATED")),
+                             Field(&ScreenLine::look, LineLook::warning))));
 }
 
 TEST_F(ScreenLayout, OfWhatWasSaidTheNewestStays) {

@@ -1,14 +1,11 @@
 #include "study/console/session_status.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 TEST(SessionStatus, FramesAreToldByRateAndLateness) {
   EXPECT_EQ(words_for(FrameStatus{.refresh_rate_hz = 60.0}), "not a second yet");

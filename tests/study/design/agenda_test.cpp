@@ -1,8 +1,7 @@
 // The steps of a session.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "study/design/plan.h"
+#include "tests/matchers.h"
 #include "tests/study/design/small_protocol.h"
 
 namespace foveola::study {

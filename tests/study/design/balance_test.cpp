@@ -1,15 +1,10 @@
 #include "study/design/balance.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "tests/matchers.h"
 #include "tests/study/design/small_protocol.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::Each;
-using testing::ElementsAre;
 
 Balance balance_after(const Protocol& protocol, int participants) {
   std::vector<Plan> plans;

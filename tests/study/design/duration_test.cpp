@@ -1,8 +1,6 @@
 #include "study/design/duration.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "tests/matchers.h"
 #include "tests/study/design/small_protocol.h"
 
 namespace foveola::study {
@@ -84,8 +82,8 @@ TEST_F(DurationOfASession, PhasesComeInTheirOrder) {
   for (const SessionPart& part : parts) {
     names.push_back(part.name);
   }
-  EXPECT_THAT(names, testing::ElementsAre("validation", "reaction", "practice", "trials",
-                                          "catch trials", "debrief"));
+  EXPECT_THAT(names, ElementsAre("validation", "reaction", "practice", "trials", "catch trials",
+                                 "debrief"));
   const Duration target = assumed("a target");
   EXPECT_DOUBLE_EQ(part_of(parts, "validation").duration.least_s, 5 * target.least_s);
   EXPECT_DOUBLE_EQ(part_of(parts, "validation").duration.most_s, 3 * 5 * target.most_s);

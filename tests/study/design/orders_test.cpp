@@ -5,13 +5,10 @@
 #include <map>
 #include <set>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::ElementsAre;
 
 // As Williams 1949 and every textbook after it write them.
 TEST(WilliamsSquare, OfThreeIsAllSixOrders) {

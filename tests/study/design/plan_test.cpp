@@ -5,9 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "tests/matchers.h"
 #include "tests/study/design/small_protocol.h"
 
 namespace foveola::study {

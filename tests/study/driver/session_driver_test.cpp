@@ -3,15 +3,13 @@
 #include <deque>
 #include <functional>
 
-#include <gmock/gmock.h>
-
 #include "study/driver/clock_watch.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
 
 using namespace std::chrono_literals;
-using ::testing::ElementsAre;
 
 constexpr Nanoseconds frame = 100ms;
 
@@ -156,8 +154,8 @@ TEST_F(SessionDriverTest, MarksHaveTheTimesOfTheirKeys) {
 TEST_F(SessionDriverTest, AMarkTimesOutAtItsDeadline) {
   take_part({1150ms});
   run();
-  EXPECT_THAT(world_.log, ::testing::Contains("1100 timed_out").Times(2));
-  EXPECT_THAT(world_.log, ::testing::Not(::testing::Contains("1150 marked")));
+  EXPECT_THAT(world_.log, Contains("1100 timed_out").Times(2));
+  EXPECT_THAT(world_.log, Not(Contains("1150 marked")));
 }
 
 TEST_F(SessionDriverTest, AKeyAfterTheDeadlineIsATimeOut) {
@@ -171,8 +169,8 @@ TEST_F(SessionDriverTest, AKeyAfterTheDeadlineIsATimeOut) {
     }
   };
   run();
-  EXPECT_THAT(world_.log, ::testing::Contains("1100 timed_out"));
-  EXPECT_THAT(world_.log, ::testing::Not(::testing::Contains("1150 marked")));
+  EXPECT_THAT(world_.log, Contains("1100 timed_out"));
+  EXPECT_THAT(world_.log, Not(Contains("1150 marked")));
 }
 
 TEST_F(SessionDriverTest, NothingIsSeenBeforeItIsOnTheDisk) {
@@ -195,7 +193,7 @@ TEST_F(SessionDriverTest, ATrialWaitsUntilItsAttemptCanBegin) {
   world_.gaze_comes_at = 300ms;
   take_part({600ms, 700ms});
   run();
-  EXPECT_THAT(world_.log, ::testing::Contains("400 first_frame_presented"));
+  EXPECT_THAT(world_.log, Contains("400 first_frame_presented"));
 }
 
 TEST_F(SessionDriverTest, WhatDiedInATrialGoesOnBeforeIt) {
@@ -230,7 +228,7 @@ TEST_F(SessionDriverTest, BetweenAttemptsAClockThatIsSetIsOnlyNoted) {
       {250ms, 470ms}, [](const SessionState& state) { return state.phase == Phase::ready; });
   EXPECT_EQ(run().trials, 1U);
   EXPECT_EQ(world_.attempts_ended, 1);
-  EXPECT_THAT(world_.log, ::testing::Contains("0 note_written"));
+  EXPECT_THAT(world_.log, Contains("0 note_written"));
 }
 
 TEST_F(SessionDriverTest, AStopInterruptsTheAttempt) {

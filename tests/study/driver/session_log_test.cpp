@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -61,7 +61,7 @@ TEST(SessionLog, LaterEventsWaitForEarlierOnes) {
   EXPECT_TRUE(log.take_durable().empty());
   disk.commits[0].set_value();
   EXPECT_EQ(log.take_durable().size(), 2U);
-  EXPECT_THAT(disk.names, ::testing::ElementsAre("session_started", "note_written"));
+  EXPECT_THAT(disk.names, ElementsAre("session_started", "note_written"));
 }
 
 TEST(SessionLog, ANoteHoldsNobodyUp) {
@@ -78,7 +78,7 @@ TEST(SessionLog, AMarkHasTheTimeOfItsKey) {
   SlowDisk disk;
   SessionLog log(one_trial(), {.phase = Phase::marking, .step = 1, .first_frame = 2s}, disk);
   ASSERT_TRUE(log.feed(9s, Marked{5s}));
-  EXPECT_THAT(disk.times, ::testing::ElementsAre(5s));
+  EXPECT_THAT(disk.times, ElementsAre(5s));
 }
 
 TEST(SessionLog, SaysWhatKeptAnEventFromTheDisk) {

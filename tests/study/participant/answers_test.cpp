@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/study/participant/moments.h"
+
 namespace foveola::study {
 namespace {
 
@@ -25,10 +27,12 @@ constexpr Background usual{.age_mean_years = 30.0,
                            .scale_mean_part = 0.4,
                            .scale_deviation_part = 0.3};
 
+using Values = std::set<std::variant<double, std::string>>;
+
 /// Everything that so many people answered to the question of this index.
-std::set<std::variant<double, std::string>> given_answers(std::size_t question) {
+Values given_answers(std::size_t question) {
   Pcg32 random(2);
-  std::set<std::variant<double, std::string>> given;
+  Values given;
   for (int person = 0; person < 1000; ++person) {
     given.insert(draw_answers(questions, usual, random).at(question).value);
   }
@@ -47,8 +51,6 @@ TEST(Answers, AreGoodOnesToEachQuestionThatNeedsOne) {
   }
 }
 
-using Values = std::set<std::variant<double, std::string>>;
-
 TEST(Answers, UseTheWholeScaleAndEveryOptionButOnlyTwoOfGender) {
   EXPECT_EQ(given_answers(1), (Values{1.0, 5.0}));
   EXPECT_EQ(given_answers(2), (Values{1.0, 2.0, 3.0, 4.0, 5.0}));
@@ -56,23 +58,13 @@ TEST(Answers, UseTheWholeScaleAndEveryOptionButOnlyTwoOfGender) {
   EXPECT_GT(given_answers(0).size(), 30U);
 }
 
-struct Moments {
-  double mean = 0.0;
-  double deviation = 0.0;
-};
+constexpr std::uint32_t answerers = 20'000;
 
 Moments moments_of_answers(const Question& question, const Background& background) {
-  constexpr int people = 20'000;
   Pcg32 random(3);
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int person = 0; person < people; ++person) {
-    const double value = std::get<double>(draw_answers({question}, background, random).at(0).value);
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / people;
-  return {.mean = mean, .deviation = std::sqrt(squares / people - mean * mean)};
+  return moments(answerers, [&](std::uint32_t) {
+    return std::get<double>(draw_answers({question}, background, random).at(0).value);
+  });
 }
 
 // Rounding to whole years adds 1/12 to the variance.

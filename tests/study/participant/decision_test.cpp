@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/study/participant/moments.h"
+
 namespace foveola::study {
 namespace {
 
@@ -75,15 +77,13 @@ TEST(Decision, FollowsEvidenceWithALeakyMean) {
   EXPECT_FALSE(press(plain, Task::mark_outline, flash));
 }
 
-TEST(Decision, IsMadeByThePersonsOwnCriteria) {
+TEST(Decision, IsMadeByThePersonsOwnCriteriaWhichDriftFromTrialToTrial) {
   const Traits strict{.outline_criterion = 2.0, .material_criterion = 0.5};
   EXPECT_FALSE(press(plain, Task::mark_outline, always(outline(9.9)), {}, strict));
   EXPECT_TRUE(press(plain, Task::mark_outline, always(outline(10.1)), {}, strict));
   EXPECT_FALSE(press(plain, Task::mark_material, always(material(0.76)), {}, strict));
   EXPECT_TRUE(press(plain, Task::mark_material, always(material(0.74)), {}, strict));
-}
 
-TEST(Decision, CriteriaDriftFromTrialToTrial) {
   const Traits tiring{.drift_per_trial = 0.1};
   const double after_ten = 5.0 * std::exp(1.0);
   const Attempt tenth{.trials_before = 10};
@@ -132,23 +132,6 @@ TEST(Decision, IsOverAfterThePress) {
   EXPECT_FALSE(press(decision, Task::look_around, always(outline(10.0))));
 }
 
-struct DelayMoments {
-  double mean = 0.0;
-  double deviation = 0.0;
-};
-
-DelayMoments moments(int count, const std::function<double(std::uint32_t)>& draw) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double value = draw(static_cast<std::uint32_t>(i));
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / count;
-  return {.mean = mean, .deviation = std::sqrt(squares / count - mean * mean)};
-}
-
 constexpr int draws = 20'000;
 
 /// Within four standard errors of a mean.
@@ -161,12 +144,12 @@ TEST(Decision, ReactionsAreExGaussian) {
   habits.reaction_deviation_s = 0.03;
   habits.reaction_tail_s = 0.07;
   const double deviation = std::hypot(0.03, 0.07);
-  const DelayMoments of_delays = moments(draws, [&](std::uint32_t conduct) {
+  const Moments of_delays = moments(draws, [&](std::uint32_t conduct) {
     return press(habits, Task::mark_outline, always(outline(10.0)), {.conduct = conduct})->delay_s;
   });
   EXPECT_NEAR(of_delays.mean, 0.32, mean_tolerance(deviation));
   EXPECT_NEAR(of_delays.deviation, deviation, 0.004);
-  const DelayMoments of_slow_ones = moments(draws, [&](std::uint32_t conduct) {
+  const Moments of_slow_ones = moments(draws, [&](std::uint32_t conduct) {
     Pcg32 random(conduct, 5);
     return seconds(draw_reaction(habits, {.reaction = 2.0}, random));
   });
@@ -179,7 +162,7 @@ TEST(Decision, LapsesComeAsOftenAndAreAsLongAsTheyShould) {
   habits.lapse_part = 0.25;
   habits.lapse_s = 2.0;
   int lapses = 0;
-  const DelayMoments of_delays = moments(draws, [&](std::uint32_t conduct) {
+  const Moments of_delays = moments(draws, [&](std::uint32_t conduct) {
     const auto pressed =
         press(habits, Task::mark_outline, always(outline(10.0)), {.conduct = conduct});
     lapses += pressed->delay_s > 0.0 ? 1 : 0;
@@ -218,7 +201,7 @@ TEST(Decision, NoiseMakesTheMomentVaryAroundTheCriterion) {
   habits.glance_noise = 0.1;
   // Evidence that rises by 1 % a glance, and meets the criterion at the 70th.
   const auto rising = [](int glance) { return outline(5.0 * std::pow(1.01, glance - 70)); };
-  const DelayMoments of_glances = moments(500, [&](std::uint32_t conduct) {
+  const Moments of_glances = moments(500, [&](std::uint32_t conduct) {
     return press(habits, Task::mark_outline, rising, {.conduct = conduct})->glance;
   });
   EXPECT_LT(of_glances.mean, 70.0) << "the first of many chances is taken";
@@ -256,7 +239,7 @@ TEST(Traits, SpreadBetweenPeopleAsAskedFor) {
       return in_log ? std::log(value) : value;
     });
   };
-  const auto expect = [](const DelayMoments& drawn, double deviation) {
+  const auto expect = [](const Moments& drawn, double deviation) {
     EXPECT_NEAR(drawn.mean, 0.0, mean_tolerance(deviation));
     EXPECT_NEAR(drawn.deviation, deviation, 0.03 * deviation);
   };

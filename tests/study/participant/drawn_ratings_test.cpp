@@ -3,8 +3,11 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
+
+#include "tests/study/participant/moments.h"
 
 namespace foveola::study {
 namespace {
@@ -19,26 +22,18 @@ const Question choice{.id = "it",
                       .kind = QuestionKind::choice,
                       .options = {{"much", 2.0}, {"none", 0.0}, {"a little", 0.5}}};
 
-struct Drawn {
-  double mean = 0.0;
-  double deviation = 0.0;
+struct Drawn : Moments {
   std::set<double> answers{};
 };
 
 Drawn drawn_by_many(const Question& rating, const std::string& effect, const std::string& method) {
   const InjectedEffect injected = parse_injected_effect(effect);
-  Drawn drawn;
-  double squares = 0.0;
-  for (int person = 0; person < raters; ++person) {
-    const double answer = drawn_rating(
-        injected, rating,
-        {.seed = static_cast<std::uint64_t>(person), .scene = "arcade", .method = method});
-    drawn.mean += answer / raters;
-    squares += answer * answer / raters;
-    drawn.answers.insert(answer);
-  }
-  drawn.deviation = std::sqrt(squares - drawn.mean * drawn.mean);
-  return drawn;
+  std::set<double> answers;
+  const Moments of_answers = moments(raters, [&](std::uint32_t person) {
+    const DrawnTrial trial{.seed = person, .scene = "arcade", .method = method};
+    return *answers.insert(drawn_rating(injected, rating, trial)).first;
+  });
+  return {of_answers, std::move(answers)};
 }
 
 struct Case {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/study/participant/moments.h"
+
 namespace foveola::study {
 namespace {
 
@@ -14,26 +16,15 @@ constexpr int people = 20'000;
 const DrawnMark first{.index = 0, .id = "outline"};
 const DrawnMark second{.index = 1, .id = "material"};
 
-/// ln of the ratio of two trials' first marks over many people: its mean and deviation.
-struct LogRatio {
-  double mean = 0.0;
-  double deviation = 0.0;
-};
-
-LogRatio log_ratio(const InjectedEffect& effect, const DrawnTrial& a, const DrawnTrial& b) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int person = 0; person < people; ++person) {
+/// Of ln of the ratio of two trials' first marks over many people.
+Moments log_ratio(const InjectedEffect& effect, const DrawnTrial& a, const DrawnTrial& b) {
+  return moments(people, [&](std::uint32_t person) {
     const auto log_time = [&](DrawnTrial trial) {
-      trial.seed = static_cast<std::uint64_t>(person);
+      trial.seed = person;
       return std::log(drawn_time_s({}, effect, trial, first));
     };
-    const double log = log_time(a) - log_time(b);
-    sum += log;
-    squares += log * log;
-  }
-  const double mean = sum / people;
-  return {.mean = mean, .deviation = std::sqrt(squares / people - mean * mean)};
+    return log_time(a) - log_time(b);
+  });
 }
 
 const DrawnTrial fv{.scene = "arcade", .method = "fv"};
@@ -41,16 +32,13 @@ const DrawnTrial od{.scene = "arcade", .method = "od"};
 const double deviation = std::sqrt(2.0) * TimesModel{}.trial_spread;
 const double tolerance = 4.0 * deviation / std::sqrt(people);
 
-TEST(DrawnTimes, WithoutAnEffectNoMethodIsFaster) {
-  const LogRatio ratio = log_ratio({}, fv, od);
-  EXPECT_NEAR(ratio.mean, 0.0, tolerance);
-  EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
-}
-
 TEST(DrawnTimes, AMethodIsAsMuchFasterAsInjected) {
-  const LogRatio ratio = log_ratio(parse_injected_effect("faster:fv:2"), fv, od);
-  EXPECT_NEAR(ratio.mean, -std::log(2.0), tolerance);
-  EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
+  const Moments without = log_ratio({}, fv, od);
+  EXPECT_NEAR(without.mean, 0.0, tolerance);
+  EXPECT_NEAR(without.deviation, deviation, 0.02 * deviation);
+  const Moments twice = log_ratio(parse_injected_effect("faster:fv:2"), fv, od);
+  EXPECT_NEAR(twice.mean, -std::log(2.0), tolerance);
+  EXPECT_NEAR(twice.deviation, deviation, 0.02 * deviation);
 }
 
 TEST(DrawnTimes, OneMarkIsAsMuchFasterAsInjectedBesideTheMethod) {
@@ -98,18 +86,13 @@ TEST(DrawnTimes, MarksFollowOneAnotherInAFixedRatio) {
 // the other effects' variances.
 TEST(DrawnTimes, PeopleDifferAsTheModelSays) {
   const TimesModel model;
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int person = 0; person < people; ++person) {
+  const Moments of_people = moments(people, [&](std::uint32_t person) {
     DrawnTrial trial = od;
-    trial.seed = static_cast<std::uint64_t>(person);
-    const double log = std::log(drawn_time_s(model, {}, trial, first));
-    sum += log;
-    squares += log * log;
-  }
-  const double mean = sum / people;
+    trial.seed = person;
+    return std::log(drawn_time_s(model, {}, trial, first));
+  });
   const double expected = std::hypot(model.participant_spread, model.trial_spread);
-  EXPECT_NEAR(std::sqrt(squares / people - mean * mean), expected, 0.02 * expected);
+  EXPECT_NEAR(of_people.deviation, expected, 0.02 * expected);
 }
 
 TEST(DrawnTimes, AnotherTimingIsDrawnAnew) {

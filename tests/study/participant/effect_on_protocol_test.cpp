@@ -1,16 +1,10 @@
 #include "study/participant/effect_on_protocol.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 Protocol protocol_with_marks_and_ratings() {
   Protocol protocol;
@@ -37,11 +31,21 @@ TEST(EffectOnProtocol, WhatTheProtocolHasIsTaken) {
   }
 }
 
-TEST(EffectOnProtocol, WhatItDoesNotHaveIsNamedWithWhatItHas) {
-  const auto refused = [](const std::string& effect, const std::string& what) {
+TEST(EffectOnProtocol, AMarkThatWouldComeTooSoonAfterTheOneBeforeIsRefused) {
+  for (const char* effect : {"faster-mark:third:fv:2.1", "faster-mark:outline:fv:0.4",
+                             "faster-mark:outline:fv:2,faster-mark:third:fv:4.5"}) {
     EXPECT_THAT(
         [&] { require_drawable(parse_injected_effect(effect), protocol_with_marks_and_ratings()); },
-        ThrowsMessage<UsageError>(AllOf(HasSubstr("--inject " + effect), HasSubstr(what))))
+        ThrowsMessage<UsageError>(HasSubstr("'third' would come too soon after 'outline'")))
+        << effect;
+  }
+}
+
+TEST(EffectOnProtocol, WhatItDoesNotHaveIsNamedWithWhatItHas) {
+  Protocol protocol = protocol_with_marks_and_ratings();
+  const auto refused = [&protocol](const std::string& effect, const std::string& what) {
+    EXPECT_THAT([&] { require_drawable(parse_injected_effect(effect), protocol); },
+                ThrowsMessage<UsageError>(AllOf(HasSubstr("--inject " + effect), HasSubstr(what))))
         << effect;
   };
   refused("faster:fw:2", "no method 'fw'; choose one of od, fv");
@@ -53,26 +57,8 @@ TEST(EffectOnProtocol, WhatItDoesNotHaveIsNamedWithWhatItHas) {
   refused("shift-rating:remark:fv:1", "the answers to 'remark' are no numbers");
   refused("shift-rating:comfort:fv:-100", "which is 100 wide");
   refused("shift-rating:noise:fv:2", "which is 2 wide");
-}
-
-TEST(EffectOnProtocol, AProtocolWithoutRatingsSaysSo) {
-  Protocol protocol = protocol_with_marks_and_ratings();
   protocol.ratings.clear();
-  EXPECT_THAT(
-      [&] { require_drawable(parse_injected_effect("shift-rating:comfort:fv:1"), protocol); },
-      ThrowsMessage<UsageError>(HasSubstr("it has no rating at all")));
-}
-
-TEST(EffectOnProtocol, AMarkThatWouldComeTooSoonAfterTheOneBeforeIsRefused) {
-  for (const char* effect : {"faster-mark:third:fv:2.1", "faster-mark:outline:fv:0.4",
-                             "faster-mark:outline:fv:2,faster-mark:third:fv:4.5"}) {
-    EXPECT_THAT(
-        [&] { require_drawable(parse_injected_effect(effect), protocol_with_marks_and_ratings()); },
-        ThrowsMessage<UsageError>(
-            HasSubstr("with fv the mark 'third' would come too soon after 'outline'; keep its "
-                      "factor at or below 2 times that of 'outline'")))
-        << effect;
-  }
+  refused("shift-rating:comfort:fv:1", "no rating");
 }
 
 }  // namespace

@@ -34,15 +34,6 @@ TEST_F(SimulatedParticipantTest, MarksWhatTheRenderingShowsAndNotWhatIsScrambled
   }
 }
 
-TEST_F(SimulatedParticipantTest, MarksTheOutlineBeforeTheMaterialIsRight) {
-  population_.decision.criterion_spread = 0.0;
-  for (std::uint64_t seed = 0; seed < 3; ++seed) {
-    const Marks m = marks(participant(seed), rendering);
-    ASSERT_TRUE(m.outline_s && m.material_s);
-    EXPECT_LT(2.0 * *m.outline_s, *m.material_s);
-  }
-}
-
 TEST_F(SimulatedParticipantTest, LooksAtTheChosenObjectOnly) {
   const Display finished_at_object = [this](const RgbImage& image, double) {
     RgbImage half = black(image, 0.0);
@@ -63,17 +54,6 @@ TEST_F(SimulatedParticipantTest, LooksAtTheChosenObjectOnly) {
   SimulatedParticipant person = participant(3);
   chosen_ = person.choose_object("scene", offered);
   EXPECT_TRUE(marks(person, finished_at_object).material_s);
-}
-
-TEST_F(SimulatedParticipantTest, PressesOnceForEachTask) {
-  SimulatedParticipant person = participant(4);
-  sit_down(person, 0);
-  Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
-  ASSERT_TRUE(wait(person, Task::mark_outline, now, finished, 5.0));
-  for (int i = 0; i < 20; ++i) {
-    now += nanoseconds_from_seconds(glance_s);
-    EXPECT_FALSE(glance(person, now, finished));
-  }
 }
 
 TEST_F(SimulatedParticipantTest, SwappingTwoRenderingsSwapsTheirTimes) {
@@ -164,18 +144,6 @@ TEST_F(SimulatedParticipantTest, JudgesAMaterialInFinerDetailThanAnOutline) {
   };
   EXPECT_TRUE(marks_within_a_second(Task::mark_outline));
   EXPECT_FALSE(marks_within_a_second(Task::mark_material));
-}
-
-TEST_F(SimulatedParticipantTest, ConsideringWhatIsSeenIsSeeing) {
-  SimulatedParticipant person = participant(8);
-  sit_down(person, 0);
-  person.begin(Task::mark_material, Nanoseconds(0));
-  std::optional<Nanoseconds> press;
-  for (int glance = 0; !press && glance < 10; ++glance) {
-    press = person.consider({.material_jnd = 0.1}, nanoseconds_from_seconds(glance * glance_s));
-  }
-  EXPECT_TRUE(press);
-  EXPECT_FALSE(person.wants_retime());
 }
 
 }  // namespace

@@ -19,16 +19,5 @@ TEST(RateArtifacts, GoesUpByAPointAtEachThreshold) {
   EXPECT_EQ(rate_artifacts(habits, scale, 1e9), 5.0);
 }
 
-TEST(RateArtifacts, NeverFallsAsMoreIsNoticed) {
-  const Question scale{.id = "artifacts", .minimum = 0.0, .maximum = 7.0, .simulated = "artifacts"};
-  double before = 0.0;
-  for (double noticed_jnd = 0.0; noticed_jnd < 200.0; noticed_jnd += 0.1) {
-    const double rating = rate_artifacts(habits, scale, noticed_jnd);
-    EXPECT_GE(rating, before);
-    before = rating;
-  }
-  EXPECT_EQ(before, 7.0);
-}
-
 }  // namespace
 }  // namespace foveola::study

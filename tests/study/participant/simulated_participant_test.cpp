@@ -2,6 +2,7 @@
 #include "study/participant/simulated_participant.h"
 
 #include "tests/study/participant/made_up_renderings.h"
+#include "tests/study/participant/moments.h"
 
 namespace foveola::study {
 namespace {
@@ -59,18 +60,10 @@ TEST_F(SimulatedParticipantTest, ReactsLikePeople) {
   population_.decision.reaction_tail_s = 0.07;
   SimulatedParticipant person = participant(5);
   constexpr int presses = 4000;
-  double sum_s = 0.0;
-  double squares = 0.0;
-  for (std::uint32_t press = 0; press < presses; ++press) {
-    const double reaction_s = foveola::seconds(person.react(press));
-    EXPECT_GT(reaction_s, 0.1);
-    sum_s += reaction_s;
-    squares += reaction_s * reaction_s;
-  }
-  const double mean_s = sum_s / presses;
-  const double deviation_s = std::sqrt(squares / presses - mean_s * mean_s);
-  EXPECT_NEAR(mean_s, 0.320, 4.0 * 0.0762 / std::sqrt(presses));
-  EXPECT_NEAR(deviation_s, std::hypot(0.030, 0.070), 0.006);
+  const Moments of_reactions =
+      moments(presses, [&](std::uint32_t press) { return foveola::seconds(person.react(press)); });
+  EXPECT_NEAR(of_reactions.mean, 0.320, 4.0 * 0.0762 / std::sqrt(presses));
+  EXPECT_NEAR(of_reactions.deviation, std::hypot(0.030, 0.070), 0.006);
   EXPECT_EQ(person.react(17), person.react(17));
 }
 

@@ -2,11 +2,10 @@
 #include <cctype>
 #include <set>
 
-#include <gmock/gmock.h>
-
 #include "renderer/window/screen_layout.h"
 #include "study/person/pages.h"
 #include "study/person/typed_answer.h"
+#include "tests/matchers.h"
 #include "tests/study/person/prompt_session.h"
 
 namespace foveola::study {
@@ -14,8 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::PromptSession;
-using ::testing::Contains;
-using ::testing::Not;
 
 /// The published study's words, with all parts that a session can have.
 Protocol published_protocol() {

@@ -1,15 +1,11 @@
 // Which differences of equipment have to be accepted before a session.
 #include "study/person/changed_setup.h"
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 const std::string before =
     R"({"display":{"framebuffer":[640,480]},"machine":{"threads":4},"speed":1,)"

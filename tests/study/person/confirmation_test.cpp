@@ -1,7 +1,6 @@
 #include "study/person/confirmation.h"
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/study/person/typing.h"
 
 namespace foveola::study {
@@ -9,9 +8,6 @@ namespace {
 
 using test::press;
 using test::type;
-using ::testing::ElementsAre;
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
 
 bool withdraws(const Confirmation& confirmation) {
   return confirmation.chosen() && std::holds_alternative<Withdrawn>(*confirmation.chosen());
@@ -59,15 +55,6 @@ TEST(ConfirmationTest, WhatIsTypedInATextAnswerChoosesNothing) {
   }
   EXPECT_FALSE(press(confirmation, {FormKey::erase, FormKey::tab, FormKey::left, FormKey::right}));
   EXPECT_FALSE(confirmation.chosen());
-}
-
-TEST(ConfirmationTest, ItsWordsAreTheProtocols) {
-  const Texts texts = {{"stopping_title", "Aufhören?"},
-                       {"stopping_continue", "Weiter"},
-                       {"stopping_stop", "Aufhören"}};
-  const ScreenPage screen = Confirmation(Confirmed::stopping, texts).screen(texts);
-  EXPECT_EQ(screen.title, "Aufhören?");
-  EXPECT_THAT(screen.fields[0].labels, ElementsAre(EndsWith("Weiter"), EndsWith("Aufhören")));
 }
 
 }  // namespace

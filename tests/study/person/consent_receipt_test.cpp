@@ -1,16 +1,11 @@
 #include "study/person/consent_receipt.h"
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/digest.h"
 #include "study/record/amendment_note.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr const char* halls = "You will look at halls.";
 constexpr const char* yards = "You will look at yards.";

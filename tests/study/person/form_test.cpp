@@ -1,8 +1,7 @@
 #include "study/person/form.h"
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/utf8.h"
+#include "tests/matchers.h"
 #include "tests/study/person/typing.h"
 
 namespace foveola::study {
@@ -10,11 +9,6 @@ namespace {
 
 using test::press;
 using test::type;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 Form background() {
   return Form({.title = "About you",
@@ -165,17 +159,6 @@ TEST(FormTest, WithoutALastPageTheLastAnswerHandsItIn) {
   EXPECT_TRUE(form.is_submitted());
   EXPECT_THAT(form.answers(), ElementsAre(Answer{"gender", 5.0}));
   EXPECT_THAT(form.screen().fields, SizeIs(1)) << "no other page comes up";
-}
-
-TEST(FormTest, WordsComeFromTheProtocol) {
-  Form form({.title = "Über Sie", .questions = {test::age(), test::gender()}},
-            {{"form_title", "{title}: Frage {question} von {questions}"},
-             {"form_typing_keys", "[Eingabe] weiter"},
-             {"fault_missing", "Bitte antworten Sie."}});
-  press(form, {FormKey::enter});
-  EXPECT_EQ(form.screen().title, "Über Sie: Frage 1 von 2");
-  EXPECT_EQ(form.screen().keys, "[Eingabe] weiter");
-  EXPECT_EQ(form.screen().fields[0].fault, "Bitte antworten Sie.");
 }
 
 // --- Pages of words ---

@@ -1,16 +1,11 @@
 #include "study/person/missing_letters.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::AllOf;
-using testing::Contains;
 using testing::Field;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// U+FDD0 and U+FDD1 are never to be characters, by Unicode: no font has them, whichever are
 /// installed.

@@ -1,6 +1,6 @@
 #include "study/person/page_watch.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -22,11 +22,11 @@ std::vector<int> show_frames(PageWatch& watch, int frames, Nanoseconds from = 0s
 
 TEST(PageWatch, EachPageBecomesAPictureOnceItStands) {
   PageWatch watch;
-  EXPECT_THAT(show_frames(watch, 3), ::testing::IsEmpty());
-  EXPECT_THAT(show_frames(watch, 1), ::testing::ElementsAre(1));
-  EXPECT_THAT(show_frames(watch, 50), ::testing::IsEmpty());
+  EXPECT_THAT(show_frames(watch, 3), IsEmpty());
+  EXPECT_THAT(show_frames(watch, 1), ElementsAre(1));
+  EXPECT_THAT(show_frames(watch, 50), IsEmpty());
   watch.turn_page();
-  EXPECT_THAT(show_frames(watch, 50), ::testing::ElementsAre(2));
+  EXPECT_THAT(show_frames(watch, 50), ElementsAre(2));
 }
 
 // Within an attempt the loop looks only after the page has come and was shown.
@@ -35,14 +35,14 @@ TEST(PageWatch, APageThatComesWithinOneFrameIsANewOne) {
   show_frames(watch, 20);
   watch.turn_page();
   watch.was_shown(1s);
-  EXPECT_THAT(show_frames(watch, 3, 2s), ::testing::ElementsAre(2));
+  EXPECT_THAT(show_frames(watch, 3, 2s), ElementsAre(2));
 }
 
 TEST(PageWatch, APageThatIsLeftAtOnceBecomesNoPicture) {
   PageWatch watch;
-  EXPECT_THAT(show_frames(watch, 3), ::testing::IsEmpty());
+  EXPECT_THAT(show_frames(watch, 3), IsEmpty());
   watch.turn_page();
-  EXPECT_THAT(show_frames(watch, 4), ::testing::ElementsAre(1)) << "pages are not left out";
+  EXPECT_THAT(show_frames(watch, 4), ElementsAre(1)) << "pages are not left out";
 }
 
 TEST(PageWatch, WhileAnotherPageIsOnItsWayNoPictureIsTaken) {
@@ -54,9 +54,9 @@ TEST(PageWatch, WhileAnotherPageIsOnItsWayNoPictureIsTaken) {
 
 TEST(PageWatch, APageHasOnePicture) {
   PageWatch watch;
-  EXPECT_THAT(show_frames(watch, 10), ::testing::ElementsAre(1));
+  EXPECT_THAT(show_frames(watch, 10), ElementsAre(1));
   EXPECT_FALSE(watch.picture_due(false)) << "a note is on its way";
-  EXPECT_THAT(show_frames(watch, 10), ::testing::IsEmpty());
+  EXPECT_THAT(show_frames(watch, 10), IsEmpty());
 }
 
 TEST(PageWatch, OnlyWhatCouldBeSeenCanBeAnswered) {

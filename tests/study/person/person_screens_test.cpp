@@ -4,10 +4,10 @@
 #include <cstdlib>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include "study/person/confirmation.h"
 #include "study/person/words.h"
+#include "tests/matchers.h"
 #include "tests/renderer/window/screen_capture.h"
 #include "tests/renderer/window/screen_letters.h"
 #include "tests/study/person/typing.h"

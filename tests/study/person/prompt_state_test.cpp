@@ -1,7 +1,6 @@
 #include "study/person/prompt_state.h"
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/study/person/prompt_session.h"
 
 namespace foveola::study {
@@ -26,7 +25,7 @@ std::string title_of(Notice notice, const PromptSession& session) {
 TEST(PromptStateTest, ASessionBeginsWithAWelcome) {
   PromptSession session;
   session.follow(SessionStarted{});
-  EXPECT_THAT(titles(session), ::testing::ElementsAre(title_of(Notice::welcome, session)));
+  EXPECT_THAT(titles(session), ElementsAre(title_of(Notice::welcome, session)));
 }
 
 TEST(PromptStateTest, AFormIsThereUntilItsAnswersAreKept) {
@@ -108,7 +107,7 @@ TEST(PromptStateTest, NoticesComeBeforeTheObjectOrElseBeforeTheTrial) {
   session.seen = {.phase = Phase::choosing_object, .step = 1};
   session.prepare(AskForObject{});
   session.prepare(AskWhetherReady{});
-  EXPECT_THAT(titles(session), ::testing::ElementsAre(title_of(Notice::next_scene, session)));
+  EXPECT_THAT(titles(session), ElementsAre(title_of(Notice::next_scene, session)));
 
   PromptSession without_choice;
   without_choice.seen = {.phase = Phase::ready, .step = 1};

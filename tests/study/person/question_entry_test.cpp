@@ -2,8 +2,8 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <gmock/gmock.h>
 
+#include "tests/matchers.h"
 #include "tests/study/person/typing.h"
 
 namespace foveola::study {
@@ -11,9 +11,6 @@ namespace {
 
 using test::press;
 using test::type;
-using ::testing::ElementsAre;
-using ::testing::Optional;
-using ::testing::VariantWith;
 
 TEST(QuestionEntryTest, AScaleIsAnsweredByArrowsAndDigits) {
   QuestionEntry entry(test::experience());

@@ -3,11 +3,10 @@
 #include <optional>
 #include <utility>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
 #include "renderer/image/image_file.h"
 #include "renderer/window/window_presenter.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 #include "tests/x_server.h"
 

@@ -1,7 +1,6 @@
 #include "study/person/simulated_operator.h"
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"
 #include "tests/study/person/prompt_session.h"
 #include "tests/waiting.h"
@@ -11,8 +10,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::PromptSession;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 class SimulatedOperatorTest : public ::testing::Test {
  protected:

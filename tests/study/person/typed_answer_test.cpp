@@ -1,14 +1,10 @@
 #include "study/person/typed_answer.h"
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/study/person/typing.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 Question many_points() {
   return {.id = "percent", .text = "How much?", .minimum = 0.0, .maximum = 100.0};

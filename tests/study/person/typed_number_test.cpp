@@ -1,12 +1,9 @@
 #include "study/person/typed_number.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 // By how numbers are written (BIPM, The International System of Units, 5.4.4; ISO 80000-1, 7.3.2):
 // with either decimal mark; and by custom with the other one before each three digits.

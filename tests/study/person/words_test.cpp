@@ -1,9 +1,8 @@
 #include "study/person/words.h"
 
-#include <gmock/gmock.h>
-
 #include "study/person/confirmation.h"
 #include "study/protocol/built_in_texts.h"
+#include "tests/matchers.h"
 #include "tests/study/person/typing.h"
 
 namespace foveola::study {
@@ -11,11 +10,6 @@ namespace {
 
 using test::press;
 using test::type;
-using ::testing::AnyOf;
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr Notice notices[] = {Notice::welcome,          Notice::loading,     Notice::validation,
                               Notice::validation_again, Notice::refused,     Notice::practice,
@@ -172,17 +166,6 @@ TEST(WordsTest, InAHeadsetNoKeysAreNamed) {
 TEST(WordsTest, ParagraphsArePartedByEmptyLines) {
   const Texts texts = {{"pause", "One\nline.\n\nAnother.\n\n\n"}};
   EXPECT_THAT(notice_screen(Notice::pause, texts).paragraphs, ElementsAre("One line.", "Another."));
-}
-
-TEST(WordsTest, BandsLeaveThePictureVisible) {
-  EXPECT_FALSE(choosing_screen({}, {}).covers_picture);
-  EXPECT_FALSE(ready_screen(two_marks, {}, {}).covers_picture);
-  EXPECT_FALSE(mark_taken_screen(1, 2, {}).covers_picture);
-  EXPECT_FALSE(no_gaze_screen({}).covers_picture);
-  EXPECT_FALSE(look_around_screen({}).covers_picture);
-  EXPECT_FALSE(retiming_screen({}).covers_picture);
-  EXPECT_FALSE(rating_form({test::experience()}, {}).screen().covers_picture);
-  EXPECT_TRUE(notice_screen(Notice::pause, {}).covers_picture);
 }
 
 TEST(WordsTest, ATrialSaysWhichItIsAndWhatToMark) {

@@ -1,8 +1,6 @@
 #include "study/prediction/table_cache.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::study {
@@ -44,7 +42,7 @@ TEST(TableCache, DamagedTablesAreNoneUntilTheyAreKeptAgain) {
   const TableCache cache(folder.path());
   cache.keep("a key", some_tables());
   const std::string name = folder.entries().front();
-  ASSERT_THAT(name, testing::EndsWith(".cbor"));
+  ASSERT_THAT(name, EndsWith(".cbor"));
   const std::string whole = folder.content().at(name);
   std::string flipped = whole;
   flipped[whole.size() - 4] ^= 1;  // a last bit of a number

@@ -1,8 +1,7 @@
 #include "study/preflight/preflight.h"
 
-#include <gmock/gmock.h>
-
 #include "study/preflight/system_state.h"
+#include "tests/matchers.h"
 #include "tests/study/preflight/found_preflight.h"
 #include "tests/temporary_folder.h"
 
@@ -11,9 +10,6 @@ namespace {
 
 using test::found_monitor;
 using test::stated_monitor;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 TEST(PreflightDisplay, AsStatedWithinARulersError) {
   EXPECT_THAT(display_differences(stated_monitor(), found_monitor()), IsEmpty());

@@ -1,5 +1,6 @@
 #include "study/protocol/amendment.h"
 
+#include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
@@ -42,7 +43,7 @@ ProtocolChanges changes_by(const std::string& before, const std::string& after) 
 /// Of a change of words or time-outs alone.
 std::vector<std::string> amended_by(const std::string& before, const std::string& after) {
   const ProtocolChanges changes = changes_by(before, after);
-  EXPECT_THAT(changes.of_design, testing::IsEmpty());
+  EXPECT_THAT(changes.of_design, IsEmpty());
   return changes.of_words_and_times;
 }
 
@@ -51,7 +52,7 @@ std::vector<std::string> redesigned_by(const std::string& before, const std::str
 }
 
 TEST(ProtocolChanges, CommentsAndSpacesAreNone) {
-  EXPECT_THAT(amended_by("# a comment", "   # another\n"), testing::IsEmpty());
+  EXPECT_THAT(amended_by("# a comment", "   # another\n"), IsEmpty());
 }
 
 TEST(ProtocolChanges, WordsMayChange) {
@@ -73,7 +74,7 @@ TEST(ProtocolChanges, WordsOfAQuestionnairesFileMayChange) {
     return changes_of_questionnaire(before, after, "you.toml");
   };
   EXPECT_THAT(changes("Agge", "Age").of_words_and_times, ElementsAre("you.toml: question[0].text"));
-  EXPECT_THAT(changes("Agge", "Age").of_design, testing::IsEmpty());
+  EXPECT_THAT(changes("Agge", "Age").of_design, IsEmpty());
   EXPECT_THAT(changes("You", "Us").of_words_and_times, ElementsAre("you.toml: title"));
   EXPECT_THAT(changes("\"age\"", "\"years\"").of_design, ElementsAre("you.toml: question[0].id"));
 }

@@ -1,11 +1,10 @@
 // Protocols as accidents leave them: whatever is in the file, it is read or refused in words.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "study/protocol/protocol.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -23,7 +22,7 @@ void read_whatever(const std::string& text, Outcomes& outcomes) {
     EXPECT_FALSE(protocol.phases.empty());
   } catch (const Error& error) {
     ++outcomes.refused;
-    EXPECT_THAT(error.what(), testing::StartsWith("broken.toml:"));
+    EXPECT_THAT(error.what(), StartsWith("broken.toml:"));
   }
 }
 

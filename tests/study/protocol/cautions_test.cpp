@@ -4,17 +4,11 @@
 #include <fmt/format.h>
 
 #include "study/protocol/untranslated.h"
+#include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::IsEmpty;
-using testing::Not;
-using testing::SizeIs;
-using testing::StartsWith;
 
 class Cautions : public ProtocolFolder {
  protected:

@@ -1,15 +1,12 @@
 #include "study/protocol/measure.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <utility>
 
 #include "study/protocol/read_procedure.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 Measure rating_of(const Question& question) {
   return {.kind = MeasureKind::rating, .questionnaire = {}, .question = question};
@@ -54,15 +51,6 @@ TEST(Measure, OfQuestionnairesAreTheirQuestions) {
   EXPECT_FALSE(measures[1].is_numeric());
 }
 
-TEST(Measure, ScalesOfManyPointsAreNamedByTheirEnds) {
-  Measure scale = scale_of(0, 30);
-  for (int point = 0; point <= 30; ++point) {
-    scale.question.labels.push_back("p" + std::to_string(point));
-  }
-  EXPECT_EQ(scale_in_words(scale), "0 p0 to 30 p30");
-  EXPECT_EQ(scale.label_of(17), "p17");
-}
-
 TEST(Measure, PointsOfAScaleAreItsWholeNumbers) {
   EXPECT_THAT(scale_of(1, 5).points(), ElementsAre(1, 2, 3, 4, 5));
   EXPECT_THAT(scale_of(-1, 1).points(), ElementsAre(-1, 0, 1));
@@ -72,21 +60,16 @@ TEST(Measure, PointsOfAScaleAreItsWholeNumbers) {
   EXPECT_TRUE(scale_of(0, 100).is_numeric());
 }
 
-TEST(Measure, PointsOfAChoiceAreItsValuesToTheFraction) {
+TEST(Measure, PointsOfAChoiceAreItsValuesIfAllHaveOne) {
   const Measure choice = choice_of({{"none", 0.0}, {"a little", 0.5}, {"much", 3.0}});
   EXPECT_TRUE(choice.is_numeric());
   EXPECT_THAT(choice.points(), ElementsAre(0.0, 0.5, 3.0));
   EXPECT_EQ(choice.label_of(0.5), "a little");
   EXPECT_EQ(choice.label_of(1.0), "");
   EXPECT_EQ(choice.unit(), "");
-  EXPECT_EQ(scale_in_words(choice), "0 (none), 0.5 (a little), 3 (much)");
-}
-
-TEST(Measure, AChoiceWithoutAllValuesIsInWords) {
-  const Measure choice = choice_of({{"left", std::nullopt}, {"right", 1.0}});
-  EXPECT_FALSE(choice.is_numeric());
-  EXPECT_THAT(choice.points(), IsEmpty());
-  EXPECT_EQ(scale_in_words(choice), "a choice");
+  const Measure in_words = choice_of({{"left", std::nullopt}, {"right", 1.0}});
+  EXPECT_FALSE(in_words.is_numeric());
+  EXPECT_THAT(in_words.points(), IsEmpty());
 }
 
 TEST(Measure, LabelsAreOfTheEndsOrOfEachPoint) {
@@ -102,19 +85,24 @@ TEST(Measure, LabelsAreOfTheEndsOrOfEachPoint) {
 }
 
 TEST(Measure, ScalesAreSaidInWords) {
-  EXPECT_EQ(scale_in_words(scale_of(1, 5)), "1 to 5");
-  EXPECT_EQ(scale_in_words(scale_of(1, 5, {"keine", "überall"})), "1 keine to 5 überall");
-  EXPECT_EQ(scale_in_words(scale_of(1, 3, {"a", "b", "c"})), "1 (a), 2 (b), 3 (c)");
-  EXPECT_EQ(scale_in_words(scale_of(0, 100, {"low", "high"})), "0 low to 100 high");
-  EXPECT_EQ(scale_in_words(rating_of(
-                {.id = "x", .kind = QuestionKind::number, .minimum = 0.0, .maximum = 99.5})),
-            "a number from 0 to 99.5");
-  EXPECT_EQ(scale_in_words(rating_of({.id = "x", .kind = QuestionKind::text})), "in words");
-}
-
-TEST(Measure, ThePublishedScaleIsThatOfThePaper) {
-  EXPECT_EQ(scale_in_words(rating_of(published_ratings().front())),
-            "1 none to 5 not discernible at all");
+  std::vector<std::string> each;
+  for (int point = 0; point <= 30; ++point) {
+    each.push_back("p" + std::to_string(point));
+  }
+  const std::vector<std::pair<Measure, std::string>> cases = {
+      {scale_of(1, 5), "1 to 5"},
+      {scale_of(1, 5, {"keine", "überall"}), "1 keine to 5 überall"},
+      {scale_of(1, 3, {"a", "b", "c"}), "1 (a), 2 (b), 3 (c)"},
+      {scale_of(0, 30, each), "0 p0 to 30 p30"},
+      {choice_of({{"none", 0.0}, {"a little", 0.5}}), "0 (none), 0.5 (a little)"},
+      {choice_of({{"left", std::nullopt}, {"right", 1.0}}), "a choice"},
+      {rating_of({.id = "x", .kind = QuestionKind::number, .minimum = 0.0, .maximum = 99.5}),
+       "a number from 0 to 99.5"},
+      {rating_of({.id = "x", .kind = QuestionKind::text}), "in words"},
+      {rating_of(published_ratings().front()), "1 none to 5 not discernible at all"}};
+  for (const auto& [measure, words] : cases) {
+    EXPECT_EQ(scale_in_words(measure), words);
+  }
 }
 
 }  // namespace

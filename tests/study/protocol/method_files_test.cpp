@@ -1,11 +1,10 @@
 // The files that a protocol's methods read.
 #include <utility>
 
-#include <gtest/gtest.h>
-
 #include "renderer/base/digest.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
+#include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
@@ -47,7 +46,7 @@ TEST_F(ProtocolWithFiles, FilesAreFoundFromItsOwnFolderWithTheirHashes) {
       "hybrid:0.5*mask:file=below/right.exr+0.25*mask:file=below/right.exr,floor=1+0.25*fv";
   const Protocol protocol = load("\"od\", \"mask:file=./left.exr\", \"" + hybrid + "\"");
   EXPECT_THAT(protocol.methods, ElementsAre("od", "mask:file=./left.exr", hybrid));
-  ASSERT_THAT(protocol.method_files, testing::SizeIs(2));
+  ASSERT_THAT(protocol.method_files, SizeIs(2));
   EXPECT_EQ(protocol.method_files[0].method, "mask:file=./left.exr");
   EXPECT_EQ(protocol.method_files[0].file, "./left.exr");
   EXPECT_EQ(protocol.method_files[0].sha256,
@@ -75,7 +74,7 @@ TEST_F(ProtocolWithFiles, BadFilesAreRefusedWithTheirPlace) {
   const auto refused = [&](const std::string& file, const std::string& says) {
     EXPECT_THAT([&] { load("\"od\", \"mask:file=" + file + "\""); },
                 ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":4:18: "), HasSubstr(says),
-                                           testing::Not(HasSubstr("\n")))));
+                                           Not(HasSubstr("\n")))));
   };
   refused("text.png", "text.png");
   refused("black.exr", "black all over");

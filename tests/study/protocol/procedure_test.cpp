@@ -1,8 +1,7 @@
 // What a protocol says of a session: orders, marks, ratings, phases, overrides, analysis.
 #include <vector>
 
-#include <gtest/gtest.h>
-
+#include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
@@ -223,7 +222,7 @@ TEST(Procedure, KeysOfEarlierVersionsAreReadWithANote) {
       protocol.notes,
       ElementsAre(AllOf(HasSubstr(":6:23: "), HasSubstr("'film.spare_done_contrast' is now called "
                                                         "'film.adaptive_contrast'"))));
-  EXPECT_THAT(load(minimal + "[film]\nadaptive_contrast = 0.02\n").notes, testing::IsEmpty());
+  EXPECT_THAT(load(minimal + "[film]\nadaptive_contrast = 0.02\n").notes, IsEmpty());
   EXPECT_THROW(load(minimal + "[film]\nadaptive_contrast = 0.02\nspare_done_contrast = 0.02\n"),
                Error);
 }

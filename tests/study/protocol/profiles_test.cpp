@@ -1,6 +1,6 @@
 // What a protocol makes of the profiles of displays and trackers that it names.
-#include <gtest/gtest.h>
 
+#include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
@@ -63,7 +63,7 @@ TEST_F(ProtocolWithProfiles, PathsAreFoundFromItsOwnFolder) {
   EXPECT_EQ(protocol.display.horizontal_fov_deg, 80.0);
   EXPECT_EQ(protocol.display.vertical_fov_deg, 70.0);
   const std::vector<NamedProfile> named = named_profiles(protocol);
-  ASSERT_THAT(named, testing::SizeIs(1));
+  ASSERT_THAT(named, SizeIs(1));
   EXPECT_EQ(named[0].device, "display");
   EXPECT_EQ(named[0].name, "goggles");
   EXPECT_EQ(named[0].toml, goggles);
@@ -89,7 +89,7 @@ TEST_F(ProtocolWithProfiles, ThatAreBadAreRefusedWithTheirPlace) {
   const auto refused = [&](const std::string& profile, const std::string& says) {
     EXPECT_THAT([&] { load("[display]\nprofile = \"" + profile + "\"\n"); },
                 ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":6:11: "), HasSubstr(says),
-                                           testing::Not(HasSubstr("\n")))))
+                                           Not(HasSubstr("\n")))))
         << profile;
   };
   refused("no-such", "'no-such'");

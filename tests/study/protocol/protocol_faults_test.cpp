@@ -1,6 +1,6 @@
 // Every way in which a protocol can be wrong, and where the message says that it is.
-#include <gtest/gtest.h>
 
+#include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
@@ -50,10 +50,9 @@ std::string many_questionnaires() {
 class ProtocolFault : public ProtocolFolder, public testing::WithParamInterface<Fault> {};
 
 TEST_P(ProtocolFault, IsRefusedWithItsPlace) {
-  EXPECT_THAT(
-      [&] { load(GetParam().text); },
-      ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":" + GetParam().place + ":"),
-                                 HasSubstr(GetParam().says), testing::Not(HasSubstr("\n")))));
+  EXPECT_THAT([&] { load(GetParam().text); },
+              ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":" + GetParam().place + ":"),
+                                         HasSubstr(GetParam().says), Not(HasSubstr("\n")))));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
 #include "study/protocol/protocol.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::study {
@@ -15,10 +14,6 @@ namespace foveola::study {
 namespace fs = std::filesystem;
 
 // What these tests say of messages.
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 /// A minimal protocol that tables can be added to; its four keys end at line 4.
 inline const std::string minimal = R"(name = "small"

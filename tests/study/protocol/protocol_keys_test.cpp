@@ -5,18 +5,11 @@
 #include <map>
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "study/protocol/schema_tables.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::ElementsAre;
-using testing::ElementsAreArray;
-using testing::IsEmpty;
-using testing::Not;
 
 const std::vector<DescribedTable>& tables() {
   static const std::vector<DescribedTable> all = described_tables();

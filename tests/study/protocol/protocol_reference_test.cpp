@@ -3,17 +3,13 @@
 
 #include <filesystem>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/files.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-using testing::HasSubstr;
 
 TEST(ProtocolReference, IsTheOneInTheRepository) {
   const fs::path kept = fs::path(TEST_DATA_DIR) / "../../docs/PROTOCOL.md";
@@ -25,18 +21,6 @@ TEST(ProtocolReference, IsTheOneInTheRepository) {
               "purpose:\n  cp "
            << made.string() << ' ' << kept.lexically_normal().string();
   }
-}
-
-TEST(ProtocolReference, SaysOfAKeyWhatItsReaderAsksFor) {
-  const std::string reference = protocol_reference();
-  EXPECT_THAT(reference,
-              HasSubstr("| `rating_s` | number | 0.1 to 3600 | `4` | The least time in seconds for "
-                        "looking around before rating. |\n"));
-  EXPECT_THAT(reference, HasSubstr("| `title` | text |  | required | "));
-  EXPECT_THAT(reference, HasSubstr("| `welcome_title` | Welcome |\n"));
-  EXPECT_THAT(reference, HasSubstr("### `[override.film]`\n\nThe film: the 360-degree image that "
-                                   "samples are summed in.\n\nIt has the keys of "
-                                   "[`[film]`](#film).\n"));
 }
 
 TEST(ProtocolReference, ItsJsonHasTheKeysWithTheirRanges) {

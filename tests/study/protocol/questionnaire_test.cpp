@@ -3,16 +3,14 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include "renderer/base/files.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::Each;
 using testing::Field;
 
 const Question scale{.id = "q", .minimum = 1.0, .maximum = 5.0};
@@ -74,35 +72,29 @@ Questionnaire ready(const std::string& file) {
   return questionnaire_of(protocol, "ready");
 }
 
-// Kennedy et al. 1993: sixteen symptoms on four points.
-TEST(ReadyQuestionnaires, TheSimulatorSicknessQuestionnaire) {
-  const Questionnaire ssq = ready("ssq");
-  EXPECT_EQ(ssq.file, "ssq");
-  EXPECT_THAT(ssq.source, HasSubstr("Kennedy"));
-  EXPECT_EQ(ssq.questions.size(), 16U);
-  EXPECT_THAT(ssq.questions, Each(Field(&Question::minimum, 0.0)));
-  EXPECT_THAT(ssq.questions, Each(Field(&Question::maximum, 3.0)));
-  EXPECT_THAT(ssq.questions,
+// Kennedy et al. 1993: sixteen symptoms on four points. Hart, Staveland 1988: six scales of twenty
+// steps. Brooke 1996: ten items on five points.
+TEST(ReadyQuestionnaires, HaveTheItemsAndScalesOfTheirPapers) {
+  struct Form {
+    std::string file;
+    std::string source;
+    std::size_t items;
+    double minimum;
+    double maximum;
+  };
+  for (const Form& form :
+       {Form{"ssq", "Kennedy", 16, 0.0, 3.0}, Form{"nasa-tlx", "Hart", 6, 0.0, 20.0},
+        Form{"sus", "Brooke", 10, 1.0, 5.0}}) {
+    const Questionnaire found = ready(form.file);
+    EXPECT_EQ(found.file, form.file);
+    EXPECT_THAT(found.source, HasSubstr(form.source));
+    EXPECT_EQ(found.questions.size(), form.items) << form.file;
+    EXPECT_THAT(found.questions, Each(Field(&Question::minimum, form.minimum)));
+    EXPECT_THAT(found.questions, Each(Field(&Question::maximum, form.maximum)));
+  }
+  EXPECT_THAT(ready("ssq").questions,
               Each(Field(&Question::labels, ElementsAre("none", "slight", "moderate", "severe"))));
-}
-
-// Hart, Staveland 1988: six scales of twenty steps.
-TEST(ReadyQuestionnaires, TheTaskLoadIndex) {
-  const Questionnaire tlx = ready("nasa-tlx");
-  EXPECT_THAT(tlx.source, HasSubstr("Hart"));
-  EXPECT_EQ(tlx.questions.size(), 6U);
-  EXPECT_THAT(tlx.questions, Each(Field(&Question::minimum, 0.0)));
-  EXPECT_THAT(tlx.questions, Each(Field(&Question::maximum, 20.0)));
-  EXPECT_THAT(tlx.questions[3].labels, ElementsAre("Perfect", "Failure"));
-}
-
-// Brooke 1996: ten items on five points.
-TEST(ReadyQuestionnaires, TheSystemUsabilityScale) {
-  const Questionnaire sus = ready("sus");
-  EXPECT_THAT(sus.source, HasSubstr("Brooke"));
-  EXPECT_EQ(sus.questions.size(), 10U);
-  EXPECT_THAT(sus.questions, Each(Field(&Question::minimum, 1.0)));
-  EXPECT_THAT(sus.questions, Each(Field(&Question::maximum, 5.0)));
+  EXPECT_THAT(ready("nasa-tlx").questions[3].labels, ElementsAre("Perfect", "Failure"));
 }
 
 using QuestionnairesOfFiles = ProtocolTables;
@@ -143,9 +135,8 @@ TEST_F(QuestionnairesOfFiles, CanBeAskedTwiceUnderTwoNames) {
 TEST_F(QuestionnairesOfFiles, ThatAreBadAreRefusedWithBothPlaces) {
   folder_.write("bad.toml", own + "colour = 3\n");
   EXPECT_THAT([&] { load("[[questionnaire]]\nid = \"a\"\nfile = \"bad.toml\"\n"); },
-              testing::ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":7:8: "),
-                                                  HasSubstr("bad.toml:6:1"),
-                                                  HasSubstr("question.colour"))));
+              ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":7:8: "),
+                                         HasSubstr("bad.toml:6:1"), HasSubstr("question.colour"))));
 }
 
 /// The questionnaire "sus" in three places: beside the protocol, the user's, and Foveola's.

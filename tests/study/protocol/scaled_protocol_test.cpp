@@ -38,12 +38,6 @@ TEST(ScaledProtocol, APixelGetsAsManySamplesASecond) {
       << "whatever the sides were rounded to";
 }
 
-TEST(ScaledProtocol, StaysAsItIsAtOne) {
-  const Protocol scaled = scaled_protocol(large_protocol(), 1.0);
-  EXPECT_EQ(scaled.film.width, 4096);
-  EXPECT_EQ(scaled.machine.samples_per_second, 7e6);
-}
-
 TEST(ScaledProtocol, RefusesWhatShowsNothing) {
   EXPECT_THROW(scaled_protocol(large_protocol(), 0.5), UsageError);
   EXPECT_THROW(scaled_protocol(large_protocol(), std::numeric_limits<double>::quiet_NaN()),

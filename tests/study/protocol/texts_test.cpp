@@ -2,16 +2,11 @@
 
 #include <set>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "study/protocol/built_in_texts.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(Texts, AreTheProtocolsOverTheBuiltInOnes) {
   EXPECT_EQ(text_of({}, "welcome_title"), "Welcome");

@@ -45,7 +45,7 @@ class AmendedStudy : public StudyFile {
   void begin() const {
     StudyStore store(path_, small_protocol());
     EXPECT_FALSE(store.amendment());
-    PlayedSession(store, facts_of("P01"), small_plan()).begin();
+    begun_session(store);
   }
 };
 

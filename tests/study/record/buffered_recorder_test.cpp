@@ -1,10 +1,8 @@
 #include "study/record/buffered_recorder.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "small_study.h"
 #include "study/record/store_recorder.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 

@@ -1,14 +1,11 @@
 #include "study/record/clock_steps.h"
 
-#include <gmock/gmock.h>
-
 #include "small_study.h"
 #include "study/record/maintenance.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::Optional;
 
 TEST(ClockSteps, AreReportedFromAMinuteOn) {
   const std::string before = "2026-11-21T09:30:00.500Z";
@@ -27,10 +24,10 @@ TEST(ClockSteps, OfARunningSessionAreNoted) {
   using namespace std::chrono_literals;
   const std::vector<std::string> notes = {note_of_clock_step(5h), note_of_clock_step(-65s),
                                           note_of_sleep(72h)};
-  EXPECT_THAT(notes, testing::ElementsAre(
-                         "the computer's clock was set forward by 5 h 00 m while the session ran",
-                         "the computer's clock was set back by 1 m 05 s while the session ran",
-                         "the computer slept for 3 days while the session ran"));
+  EXPECT_THAT(notes,
+              ElementsAre("the computer's clock was set forward by 5 h 00 m while the session ran",
+                          "the computer's clock was set back by 1 m 05 s while the session ran",
+                          "the computer slept for 3 days while the session ran"));
   for (const std::string& note : notes) {
     EXPECT_TRUE(is_note_of_running_session(note)) << note;
     EXPECT_TRUE(is_note_of_clock(note)) << note;
@@ -43,13 +40,12 @@ TEST(ClockSteps, OfARunningSessionAreNamedByVerify) {
   const std::filesystem::path path = folder / "study.sqlite";
   {
     StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     session.happen(ms(20), NoteWritten{note_of_clock_step(std::chrono::hours(5))});
     session.happen(ms(30), NoteWritten{"the clock on the wall rang"});
   }
   EXPECT_THAT(verify_study(path).warnings,
-              testing::ElementsAre(testing::FieldsAre(
+              ElementsAre(FieldsAre(
                   "P01",
                   "event 3: the computer's clock was set forward by 5 h 00 m while the session "
                   "ran")));

@@ -32,8 +32,7 @@ class DataQuality : public StudyFile {
 TEST_F(DataQuality, FramesAreOfTheCountedAttempts) {
   {
     StudyStore store(path_, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     session.choose_and_start(ms(20));
     store.record(session.id(),
                  FrameChunk{.attempt = {}, .first = 0, .frames = plausible_frames(100)});
@@ -67,8 +66,7 @@ TEST_F(DataQuality, FramesAreOfTheCountedAttempts) {
 TEST_F(DataQuality, AGazeOlderThanABlinkIsNone) {
   {
     StudyStore store(path_, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     session.choose_and_start(ms(900));
     std::vector<FrameRow> frames = frames_from(ms(1000));
     frames[0].gaze_age = ms(600);
@@ -220,10 +218,7 @@ TEST_F(DataQuality, FixationsAreThoseOfTheRecordedSamples) {
 }
 
 TEST_F(DataQuality, ValidationsAndReactionsAreThoseOfTheSession) {
-  {
-    StudyStore store(path_, thorough_protocol());
-    run_thorough_session(store, "P01");
-  }
+  write_thorough_session(path_, "P01");
   const DataQualityRecords records = read_data_quality(path_);
   EXPECT_EQ(std::to_string(records.gaze_runs.size()),
             query(path_, "SELECT count(*) FROM gaze_run"));
@@ -240,8 +235,7 @@ TEST_F(DataQuality, InterruptionsAndNotesAreThoseOfTheSession) {
   {
     StudyStore store(path_, thorough_protocol());
     run_thorough_session(store, "P01");
-    PlayedSession second(store, facts_of("P02"), small_plan());
-    second.begin();
+    PlayedSession second = begun_session(store, "P02");
     second.happen(ms(10), NoteWritten{note_of_devices("{}")});
   }
   const std::vector<SessionCourse> courses = read_data_quality(path_).courses;
@@ -269,25 +263,15 @@ TEST_F(DataQuality, WithdrawnSessionsSayNothing) {
   EXPECT_THAT(records.courses, IsEmpty());
 }
 
-TEST_F(DataQuality, FramesThatWereChangedAreRefused) {
-  {
-    StudyStore store(path_, thorough_protocol());
-    run_thorough_session(store, "P01");
+TEST_F(DataQuality, FramesAndGazeThatWereChangedAreRefused) {
+  write_thorough_session(path_, "P01");
+  const std::string whole = folder_.content().at("study.sqlite");
+  for (const auto& [table, words] : {std::pair("frame_chunk", "frames are not those"),
+                                     std::pair("gaze_chunk", "gaze samples are not those")}) {
+    folder_.write("study.sqlite", whole);
+    tamper(path_, std::string("UPDATE ") + table + " SET data = zeroblob(24)");
+    EXPECT_THAT(refusal([&] { (void)read_data_quality(path_); }), HasSubstr(words));
   }
-  tamper(path_, "UPDATE frame_chunk SET data = zeroblob(24)");
-  EXPECT_THAT(refusal([&] { (void)read_data_quality(path_); }), HasSubstr("frames are not those"));
-}
-
-TEST_F(DataQuality, GazeThatWasChangedIsRefused) {
-  {
-    StudyStore store(path_, thorough_protocol());
-    run_thorough_session(store, "P01");
-  }
-  tamper(path_, "UPDATE gaze_chunk SET data = zeroblob(24)");
-  EXPECT_THAT(refusal([&] { (void)read_data_quality(path_); }),
-              HasSubstr("gaze samples are not those"));
-  EXPECT_THAT(refusal([&] { (void)read_data_quality(folder_ / "none"); }),
-              HasSubstr("no such file"));
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <csignal>
 #include <random>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -14,6 +12,7 @@
 #include "small_study.h"
 #include "study/record/study_records.h"
 #include "study/record/study_store.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
@@ -130,7 +129,7 @@ TEST(Durability, KilledProgramHasKeptAllItAcknowledged) {
     {
       const StudyStore recovered(path, small_protocol());
     }
-    EXPECT_THAT(folder.content(), testing::SizeIs(1));
+    EXPECT_THAT(folder.content(), SizeIs(1));
     EXPECT_EQ(query(path, "PRAGMA integrity_check"), "ok");
     const int kept = std::stoi(query(path, "SELECT count(*) FROM event"));
     EXPECT_GE(kept, acknowledged);
@@ -178,8 +177,7 @@ TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
   std::uint64_t acknowledged = 0;
   {
     StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     session.choose_and_start(ms(20));
     const std::vector<FrameRow> frames = noisy_frames(frames_per_chunk);
     const auto record_chunk = [&] {
@@ -195,8 +193,8 @@ TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
           record_chunk();
         }
       });
-      EXPECT_THAT(message, testing::AllOf(testing::StartsWith(path.string() + ": "),
-                                          testing::HasSubstr("acknowledged is safe")));
+      EXPECT_THAT(message,
+                  AllOf(StartsWith(path.string() + ": "), HasSubstr("acknowledged is safe")));
     }
     EXPECT_GT(acknowledged, 0U);
     record_chunk();

@@ -1,10 +1,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/files.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -95,7 +95,7 @@ TEST_F(Forgetting, ListsWhatOthersTypedOfThePerson) {
     store.record(3, EventEntry{.time = ms(91'000), .event = NoteWritten{"not PERSON-01234"}});
   }
   EXPECT_THAT(forget_participant(path_, code).mentions,
-              ElementsAre(testing::MatchesRegex("event [0-9]+ of P03")));
+              ElementsAre(MatchesRegex("event [0-9]+ of P03")));
 }
 
 TEST_F(Forgetting, ContinuesBehindABackupThatCannotBeRead) {
@@ -122,7 +122,7 @@ TEST_F(Forgetting, LeavesNoByteOfThePerson) {
   EXPECT_THAT(everything(), AllOf(HasSubstr(code), HasSubstr(uuid_)));
   const Forgotten forgotten = forget_participant(path_, code);
   EXPECT_EQ(forgotten.files, 2U) << "the study and the newer backup";
-  EXPECT_THAT(everything(), testing::Not(testing::AnyOf(HasSubstr(code), HasSubstr(uuid_))));
+  EXPECT_THAT(everything(), Not(AnyOf(HasSubstr(code), HasSubstr(uuid_))));
 }
 
 TEST_F(Forgetting, KeepsEverybodyElse) {
@@ -156,7 +156,7 @@ TEST_F(Forgetting, ReachesWhatACrashLeft) {
   crashed.write(".study.sqlite.1.partial", "half of PERSON-0999");
   forget_participant(path, "PERSON-0999");
   EXPECT_THAT(crashed.entries(), ElementsAre("study.sqlite"));
-  EXPECT_THAT(crashed.content().at("study.sqlite"), testing::Not(HasSubstr("PERSON-0999")));
+  EXPECT_THAT(crashed.content().at("study.sqlite"), Not(HasSubstr("PERSON-0999")));
   EXPECT_THAT(verify_study(path).faults, IsEmpty());
 }
 
@@ -166,7 +166,7 @@ TEST_F(Forgetting, CanBeDoneAgainAfterAKill) {
   forget_participant(path_, code);
   write_file(newer, with_the_person);  // as if it had not been reached
   EXPECT_EQ(forget_participant(path_, code).files, 1U);
-  EXPECT_THAT(everything(), testing::Not(HasSubstr(uuid_)));
+  EXPECT_THAT(everything(), Not(HasSubstr(uuid_)));
 }
 
 TEST_F(Forgetting, RefusesWhoeverIsNotThere) {

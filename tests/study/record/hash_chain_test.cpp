@@ -4,10 +4,9 @@
 #include <cstdio>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "small_study.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
@@ -72,16 +71,13 @@ TEST(HashChain, CanBeCheckedByAnOutsider) {
                 query(path, "SELECT count(*) FROM event WHERE session = 2") + " " + last.at(1) +
                 "\n");
   tamper(path, "UPDATE planned_trial SET method = 'fv' WHERE session = 2 AND trial = 0");
-  EXPECT_THAT(outsiders_opinion(path), testing::HasSubstr("P02: event 1 is not what was written"));
+  EXPECT_THAT(outsiders_opinion(path), HasSubstr("P02: event 1 is not what was written"));
 }
 
 TEST(HashChain, CoversEveryFactAndEveryEvent) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
-  {
-    StudyStore store(path, thorough_protocol());
-    run_thorough_session(store, "P01");
-  }
+  write_thorough_session(path, "P01");
   const std::vector<std::string> changes = {
       "UPDATE study SET protocol_title = 'x'",
       "UPDATE study_scene SET position = position + 7",

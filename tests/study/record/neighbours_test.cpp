@@ -25,12 +25,7 @@ class Neighbours : public testing::Test {
  protected:
   Neighbours() { session_.begin(); }
 
-  void write_note(const std::string& text = "a note") {
-    store_->record(session_.id(), EventEntry{.time = ms(100),
-                                             .event = NoteWritten{.text = text},
-                                             .before = session_.state(),
-                                             .after = session_.state()});
-  }
+  void write_note(const std::string& text = "a note") { session_.note(text); }
   std::size_t events_in(const fs::path& file) const {
     return std::stoul(query(file, "SELECT count(*) FROM event"));
   }
@@ -127,8 +122,7 @@ TEST_F(Neighbours, ALogThatIsCutOffIsSeenWhereverItIsCut) {
     const fs::path path = folder / "study.sqlite";
     const fs::path log = path.string() + "-wal";
     StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     fs::resize_file(log, fs::file_size(log) - cut);
     EXPECT_THAT(refusal([&] { session.choose_and_start(ms(100)); }), HasSubstr("or cut off"));
     EXPECT_THAT(verify_study(store.record_file()).faults, IsEmpty());

@@ -15,8 +15,7 @@ TEST(OneWriter, WhileOneWriterIsAtWorkNoSecondComesByAnotherName) {
   const fs::path path = folder / "study.sqlite";
   {
     StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     const fs::path other = folder / "other.sqlite";
     fs::create_hard_link(path, other);
     EXPECT_THAT(refusal([&] { const StudyStore second(other, small_protocol()); }),
@@ -34,8 +33,7 @@ TEST(OneWriter, NoSecondProgramWritesByAnotherName) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
   StudyStore store(path, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
+  PlayedSession session = begun_session(store);
   fs::create_hard_link(path, folder / "hard.sqlite");
   fs::create_symlink(path, folder / "soft.sqlite");
   for (const auto& [name, words] : {std::pair("hard.sqlite", "has 2 names"),
@@ -66,15 +64,9 @@ TEST(OneWriter, WriterStopsWhenItsFileIsMoved) {
   std::string lost;
   {
     StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     fs::rename(path, moved);
-    const auto go_on = [&] {
-      store.record(session.id(), EventEntry{.time = ms(100),
-                                            .event = NoteWritten{.text = "a note"},
-                                            .before = session.state(),
-                                            .after = session.state()});
-    };
+    const auto go_on = [&] { session.note("a note"); };
     lost = refusal(go_on);
     EXPECT_THAT(lost, StartsWith(path.string() + ": was moved"));
     fs::rename(moved, path);

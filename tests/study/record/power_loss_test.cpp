@@ -8,14 +8,13 @@
 #include <set>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "power_loss_study.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
@@ -254,7 +253,7 @@ void expect_whole_session(const TemporaryFolder& folder, std::size_t times, cons
     EXPECT_TRUE(acknowledged == 0 || fs::exists(left / name)) << name << " is gone";
     for (const std::string& study : std::set<std::string>{study_name, name}) {
       if (fs::exists(left / study)) {
-        EXPECT_THAT(verify_study(left / study).faults, testing::IsEmpty());
+        EXPECT_THAT(verify_study(left / study).faults, IsEmpty());
         EXPECT_EQ(marks_in(left / study), marks);
       }
     }
@@ -303,12 +302,12 @@ TEST(PowerLoss, AMergedStudyIsThereWholeOrNotAtAll) {
              [&](const TemporaryFolder& left, std::size_t acknowledged) {
                EXPECT_TRUE(acknowledged == 0 || fs::exists(left / study_name));
                if (fs::exists(left / study_name)) {
-                 EXPECT_THAT(verify_study(left / study_name).faults, testing::IsEmpty());
+                 EXPECT_THAT(verify_study(left / study_name).faults, IsEmpty());
                  EXPECT_EQ(value_in(left / study_name, "SELECT count(*) FROM session"), "2");
                }
                for (const fs::path& site : sites) {
                  const fs::path file = left / site.filename().string();
-                 EXPECT_THAT(verify_study(file).faults, testing::IsEmpty());
+                 EXPECT_THAT(verify_study(file).faults, IsEmpty());
                  EXPECT_EQ(marks_in(file), marks_in(site));
                }
              });
@@ -360,7 +359,7 @@ std::vector<fs::path> studies_in(const TemporaryFolder& folder) {
 
 /// That a study's fault is none, and that it holds all others than the one who is forgotten.
 void expect_others_in(const fs::path& study) {
-  EXPECT_THAT(verify_study(study).faults, testing::IsEmpty()) << study;
+  EXPECT_THAT(verify_study(study).faults, IsEmpty()) << study;
   EXPECT_EQ(value_in(study,
                      "SELECT group_concat(participant) FROM (SELECT participant FROM session"
                      " WHERE participant <> 'PERSON-0123' ORDER BY id)"),
@@ -372,7 +371,7 @@ void forget_again(const fs::path& study) {
   try {
     forget_participant(study, forgotten_code);
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("has no participant"));
+    EXPECT_THAT(error.what(), HasSubstr("has no participant"));
   }
 }
 

@@ -1,8 +1,7 @@
 #include "study/record/recorded_gaze.h"
 
-#include <gtest/gtest.h>
-
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -20,8 +19,7 @@ class RecordedGaze : public StudyFile {
   /// P01 timed the first trial twice, P02 once; neither the second trial.
   RecordedGaze() {
     StudyStore store(path_, small_protocol());
-    PlayedSession first(store, facts_of("P01"), small_plan());
-    first.begin();
+    PlayedSession first = begun_session(store);
     first.choose_and_start(ms(20));
     store.record(
         first.id(),
@@ -36,8 +34,7 @@ class RecordedGaze : public StudyFile {
     store.record(first.id(), GazeChunk{.attempt = {.trial = 0, .attempt = 2},
                                        .first = 2,
                                        .samples = {{.time = ms(62), .mark = GazeMark::saccade}}});
-    PlayedSession second(store, facts_of("P02"), small_plan());
-    second.begin();
+    PlayedSession second = begun_session(store, "P02");
     second.choose_and_start(ms(20));
     store.record(second.id(),
                  GazeChunk{.attempt = {}, .first = 0, .samples = {{.time = ms(7), .valid = true}}});
@@ -46,7 +43,7 @@ class RecordedGaze : public StudyFile {
 
 TEST_F(RecordedGaze, IsThatOfTheLastAttemptInOrder) {
   const std::vector<GazeSample> samples = read_gaze(path_, "P01", 0);
-  EXPECT_THAT(times_ms(samples), testing::ElementsAre(60, 61, 62));
+  EXPECT_THAT(times_ms(samples), ElementsAre(60, 61, 62));
   EXPECT_EQ(samples.at(2).mark, GazeMark::saccade);
 }
 
@@ -54,8 +51,8 @@ TEST_F(RecordedGaze, IsVisitedAttemptByAttempt) {
   std::vector<AttemptGaze> visited;
   visit_gaze(path_, [&](const AttemptGaze& attempt) { visited.push_back(attempt); });
   ASSERT_EQ(visited.size(), 3U);
-  EXPECT_THAT(times_ms(visited[0].samples), testing::ElementsAre(1, 2));
-  EXPECT_THAT(times_ms(visited[1].samples), testing::ElementsAre(60, 61, 62));
+  EXPECT_THAT(times_ms(visited[0].samples), ElementsAre(1, 2));
+  EXPECT_THAT(times_ms(visited[1].samples), ElementsAre(60, 61, 62));
   EXPECT_EQ(visited[0].participant, "P01");
   EXPECT_EQ(visited[0].trial, 0U);
   EXPECT_EQ(visited[0].trial_kind, "test");
@@ -78,7 +75,7 @@ TEST_F(RecordedGaze, WhatAVisitThrowsArrives) {
 
 TEST_F(RecordedGaze, IsTheParticipantsOwn) {
   const std::vector<GazeSample> samples = read_gaze(path_, "P02", 0);
-  EXPECT_THAT(times_ms(samples), testing::ElementsAre(7));
+  EXPECT_THAT(times_ms(samples), ElementsAre(7));
   EXPECT_TRUE(samples.at(0).valid);
 }
 

@@ -1,7 +1,6 @@
 #include <fstream>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
@@ -9,12 +8,10 @@
 #include "study/record/controller_lock.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::MatchesRegex;
-using testing::Optional;
 
 const char* const date = "20[0-9-]+T[0-9-]+[.][0-9]+Z";
 
@@ -81,7 +78,7 @@ TEST_F(DamagedStudy, LeavesNoLogThatChangesTheCopy) {
     fs::copy_file(path_.string() + "-wal", folder_ / "log");
   }
   fs::rename(folder_ / "log", path_.string() + "-wal");
-  EXPECT_THAT(restore_study(path_, std::nullopt).missing, Optional(testing::SizeIs(1)));
+  EXPECT_THAT(restore_study(path_, std::nullopt).missing, Optional(SizeIs(1)));
   expect_backup_in_place();
 }
 

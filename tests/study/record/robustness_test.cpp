@@ -4,7 +4,6 @@
 #include <thread>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
 
@@ -12,6 +11,7 @@
 #include "study/record/event_rows.h"
 #include "study/record/session_rows.h"
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -46,15 +46,11 @@ TEST(Robustness, AFullDiskIsNamedAndLosesNothing) {
   }
   const fs::path path = folder / "study.sqlite";
   StudyStore store(path, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
+  PlayedSession session = begun_session(store);
   std::size_t written = 0;
   const std::string message = refusal([&] {
     for (; written < 10'000; ++written) {
-      store.record(session.id(), EventEntry{.time = ms(100),
-                                            .event = NoteWritten{.text = std::string(1000, 'n')},
-                                            .before = session.state(),
-                                            .after = session.state()});
+      session.note(std::string(1000, 'n'));
     }
   });
   EXPECT_THAT(message,
@@ -70,10 +66,7 @@ void write_large_study(const fs::path& path, const std::string& participant) {
   PlayedSession session(store, facts_of(participant), small_plan());
   session.begin();
   for (int i = 0; i < 2; ++i) {
-    store.record(session.id(), EventEntry{.time = ms(100),
-                                          .event = NoteWritten{.text = std::string(1 << 20, 'n')},
-                                          .before = session.state(),
-                                          .after = session.state()});
+    session.note(std::string(1 << 20, 'n'));
   }
 }
 
@@ -92,7 +85,7 @@ TEST(Robustness, AFullDiskIsThatOfTheFileThatIsWritten) {
   const fs::path backups = folder / "a.sqlite.backups";
   fs::create_directory_symlink(small.path(), backups);
   EXPECT_THAT(refusal([&] { back_up_study(folder / "a.sqlite"); }),
-              testing::MatchesRegex(backups.string() + "/20[^/]*Z.sqlite: the disk is full.*"));
+              MatchesRegex(backups.string() + "/20[^/]*Z.sqlite: the disk is full.*"));
   EXPECT_THAT(small.entries(), IsEmpty());
 }
 

@@ -4,11 +4,10 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sqlite3.h>
 
 #include "small_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -56,7 +55,7 @@ TEST_F(Schema, EveryTableIsStrict) {
             "");
   EXPECT_THAT(answer("INSERT INTO event VALUES (1, 99, 'soon', 'now', 'withdrawn', '{}', NULL, "
                      "NULL, NULL, '')"),
-              testing::HasSubstr("cannot store TEXT value in INTEGER column"));
+              HasSubstr("cannot store TEXT value in INTEGER column"));
 }
 
 TEST_F(Schema, RecordsAreOnlyAddedTo) {
@@ -121,7 +120,7 @@ TEST_F(Schema, SessionsThatAreOverStayOver) {
 
 TEST_F(Schema, AMethodStandsOnceWithASceneInTestTrialsOnly) {
   EXPECT_THAT(answer("INSERT INTO planned_trial VALUES (1, 9, 'test', 'box', 'od', 0, 0)"),
-              testing::HasSubstr("UNIQUE constraint failed"));
+              HasSubstr("UNIQUE constraint failed"));
   EXPECT_EQ(answer("INSERT INTO planned_trial VALUES (1, 9, 'practice', 'box', 'od', 0, 0)"), "");
   EXPECT_EQ(answer("INSERT INTO planned_trial VALUES (1, 10, 'catch', 'box', 'od', 0, 0)"), "");
 }
@@ -183,7 +182,7 @@ TEST_F(Schema, RefusesImpossibleValues) {
   const std::string a_hash = "'" + std::string(64, 'a') + "'";
   for (const auto& [pattern, message] : cases) {
     const std::string sql = std::regex_replace(pattern, std::regex("event_hash"), a_hash);
-    EXPECT_THAT(answer(sql), testing::HasSubstr(message)) << sql;
+    EXPECT_THAT(answer(sql), HasSubstr(message)) << sql;
   }
 }
 

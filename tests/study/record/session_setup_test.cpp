@@ -2,17 +2,14 @@
 #include "study/record/session_setup.h"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include "study/record/maintenance.h"
 #include "study/record/session_devices.h"
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// The devices of a session in a window of so many pixels, with such a rate and speed.
 std::string devices(int width, double rate_hz = 60.0, double speed = 1e6) {

@@ -2,16 +2,11 @@
 
 #include <limits>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 const SimulationKind quick{
     .scale = 8.0, .predicted = true, .injected = "order:1.1", .people_sha256 = "abc"};
@@ -41,7 +36,7 @@ TEST(SimulationKind, HasASpeedOfItsOwnOnlyIfAsked) {
         require_same_kind("study.sqlite", {session(SessionKind::simulated, devices_of(quick))},
                           slow);
       },
-      testing::ThrowsMessage<Error>(HasSubstr("samples_per_second: nothing, now 800000")));
+      ThrowsMessage<Error>(HasSubstr("samples_per_second: nothing, now 800000")));
 }
 
 TEST(SimulationKind, IsWhatItsSessionsSawOfTheProtocol) {
@@ -74,9 +69,9 @@ TEST(SimulationKind, OneFileHoldsOneKind) {
   SimulationKind slow = quick;
   slow.scale = 1.0;
   EXPECT_THAT([&] { require_same_kind("study.sqlite", sessions, slow); },
-              testing::ThrowsMessage<Error>(
-                  AllOf(HasSubstr("study.sqlite"), HasSubstr("P001 was simulated in another way"),
-                        HasSubstr("simulation/scale: 8"), HasSubstr("now 1"))));
+              ThrowsMessage<Error>(AllOf(HasSubstr("study.sqlite"),
+                                         HasSubstr("P001 was simulated in another way"),
+                                         HasSubstr("simulation/scale: 8"), HasSubstr("now 1"))));
   SimulationKind rendered = quick;
   rendered.predicted = false;
   EXPECT_THROW(require_same_kind("study.sqlite", sessions, rendered), Error);

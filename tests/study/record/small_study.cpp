@@ -163,6 +163,10 @@ void PlayedSession::happen(Nanoseconds time, const Event& event) {
   state_ = transition->state;
 }
 
+void PlayedSession::note(const std::string& text, Nanoseconds time) {
+  happen(time, NoteWritten{text});
+}
+
 void PlayedSession::begin() {
   happen(ms(0), SessionStarted{});
   happen(ms(10), QuestionnaireAnswered{.questionnaire = "background",
@@ -236,6 +240,18 @@ void run_thorough_session(StudyStore& store, const std::string& participant, con
                     {FilmEntry{.attempt = {.trial = 5, .attempt = 1},
                                .hash = {.frame = 12, .sha256 = std::string(64, '2')}}});
   session.happen(ms(20'000), last);
+}
+
+void write_thorough_session(const std::filesystem::path& path, const std::string& participant,
+                            const Event& last) {
+  StudyStore store(path, thorough_protocol());
+  run_thorough_session(store, participant, last);
+}
+
+PlayedSession begun_session(StudyStore& store, const std::string& participant) {
+  PlayedSession session(store, facts_of(participant), small_plan());
+  session.begin();
+  return session;
 }
 
 void run_whole_session(StudyStore& store, const std::string& participant) {

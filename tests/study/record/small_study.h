@@ -52,6 +52,7 @@ class PlayedSession {
 
   /// Fails the test if the session does not allow the event.
   void happen(Nanoseconds time, const Event& event);
+  void note(const std::string& text, Nanoseconds time = ms(100));
   void begin();  ///< until the first trial's object is to be chosen
   /// Of a thorough session: the same, after a validation of gaze that passed at the second attempt.
   void begin_thoroughly();
@@ -80,6 +81,13 @@ Rated rated(int artifacts);
 /// films.
 void run_thorough_session(StudyStore& store, const std::string& participant,
                           const Event& last = Excluded{.reason = "the tracker was lost"});
+
+/// The same into a study's file, which is closed again.
+void write_thorough_session(const std::filesystem::path& path, const std::string& participant,
+                            const Event& last = Excluded{.reason = "the tracker was lost"});
+
+/// A session of small_plan before its first trial.
+PlayedSession begun_session(StudyStore& store, const std::string& participant = "P01");
 
 /// A complete session of small_plan: each trial has 100 frames in two chunks, 100 gaze samples and
 /// a film. Of two participants, all times and answers are the same.

@@ -206,10 +206,7 @@ TEST_F(StrangersFiles, WhatIsNewIsItsUsersAlone) {
 }
 
 TEST_F(StrangersFiles, WhatIsRewrittenKeepsItsMode) {
-  {
-    StudyStore store(path_, thorough_protocol());
-    run_thorough_session(store, "P02");
-  }
+  write_thorough_session(path_, "P02");
   ::chmod(path_.c_str(), 0640);
   forget_participant(path_, "P02");
   EXPECT_EQ(fs::status(path_).permissions(),

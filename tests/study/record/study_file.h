@@ -3,21 +3,13 @@
 
 #include <filesystem>
 
-#include <gmock/gmock.h>
-
 #include "small_study.h"
 #include "study/record/maintenance.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 
 namespace fs = std::filesystem;
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::FieldsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
 
 /// A folder in which nothing is but what its test writes, a study at path_ above all.
 class StudyFile : public testing::Test {

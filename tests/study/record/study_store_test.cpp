@@ -4,16 +4,14 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::MatchesRegex;
 
 class Store : public StudyFile {
  protected:
@@ -25,11 +23,11 @@ class Store : public StudyFile {
 TEST_F(Store, LeavesOneWholeFile) {
   {
     StudyStore store(path_, small_protocol());
-    PlayedSession(store, facts_of("P01"), small_plan()).begin();
+    begun_session(store);
     EXPECT_EQ(folder_.content().count("study.sqlite-wal"), 1U);
   }
   const auto content = folder_.content();
-  ASSERT_THAT(content, testing::SizeIs(1));
+  ASSERT_THAT(content, SizeIs(1));
   // The SQLite file format, section 1.3: 2 at offsets 18 and 19 is WAL, 1 is not.
   EXPECT_EQ(content.at("study.sqlite").substr(18, 2), "\x01\x01");
 }
@@ -38,7 +36,7 @@ TEST_F(Store, ACopyWithoutItsLogIsWarnedOf) {
   const fs::path copy = folder_ / "copy.sqlite";
   {
     StudyStore store(path_, small_protocol());
-    PlayedSession(store, facts_of("P01"), small_plan()).begin();
+    begun_session(store);
     fs::copy_file(path_, copy);
   }
   EXPECT_THAT(verify_study(copy).warnings,
@@ -50,7 +48,7 @@ TEST_F(Store, WhoReadsItDoesNotMakeItsEndFail) {
   std::optional<SQLite::Database> reader;
   {
     StudyStore store(path_, small_protocol());
-    PlayedSession(store, facts_of("P01"), small_plan()).begin();
+    begun_session(store);
     reader.emplace(path_, SQLite::OPEN_READONLY);
     reader->exec("BEGIN");
     EXPECT_EQ(reader->execAndGet("SELECT count(*) FROM session").getInt(), 1);
@@ -74,24 +72,12 @@ TEST_F(Store, KeepsTheProtocolToTheLetter) {
   EXPECT_THAT(column("SELECT method || ' ' || file_name || ' ' || file_sha256"
                      " FROM study_method_file"),
               ElementsAre("mask:file=a.png a.png " + std::string(64, 'e')));
-}
-
-TEST_F(Store, KeepsTheProfilesToTheLetter) {
-  {
-    const StudyStore store(path_, small_protocol());
-  }
   EXPECT_THAT(
       column("SELECT device || ' ' || name || ': ' || toml FROM study_profile"
              " ORDER BY device"),
       ElementsAre("display goggles: kind = \"headset\"\n", "tracker camera: rate_hz = 120\n"));
   EXPECT_EQ(stored("SELECT toml_sha256 FROM study_profile WHERE device = 'tracker'"),
             sha256(std::string_view("rate_hz = 120\n")));
-}
-
-TEST_F(Store, KeepsTheMarksAndRatings) {
-  {
-    const StudyStore store(path_, small_protocol());
-  }
   EXPECT_THAT(column("SELECT mark FROM study_mark ORDER BY position"),
               ElementsAre("outline", "material"));
   EXPECT_EQ(
@@ -165,11 +151,11 @@ TEST_F(Store, GivesEverySessionItsOwnRandomUuid) {
   store.begin_session(facts_of("P01"), small_plan());
   store.begin_session(facts_of("P02"), small_plan());
   const std::vector<std::string> uuids = column("SELECT uuid FROM session");
-  ASSERT_THAT(uuids, testing::SizeIs(2));
+  ASSERT_THAT(uuids, SizeIs(2));
   EXPECT_NE(uuids[0], uuids[1]);
   // RFC 4122, section 4.4: version 4 in the third group, variant 10 in the fourth.
   const std::string form = "[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}";
-  EXPECT_THAT(uuids, testing::Each(MatchesRegex(form)));
+  EXPECT_THAT(uuids, Each(MatchesRegex(form)));
 }
 
 TEST_F(Store, OneParticipantHasOneSession) {
@@ -185,8 +171,7 @@ TEST_F(Store, OneParticipantHasOneSession) {
 
 TEST_F(Store, LogsEveryEventWithItsValues) {
   StudyStore store(path_, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
+  PlayedSession session = begun_session(store);
   session.run_trial(ms(100), ms(2000), ms(3000), 2);
   session.happen(ms(4000), NoteWritten{.text = "coughs"});
   EXPECT_THAT(
@@ -232,8 +217,7 @@ TEST_F(Store, KeepsFalseStartsAmongReactions) {
 
 TEST_F(Store, LogsAnObjectWhoseNameIsNoUnicode) {
   StudyStore store(path_, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
+  PlayedSession session = begun_session(store);
   session.choose_and_start(ms(20), "v\xff");
   EXPECT_EQ(stored("SELECT payload ->> 'object' FROM event WHERE sequence = 3"), "v\xEF\xBF\xBD");
   EXPECT_EQ(stored("SELECT object FROM attempt"), "v\xEF\xBF\xBD");
@@ -256,27 +240,11 @@ TEST_F(Store, FollowsAttemptsToTheirOutcomes) {
   EXPECT_EQ(stored("SELECT state FROM session"), "excluded");
 }
 
-TEST_F(Store, AnEndWithinAnAttemptIsItsOutcome) {
-  const std::vector<std::pair<Event, std::string>> ends = {
-      {Withdrawn{}, "withdrawn"}, {Excluded{.reason = "asleep"}, "excluded"}};
-  for (const auto& [end, outcome] : ends) {
-    const fs::path path = folder_ / outcome;
-    StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
-    session.choose_and_start(ms(20));
-    session.happen(ms(30), end);
-    EXPECT_EQ(query(path, "SELECT outcome FROM attempt"), outcome);
-    EXPECT_EQ(query(path, "SELECT state FROM session"), outcome);
-  }
-}
-
 TEST_F(Store, ASessionWhoseEndIsUndoneContinues) {
   for (const Event& end : {Event(Withdrawn{}), Event(Excluded{.reason = "a slip"})}) {
     const fs::path path = folder_ / name_of(end);
     StudyStore store(path, small_protocol());
-    PlayedSession session(store, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store);
     session.choose_and_start(ms(20));
     session.happen(ms(30), end);
     session.happen(ms(40), EndUndone{});
@@ -287,15 +255,6 @@ TEST_F(Store, ASessionWhoseEndIsUndoneContinues) {
               fmt::format("1{},2open", name_of(end)));
     EXPECT_THAT(verify_study(path).faults, IsEmpty());
   }
-}
-
-TEST_F(Store, InterruptionBetweenTrialsLeavesAttemptsAlone) {
-  StudyStore store(path_, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
-  session.run_trial(ms(100), ms(2000), ms(3000), 2);
-  session.happen(ms(4000), Interrupted{});
-  EXPECT_THAT(column("SELECT outcome FROM attempt"), ElementsAre("rated"));
 }
 
 /// What a program that goes on with a session reads of it.
@@ -309,13 +268,13 @@ TEST_F(Store, GivesBackEverySessionWithItsPlanAndEvents) {
   }
   const StudyStore store(path_, thorough_protocol());
   const std::vector<KnownSession> sessions = store.sessions();
-  ASSERT_THAT(sessions, testing::SizeIs(2));
+  ASSERT_THAT(sessions, SizeIs(2));
   EXPECT_EQ(sessions[0].participant, "P01");
   EXPECT_EQ(sessions[0].phase, Phase::excluded);
   EXPECT_EQ(sessions[0].seed, 18'446'744'073'709'551'615U);
   EXPECT_EQ(sessions[0].design_row, 7);
   EXPECT_EQ(program_name(sessions[0].build), "Foveola 0.1.0 (GNU 12.2.0, Release)");
-  ASSERT_THAT(sessions[0].scenes, testing::SizeIs(2));
+  ASSERT_THAT(sessions[0].scenes, SizeIs(2));
   EXPECT_EQ(sessions[0].scenes[1].shown_as, R"({"exposure_stops":1.5})");
   EXPECT_EQ(sessions[1].kind, SessionKind::pilot);
 
@@ -335,7 +294,7 @@ TEST_F(Store, GivesBackEverySessionWithItsPlanAndEvents) {
   EXPECT_EQ(std::get<Marked>(log.at(11).event).time, ms(1100));
   EXPECT_EQ(std::get<Excluded>(log.back().event).reason, "the tracker was lost");
   const auto& validated = std::get<GazeValidated>(log.at(3).event);
-  ASSERT_THAT(validated.runs, testing::SizeIs(2));
+  ASSERT_THAT(validated.runs, SizeIs(2));
   EXPECT_EQ(validated.runs[0].quality.targets.at(1).direction, Vec3(1.0F, 0.0F, -1.0F));
   EXPECT_FALSE(validated.runs[0].quality.targets.at(1).seen);
   EXPECT_EQ(validated.runs[1].correction, good_run().correction);
@@ -343,8 +302,7 @@ TEST_F(Store, GivesBackEverySessionWithItsPlanAndEvents) {
 
 TEST_F(Store, KeepsFramesAndGazeCompressedWithTheirHashes) {
   StudyStore store(path_, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
+  PlayedSession session = begun_session(store);
   session.choose_and_start(ms(20));
   store.record(session.id(),
                FrameChunk{.attempt = {}, .first = 0, .frames = std::vector<FrameRow>(3)});
@@ -368,8 +326,7 @@ TEST_F(Store, KeepsFramesAndGazeCompressedWithTheirHashes) {
 
 TEST_F(Store, KeepsFilmHashes) {
   StudyStore store(path_, small_protocol());
-  PlayedSession session(store, facts_of("P01"), small_plan());
-  session.begin();
+  PlayedSession session = begun_session(store);
   session.choose_and_start(ms(20));
   store.record(session.id(),
                FilmEntry{.attempt = {}, .hash = {.frame = 12, .sha256 = std::string(64, 'a')}});
@@ -378,20 +335,6 @@ TEST_F(Store, KeepsFilmHashes) {
   EXPECT_EQ(stored("SELECT row_sha256 FROM film_hash"),
             sha256("[\"" + stored("SELECT uuid FROM session") + "\",0,1,12,\"" +
                    std::string(64, 'a') + "\"]"));
-}
-
-TEST_F(Store, AppendsToAStudyThatExists) {
-  {
-    StudyStore store(path_, small_protocol());
-    PlayedSession(store, facts_of("P01"), small_plan()).begin();
-  }
-  {
-    StudyStore store(path_, small_protocol());
-    EXPECT_TRUE(store.has_participant("P01"));
-    PlayedSession(store, facts_of("P02"), small_plan()).begin();
-  }
-  EXPECT_THAT(column("SELECT session || ' ' || sequence FROM event ORDER BY session, sequence"),
-              ElementsAre("1 1", "1 2", "2 1", "2 2"));
 }
 
 TEST_F(Store, ChangesNothingWhenAnEventCannotBeRecorded) {

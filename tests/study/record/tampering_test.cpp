@@ -2,7 +2,6 @@
 // head that was written down before does, or nothing that is read has changed.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
 
 #include "renderer/base/digest.h"
@@ -11,6 +10,7 @@
 #include "study/record/schema.h"
 #include "study/record/study_head.h"
 #include "study_file.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
@@ -229,7 +229,7 @@ TEST_F(Tampering, AsAWholeIsSeenAgainstAHeadAlone) {
     forge();
     EXPECT_EQ(findings(), "");
     EXPECT_THAT(compare_with_head(path_, head_).faults,
-                testing::Contains(HasSubstr(" is another up to event ")));
+                Contains(HasSubstr(" is another up to event ")));
   }
 }
 

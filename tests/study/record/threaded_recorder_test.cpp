@@ -11,8 +11,7 @@ class Recording : public StudyFile {
  protected:
   /// A session in an attempt at its first trial.
   Recording() {
-    PlayedSession session(store_, facts_of("P01"), small_plan());
-    session.begin();
+    PlayedSession session = begun_session(store_);
     session.choose_and_start(ms(20));
     id_ = session.id();
     state_ = session.state();

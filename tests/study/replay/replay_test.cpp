@@ -3,13 +3,13 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/digest.h"
 #include "study/record/store_recorder.h"
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/virtual_session.h"
+#include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"
 #include "tests/study/record/small_study.h"
 #include "tests/study/simulation/small_wall.h"
@@ -19,13 +19,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-using ::testing::Each;
-using ::testing::ElementsAre;
 using ::testing::Field;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
-using ::testing::StartsWith;
 
 /// Two scenes, one second for each mark, and half a one in a catch trial.
 std::string two_walls(const std::string& mark_timeout = "1.000000") {
@@ -189,7 +183,7 @@ TEST_F(ReplayTest, ASessionWhoseProgramDiedIsMadeAgain) {
     }
   }
   ASSERT_EQ(take_part(), Phase::completed);
-  EXPECT_THAT(same_attempts(), testing::Contains("2.1"));
+  EXPECT_THAT(same_attempts(), Contains("2.1"));
   EXPECT_EQ(query(path_, "SELECT count(*) FROM event WHERE type = 'interrupted'"),
             std::to_string(deaths));
 }
@@ -277,7 +271,7 @@ class ChangedRecord : public ReplayTest {
         {.database = changed_, .participant = "P1", .folder = folder_.path()},
         [this](const std::string& name, const auto& /*folder*/) { return source_of(name); }, {});
     EXPECT_THAT(report_.difference, StartsWith(fmt::format("event {} ", number_of(type))));
-    EXPECT_THAT(report_.difference, testing::Not(HasSubstr("\n")));
+    EXPECT_THAT(report_.difference, Not(HasSubstr("\n")));
     return report_.difference;
   }
 

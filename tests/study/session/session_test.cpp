@@ -2,15 +2,11 @@
 
 #include <map>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "tests/matchers.h"
 #include "tests/study/session/whole_procedure.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::ElementsAre;
 
 SessionState after(const std::vector<Event>& events) {
   SessionState state;

@@ -48,12 +48,7 @@ TEST(MethodMeans, ATimeOutLeavesOutThePair) {
   EXPECT_EQ(means[0].pairs, 1);
   EXPECT_NEAR(means[0].percent, 50.0, 1e-12);
   EXPECT_EQ(means[1].pairs, 2) << "the material was marked";
-}
-
-TEST(MethodMeans, WithoutPairsThereIsNone) {
-  StudyRecords records = small_study();
-  records.trials.resize(1);
-  records.values.resize(2);
+  records.values[2].state = Value::State::right_censored;
   EXPECT_EQ(method_means(records)[0].pairs, 0);
   EXPECT_EQ(method_means(records)[0].percent, 0.0);
 }

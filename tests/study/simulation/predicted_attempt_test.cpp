@@ -1,10 +1,8 @@
 #include "study/simulation/predicted_attempt.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "study/record/buffered_recorder.h"
 #include "study/simulation/rendered_attempt.h"
+#include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"
 #include "tests/study/record/small_study.h"
 #include "tests/study/simulation/small_wall.h"

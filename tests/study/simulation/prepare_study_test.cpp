@@ -1,12 +1,11 @@
 #include "study/simulation/prepare_study.h"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/small_study.h"
 #include "tests/study/simulation/small_wall.h"
@@ -177,8 +176,7 @@ TEST_P(PrepareStudy, WhatIsStoppedIsNoFault) {
   EXPECT_TRUE(prepare_study(settings(), find_scene(), stop.get_token()).stopped);
   SimulateSettings nobody = settings();
   nobody.participants = 0;
-  EXPECT_THAT([&] { prepare(nobody); },
-              testing::ThrowsMessage<UsageError>(testing::HasSubstr("--participants")));
+  EXPECT_THAT([&] { prepare(nobody); }, ThrowsMessage<UsageError>(HasSubstr("--participants")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rendered, PrepareStudy, testing::Values(false));

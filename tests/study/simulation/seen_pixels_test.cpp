@@ -3,22 +3,18 @@
 #include <algorithm>
 #include <span>
 
-#include <gmock/gmock.h>
-
 #include "study/participant/population_file.h"
 #include "study/participant/simulated_participant.h"
 #include "study/record/store_recorder.h"
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/virtual_session.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/small_study.h"
 #include "tests/study/simulation/small_wall.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::Each;
-using ::testing::ElementsAre;
 
 /// What a participant sees at the `glance`-th look in a trial, instead of what is presented.
 using Glasses = std::function<RgbImage(std::size_t trial, std::size_t glance, RgbImage presented)>;

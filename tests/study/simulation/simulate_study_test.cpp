@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <thread>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
 #include "study/simulation/prediction_agreement.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/small_study.h"
 #include "tests/study/simulation/small_wall.h"
@@ -21,8 +21,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-using testing::HasSubstr;
 
 class SimulateStudyTest : public testing::Test {
  protected:
@@ -159,7 +157,7 @@ TEST_P(SimulatedShards, MergedAreTheWholeStudyByteForByte) {
   EXPECT_EQ(merged({"2-of-3.sqlite", "1-of-2.sqlite", "3-of-3.sqlite"}), whole)
       << "one of them is in two files";
   EXPECT_THAT([&] { merged({"1-of-3.sqlite", "3-of-3.sqlite"}); },
-              testing::ThrowsMessage<Error>(HasSubstr("would lack 2 of 5 simulated participants")));
+              ThrowsMessage<Error>(HasSubstr("would lack 2 of 5 simulated participants")));
   EXPECT_EQ(merged({"1-of-3.sqlite", "2-of-3.sqlite", "3-of-3.sqlite"}), whole);
   EXPECT_EQ(content("merged.sqlite"), content("whole.sqlite"));
   const char* const hashes = "SELECT hash FROM event ORDER BY session, sequence";
@@ -179,7 +177,7 @@ TEST_P(SimulatedShards, StoppedAndRunAgainAreTheSameFile) {
   some.participants = 5;
   some.shard = {.number = 2, .count = 2};
   EXPECT_THAT([&] { simulate(some); },
-              testing::ThrowsMessage<Error>(HasSubstr("a shard has a file of its own")));
+              ThrowsMessage<Error>(HasSubstr("a shard has a file of its own")));
   some.resume = true;
   simulate(some);
   EXPECT_EQ(merged({"2-of-2.sqlite"}, MissingParts::note), once);
@@ -187,18 +185,6 @@ TEST_P(SimulatedShards, StoppedAndRunAgainAreTheSameFile) {
 
 INSTANTIATE_TEST_SUITE_P(Rendered, SimulatedShards, testing::Values(false));
 INSTANTIATE_TEST_SUITE_P(Predicted, SimulatedShards, testing::Values(true));
-
-TEST_F(SimulateStudyTest, ShardsAreOfVirtualTimeAndHaveParticipants) {
-  SimulateSettings some = settings("some.sqlite");
-  some.shard = {.number = 1, .count = 4};
-  EXPECT_THAT([&] { simulate(some); },
-              testing::ThrowsMessage<UsageError>(HasSubstr("more shards than participants")));
-  some.shard = {.number = 1, .count = 2};
-  some.real_time = true;
-  EXPECT_THAT([&] { simulate(some); },
-              testing::ThrowsMessage<UsageError>(HasSubstr("is for virtual time")));
-  EXPECT_FALSE(fs::exists(folder_ / "some.sqlite"));
-}
 
 TEST_F(SimulateStudyTest, WhatWasMissingIsAddedAsIfNothingHadBeen) {
   SimulateSettings whole = settings("whole.sqlite");
@@ -253,13 +239,6 @@ TEST_F(SimulateStudyTest, OnASlowerMachineAllWaitLonger) {
   EXPECT_GT(mean_time("slow.sqlite"), 1.3 * mean_time("usual.sqlite"));
   EXPECT_THAT(query(folder_ / "slow.sqlite", "SELECT devices FROM session LIMIT 1"),
               HasSubstr(R"("samples_per_second":10000.0)"));
-  slow.samples_per_second = 0.0;
-  EXPECT_THROW(simulate(slow), UsageError);
-  slow.samples_per_second = 10'000.0;
-  slow.predicted = false;
-  slow.real_time = true;
-  EXPECT_THAT([&] { simulate(slow); },
-              testing::ThrowsMessage<UsageError>(HasSubstr("is this machine's in real time")));
 }
 
 TEST_F(SimulateStudyTest, WhatWasSimulatedInAnotherWayIsNotMixedIn) {
@@ -267,18 +246,14 @@ TEST_F(SimulateStudyTest, WhatWasSimulatedInAnotherWayIsNotMixedIn) {
   predicted.predicted = true;
   predicted.participants = 1;
   simulate(predicted);
-  SimulateSettings larger = predicted;
-  larger.scale = 1.0;
-  EXPECT_THAT([&] { simulate(larger); },
-              testing::ThrowsMessage<Error>(HasSubstr("simulation/scale: 4")));
-  SimulateSettings rendered = predicted;
-  rendered.predicted = false;
-  EXPECT_THAT([&] { simulate(rendered); },
-              testing::ThrowsMessage<Error>(HasSubstr("simulation/predicted: true, now false")));
-  SimulateSettings injected = predicted;
-  injected.injected = "order:1.2";
-  EXPECT_THAT([&] { simulate(injected); },
-              testing::ThrowsMessage<Error>(HasSubstr("simulation/injected")));
+  const auto refused = [&](const std::string& says, const auto& change) {
+    SimulateSettings other = predicted;
+    change(other);
+    EXPECT_THAT([&] { simulate(other); }, testing::ThrowsMessage<Error>(HasSubstr(says)));
+  };
+  refused("simulation/scale: 4", [](SimulateSettings& other) { other.scale = 1.0; });
+  refused("simulation/predicted: true", [](SimulateSettings& other) { other.predicted = false; });
+  refused("simulation/injected", [](SimulateSettings& other) { other.injected = "order:1.2"; });
   EXPECT_EQ(query(folder_ / "study.sqlite", "SELECT count(*) FROM session"), "1");
 }
 
@@ -322,23 +297,32 @@ TEST_F(SimulateStudyTest, PredictedTimesAreThoseOfRenderedSessions) {
 }
 
 TEST_F(SimulateStudyTest, RefusesNumbersThatMakeNoSense) {
-  SimulateSettings none = settings("study.sqlite");
-  none.participants = 0;
-  EXPECT_THROW(simulate(none), UsageError);
-  SimulateSettings no_jobs = settings("study.sqlite");
-  no_jobs.jobs = 0;
-  EXPECT_THROW(simulate(no_jobs), UsageError);
-  SimulateSettings unseen = settings("study.sqlite");
-  unseen.real_time = true;
-  unseen.predicted = true;
-  EXPECT_THROW(simulate(unseen), UsageError);
-  SimulateSettings two_windows = settings("study.sqlite");
-  two_windows.real_time = true;
-  two_windows.jobs = 2;
-  EXPECT_THROW(simulate(two_windows), UsageError);
-  SimulateSettings stranger = settings("study.sqlite");
-  stranger.injected = "faster:vp:2";
-  EXPECT_THROW(simulate(stranger), UsageError);
+  const std::vector<std::function<void(SimulateSettings&)>> mistakes = {
+      [](SimulateSettings& some) { some.participants = 0; },
+      [](SimulateSettings& some) { some.jobs = 0; },
+      [](SimulateSettings& some) { some.samples_per_second = 0.0; },
+      [](SimulateSettings& some) { some.shard = {.number = 1, .count = 4}; },
+      [](SimulateSettings& some) { some.injected = "faster:vp:2"; }};
+  const std::vector<std::function<void(SimulateSettings&)>> not_in_real_time = {
+      [](SimulateSettings& some) { some.predicted = true; },
+      [](SimulateSettings& some) { some.jobs = 2; },
+      [](SimulateSettings& some) { some.samples_per_second = 1e4; },
+      [](SimulateSettings& some) { some.shard = {.number = 1, .count = 2}; }};
+  const auto refused = [this](const auto& mistake, bool real_time) {
+    SimulateSettings some = settings("study.sqlite");
+    some.real_time = real_time;
+    mistake(some);
+    EXPECT_THROW(simulate(some), UsageError);
+  };
+  for (const auto& mistake : mistakes) {
+    SCOPED_TRACE(&mistake - mistakes.data());
+    refused(mistake, false);
+  }
+  for (const auto& mistake : not_in_real_time) {
+    SCOPED_TRACE(&mistake - not_in_real_time.data());
+    refused(mistake, true);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "study.sqlite"));
 }
 
 }  // namespace

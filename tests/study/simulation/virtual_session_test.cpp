@@ -2,13 +2,11 @@
 
 #include <map>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "study/record/recorded_gaze.h"
 #include "study/record/recorded_session.h"
 #include "study/record/store_recorder.h"
 #include "study/simulation/rendered_attempt.h"
+#include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"
 #include "tests/study/record/small_study.h"
 
@@ -16,9 +14,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-using testing::Each;
-using testing::ElementsAre;
 
 /// A wall in front of the viewer, by an environment that lights it.
 SceneSource wall(const TemporaryFolder& folder) {

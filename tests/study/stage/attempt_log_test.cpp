@@ -1,10 +1,8 @@
 #include "study/stage/attempt_log.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "study/record/recorded_gaze.h"
 #include "study/record/store_recorder.h"
+#include "tests/matchers.h"
 #include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;

@@ -1,15 +1,11 @@
 #include "study/stage/conduct.h"
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"
 #include "tests/study/record/small_study.h"
 
 namespace foveola::study {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 /// Writes down what is done.
 class NotedActions final : public ParticipantActions {

@@ -1,9 +1,7 @@
 #include "study/stage/scene_stage.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::study {
@@ -26,7 +24,7 @@ TEST(SceneWarnings, OfAStudySayHowTheLightsOfAFileByBlenderAreUnderstood) {
                      .camera_position = Vec3(0.0F, 1.0F, 3.0F),
                      .objects = {{.name = "lamp", .position = Vec3(0.0F)}}};
   EXPECT_THAT(printed_warnings(stages_of(source)),
-              testing::StartsWith("foveola: warning: lamps: the lights are divided by 683 lm/W"));
+              StartsWith("foveola: warning: lamps: the lights are divided by 683 lm/W"));
   source.light_units = LightUnits::photometric;
   EXPECT_EQ(printed_warnings(stages_of(source)), "");
 }

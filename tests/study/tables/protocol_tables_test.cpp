@@ -1,18 +1,14 @@
 // What `study check` and `study plan` print.
 #include "study/tables/protocol_tables.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "study/tables/design_tables.h"
 #include "study/tables/protocol_json.h"
+#include "tests/matchers.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 Protocol protocol_with(const std::string& tables) {
   return read_protocol(
@@ -117,7 +113,7 @@ TEST(ProtocolTable, SaysWhatFiltersTheGaze) {
   EXPECT_THAT(protocol_table(protocol_with(filtered), {}),
               HasSubstr("gaze filter   1-Euro (at least 1 Hz, 0.5 Hz more for each degree/s, "
                         "velocity 10 Hz), extrapolated by 0.03 s, held for 0.6 s\n"));
-  EXPECT_THAT(protocol_table(protocol_with(""), {}), testing::Not(HasSubstr("gaze filter")));
+  EXPECT_THAT(protocol_table(protocol_with(""), {}), Not(HasSubstr("gaze filter")));
 }
 
 TEST(ProtocolJson, SaysWhatFiltersTheGaze) {
