@@ -207,6 +207,19 @@ void keep_trials(StudyRecords& records, const std::function<bool(const TrialRow&
   records = with_trials(records, rows);
 }
 
+StudyRecords of_kind(StudyRecords records, const std::string& kind) {
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = kind;
+  }
+  return records;
+}
+
+StudyRecords with_od_alone(StudyRecords records) {
+  records.methods = {"od"};
+  keep_trials(records, [](const TrialRow& row) { return row.method == 0; });
+  return records;
+}
+
 StudyRecords reordered(const StudyRecords& records, unsigned seed) {
   std::mt19937 random(seed);
   StudyRecords other = with_trials(records, shuffled(records.trials.size(), random));

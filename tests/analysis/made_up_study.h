@@ -38,6 +38,12 @@ void change_values(study::StudyRecords& records, const std::string& measure,
 void keep_trials(study::StudyRecords& records,
                  const std::function<bool(const study::TrialRow&)>& is_kept);
 
+/// The same study, all of whose sessions are of this kind.
+study::StudyRecords of_kind(study::StudyRecords records, const std::string& kind);
+
+/// The same study with the method od alone.
+study::StudyRecords with_od_alone(study::StudyRecords records);
+
 /// The same study, its sessions, trials and answers stored in another order.
 study::StudyRecords reordered(const study::StudyRecords& records, unsigned seed);
 

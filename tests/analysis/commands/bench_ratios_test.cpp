@@ -6,21 +6,15 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
 namespace {
 
 namespace fs = std::filesystem;
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::ThrowsMessage;
 
 BenchComparison compare(const std::string& before, const std::string& after) {
   return compare_benches(before, "before.json", after, "after.json");

@@ -1,16 +1,12 @@
 #include "analysis/commands/power_tables.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(PowerTables, FewestParticipantsReachTheTarget) {
   const PowerSettings settings{.ratio_percent = 70.0, .spread = 1.8, .studies = 2000};

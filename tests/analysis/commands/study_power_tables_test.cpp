@@ -1,14 +1,11 @@
 #include "analysis/commands/study_power_tables.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 /// Results of 100 studies each, with so many of them significant.
 StudyPower point(std::size_t participants, std::size_t first, std::size_t second, std::size_t all) {

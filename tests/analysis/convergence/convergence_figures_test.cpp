@@ -1,16 +1,10 @@
 #include "analysis/convergence/convergence_figures.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/convergence/made_up_measurement.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
 
 TEST(DrawConvergence, DrawsWhatHasPointsWithItsSlopes) {
   const std::vector<Figure> figures = draw_convergence(

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/csv.h"
 #include "tests/analysis/convergence/made_up_measurement.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 std::vector<GazeMeasurement> measurements() {
   return {made_up_measurement({{.name = "od", .noise = 5.0, .cost_s = 1e-3},
@@ -81,12 +77,6 @@ TEST(ConvergenceJson, WhatDoesNotExistIsNull) {
   const auto json = nlohmann::json::parse(convergence_json({}, measured, tabulate(measured)));
   EXPECT_TRUE(json["speed_ups"][0]["samples"].is_null());
   EXPECT_TRUE(json["costs"][0]["ratio"]["low"].is_null());
-}
-
-TEST(ConvergenceSummary, NamesSpeedUpsAndCosts) {
-  const std::string summary = convergence_summary(tabulate(measurements()));
-  EXPECT_THAT(summary, HasSubstr("10.00 (10.00 to 10.00)"));
-  EXPECT_THAT(summary, HasSubstr("3.00 (3.00 to 3.00)"));
 }
 
 }  // namespace

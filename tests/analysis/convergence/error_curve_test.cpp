@@ -1,9 +1,7 @@
 #include "analysis/convergence/error_curve.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/convergence/made_up_measurement.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,16 +1,10 @@
 #include "analysis/convergence/plan.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(SplitMethods, KnowsSettingsFromMethods) {
   EXPECT_THAT(split_methods("od,vp,fv"), ElementsAre("od", "vp", "fv"));

@@ -2,19 +2,15 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/convergence/convergence_files.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/convergence/made_up_measurement.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
 
 /// One scene with two gazes of three repetitions, some of whose numbers do not exist.
 std::vector<GazeMeasurement> all_measurements() {
@@ -57,7 +53,7 @@ class PooledRunsTest : public testing::Test {
 
   static void expect_refused(const std::vector<std::filesystem::path>& folders,
                              const std::string& says) {
-    EXPECT_THAT([&] { (void)pool_runs(folders); }, testing::ThrowsMessage<Error>(HasSubstr(says)));
+    EXPECT_THAT([&] { (void)pool_runs(folders); }, ThrowsMessage<Error>(HasSubstr(says)));
   }
 
   test::TemporaryFolder folder_;

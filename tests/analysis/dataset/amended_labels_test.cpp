@@ -1,18 +1,14 @@
 // The labels that a rating's points had in sessions by an amended protocol.
 #include "analysis/dataset/amended_labels.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 /// Three people's study with these labels of the rating `artifacts`.
 study::StudyRecords study_with(const std::vector<std::string>& labels) {

@@ -1,23 +1,15 @@
 #include "analysis/dataset/dataset.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
 
 using study::StudyRecords;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::ThrowsMessage;
 
 /// "participant/scene/method/measure: reason" for each exclusion.
 std::vector<std::string> exclusions_of(const StudyRecords& records) {
@@ -99,14 +91,6 @@ TEST(Dataset, RatingsOnAnyScaleAreTaken) {
   const Dataset set = select_for_analysis(records);
   EXPECT_THAT(set.exclusions, IsEmpty());
   EXPECT_EQ(set.value(0, 0, 0, artifacts_index).number, 38.0);
-}
-
-TEST(Dataset, MeasuresAreFoundByTheirIds) {
-  const Dataset set = select_for_analysis(complete_study(1));
-  EXPECT_THAT(set.times(), ElementsAre(outline_index, material_index));
-  EXPECT_THAT(set.ratings(), ElementsAre(artifacts_index));
-  EXPECT_EQ(set.measure_named("material"), material_index);
-  EXPECT_FALSE(set.measure_named("comfort"));
 }
 
 TEST(Dataset, RatingsInWordsAreKeptAndNotCountedAmongThoseInNumbers) {

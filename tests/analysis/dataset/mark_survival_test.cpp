@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(MarkSurvival, WithoutTimeOutsTheRestrictedMeanIsTheMean) {
   study::StudyRecords records = complete_study(4);

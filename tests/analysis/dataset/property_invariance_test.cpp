@@ -7,7 +7,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/comparisons.h"
@@ -161,15 +160,20 @@ void expect_same_comparisons(const Comparisons& a, const Comparisons& b) {
   }
 }
 
+/// The whole analysis; `seconds` is how many times longer b's times are.
+void expect_same_analysis(const Analysis& a, const Analysis& b, double seconds = 1.0) {
+  expect_same_tables(a.tables, b.tables, seconds);
+  expect_same_background(a.background, b.background);
+  expect_same_comparisons(a.comparisons, b.comparisons);
+}
+
 TEST(Invariance, UnderTheOrderInWhichRowsAreStored) {
   const StudyRecords records = uneven_study(9);
   const StudyRecords shuffled = reordered(records, 3);
   ASSERT_NE(shuffled.sessions[0].participant, records.sessions[0].participant);
   const Analysis a = analysis_of(records);
   const Analysis b = analysis_of(shuffled);
-  expect_same_tables(a.tables, b.tables);
-  expect_same_background(a.background, b.background);
-  expect_same_comparisons(a.comparisons, b.comparisons);
+  expect_same_analysis(a, b);
   // Not even the bootstrap: participants are analysed in the order of their codes.
   for (std::size_t i = 0; i < a.comparisons.methods.size(); ++i) {
     expect_same_interval(a.comparisons.methods[i].ratio_bca, b.comparisons.methods[i].ratio_bca,
@@ -201,9 +205,7 @@ TEST(Invariance, UnderOtherCodesOfParticipants) {
   const Analysis a = analysis_of(records);
   const Analysis b = analysis_of(renamed(records, turned, unchanged, unchanged));
   EXPECT_EQ(b.tables.set.participants.front(), "Q0");
-  expect_same_tables(a.tables, b.tables);
-  expect_same_background(a.background, b.background);
-  expect_same_comparisons(a.comparisons, b.comparisons);
+  expect_same_analysis(a, b);
 }
 
 TEST(Invariance, UnderOtherNamesOfScenesAndMethods) {
@@ -211,9 +213,7 @@ TEST(Invariance, UnderOtherNamesOfScenesAndMethods) {
   const auto longer = [](const std::string& name) { return "z, \"" + name + "\""; };
   const Analysis a = analysis_of(records);
   const Analysis b = analysis_of(renamed(records, unchanged, longer, longer));
-  expect_same_tables(a.tables, b.tables);
-  expect_same_background(a.background, b.background);
-  expect_same_comparisons(a.comparisons, b.comparisons);
+  expect_same_analysis(a, b);
 }
 
 TEST(Invariance, UnderTheOrderOfScenes) {
@@ -234,9 +234,7 @@ TEST(Invariance, UnderTheUnitOfTime) {
   }
   const Analysis a = analysis_of(records);
   const Analysis b = analysis_of(milliseconds);
-  expect_same_tables(a.tables, b.tables, 1000.0);
-  expect_same_background(a.background, b.background);
-  expect_same_comparisons(a.comparisons, b.comparisons);
+  expect_same_analysis(a, b, 1000.0);
 }
 
 StudyRecords both_of(const StudyRecords& records, const StudyRecords& others) {

@@ -3,10 +3,8 @@
 
 #include <map>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,19 +1,15 @@
 #include "analysis/dataset/study_tables.h"
 
-#include <algorithm>
 #include <map>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
 
 using study::StudyRecords;
-using testing::IsEmpty;
 
 std::string key(const std::string& mark, const std::string& method, const std::string& quantity) {
   return mark + "." + method + "." + quantity;
@@ -127,34 +123,6 @@ TEST(StudyTables, RelativeTimesAreQuotientsOfTheSeconds) {
   }
 }
 
-TEST(StudyTables, PercentagesDoNotDependOnTheUnit) {
-  StudyRecords records = golden_study_records();
-  const StudyTables in_seconds = tabulate_study(records);
-  for (const char* mark : {"outline", "material"}) {
-    change_values(records, mark, [](study::Value& value) { value.number *= 1000.0; });
-  }
-  const StudyTables in_milliseconds = tabulate_study(records);
-  for (std::size_t i = 0; i < in_seconds.scene_times.size(); ++i) {
-    const SceneTimes& s = in_seconds.scene_times[i];
-    const SceneTimes& ms = in_milliseconds.scene_times[i];
-    EXPECT_GOLDEN(*ms.seconds.mean, 1000.0 * *s.seconds.mean);
-    if (s.percent_of_baseline.mean) {
-      EXPECT_GOLDEN(*ms.percent_of_baseline.mean, *s.percent_of_baseline.mean);
-      EXPECT_GOLDEN(*ms.percent_of_baseline.standard_deviation,
-                    *s.percent_of_baseline.standard_deviation);
-    }
-  }
-  for (std::size_t i = 0; i < in_seconds.method_times.size(); ++i) {
-    const auto& s = in_seconds.method_times[i].percent_of_baseline;
-    const auto& ms = in_milliseconds.method_times[i].percent_of_baseline;
-    ASSERT_EQ(s.has_value(), ms.has_value());
-    if (s) {
-      EXPECT_GOLDEN(ms->value, s->value);
-      EXPECT_GOLDEN(ms->interval->low, s->interval->low);
-    }
-  }
-}
-
 TEST(StudyTables, OneParticipantHasValuesWithoutSpread) {
   const StudyTables tables = tabulate_study(complete_study(1));
   for (const SceneTimes& times : tables.scene_times) {
@@ -168,10 +136,7 @@ TEST(StudyTables, OneParticipantHasValuesWithoutSpread) {
 }
 
 TEST(StudyTables, OneMethodHasNothingToCompare) {
-  StudyRecords records = complete_study(2);
-  records.methods = {"od"};
-  keep_trials(records, [](const study::TrialRow& row) { return row.method == 0; });
-  const StudyTables tables = tabulate_study(records);
+  const StudyTables tables = tabulate_study(with_od_alone(complete_study(2)));
   EXPECT_EQ(tables.method_times.size(), 2U);
   EXPECT_THAT(tables.set.exclusions, IsEmpty());
 }

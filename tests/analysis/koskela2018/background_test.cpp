@@ -3,23 +3,16 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "analysis/dataset/study_tables.h"
 #include "renderer/base/error.h"
 #include "study/protocol/read_procedure.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::ThrowsMessage;
 
 constexpr std::size_t fv = 1;  ///< Its place in the saving study.
 

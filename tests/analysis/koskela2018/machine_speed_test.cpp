@@ -4,16 +4,11 @@
 #include <optional>
 #include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 ComparedNumber cell(const std::string& scene, const std::string& mark, double published,
                     std::optional<double> study, const std::string& method = "od") {
@@ -107,8 +102,7 @@ TEST(MachineSpeed, AScenesMarksAreOneValueOfTheScatter) {
   const std::vector<double> ratios =
       log_ratios_of_scenes({cell("sponza", "outline", 1.0, 2.0), cell("bmw", "outline", 1.0, 3.0),
                             cell("sponza", "material", 1.0, 8.0)});
-  EXPECT_THAT(ratios, testing::ElementsAre(testing::DoubleEq(std::log(4.0)),
-                                           testing::DoubleEq(std::log(3.0))));
+  EXPECT_THAT(ratios, ElementsAre(DoubleEq(std::log(4.0)), DoubleEq(std::log(3.0))));
 }
 
 TEST(MachineSpeed, NeedsEveryCell) {

@@ -1,16 +1,11 @@
 #include "analysis/koskela2018/paper_notes.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 TEST(PaperNotes, NameTheTablesFiguresAndSectionsOfThePaper) {
   const PaperNotes notes = paper_notes(tabulate_study(complete_study(1)), paper());

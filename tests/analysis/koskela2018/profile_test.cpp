@@ -1,9 +1,7 @@
 #include "analysis/koskela2018/profile.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
@@ -36,7 +34,7 @@ TEST(Profile, IsNotOfSomebodysOwnStudy) {
   EXPECT_EQ(meaning_of_mark(own, "outline"), "");
   EXPECT_EQ(moment_of(own, own.measures[outline_index]), "the mark outline");
   EXPECT_THAT(reason_for_mark(own, own.measures[outline_index]),
-              testing::AllOf(testing::StartsWith("“"), testing::EndsWith(" (outline)")));
+              AllOf(StartsWith("“"), EndsWith(" (outline)")));
 }
 
 TEST(Profile, NamesTheMomentsOfItsMarksAndCallsOthersByTheirIds) {

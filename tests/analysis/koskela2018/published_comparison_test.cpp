@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/koskela2018/background.h"
 #include "analysis/koskela2018/met_means.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

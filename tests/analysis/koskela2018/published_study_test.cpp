@@ -1,19 +1,14 @@
 #include "analysis/koskela2018/published_study.h"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/koskela2018/paper.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(PublishedStudy, HasACellForEverySceneMarkAndMethod) {
   const PublishedStudy published = paper();
@@ -73,16 +68,17 @@ TEST(PublishedStudy, ADamagedTableIsNamedWithItsLine) {
   write_file(folder / "table1.csv", table1 + "age,30.5,2\n");
   write_file(folder / "text.csv", text);
   const auto read = [&] { (void)read_published_study(folder / ""); };
-  write_file(folder / "table2.csv", table2 + "bmw,studio-car,outline,od,4.5 s,1\n");
-  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("table2.csv:2: \"4.5 s\" is not a number")));
-  write_file(folder / "table2.csv", table2 + "bmw,studio-car,outline,od,4.5,\n");
-  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("table2.csv:2: \"\" is not a number")));
-  write_file(folder / "table2.csv", table2 + "bmw,studio-car,shade,od,1,1\n");
-  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("\"shade\" is not a mark")));
-  write_file(folder / "table2.csv", table2 + "bmw,studio-car\n");
-  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("has 2 fields instead of 6")));
-  write_file(folder / "table2.csv", "scene\n");
-  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("table2.csv:1")));
+  for (const auto& [content, says] :
+       {std::pair(table2 + "bmw,studio-car,outline,od,4.5 s,1\n",
+                  "table2.csv:2: \"4.5 s\" is not a number"),
+        std::pair(table2 + "bmw,studio-car,outline,od,4.5,\n",
+                  "table2.csv:2: \"\" is not a number"),
+        std::pair(table2 + "bmw,studio-car,shade,od,1,1\n", "\"shade\" is not a mark"),
+        std::pair(table2 + "bmw,studio-car\n", "has 2 fields instead of 6"),
+        std::pair(std::string("scene\n"), "table2.csv:1")}) {
+    write_file(folder / "table2.csv", content);
+    EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr(says)));
+  }
   write_file(folder / "table2.csv", table2);
   write_file(folder / "text.csv", text + "participants,many,,5\n");
   EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("text.csv:2: \"many\" is not a number")));

@@ -6,12 +6,11 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/csv.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/koskela2018/paper.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 

@@ -2,16 +2,11 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 study::Protocol planned_protocol(const std::vector<study::PlannedComparison>& comparisons) {
   study::Protocol protocol = example_study().protocol;

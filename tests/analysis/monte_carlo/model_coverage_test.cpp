@@ -4,10 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
@@ -123,7 +121,7 @@ TEST(ModelCoverage, MissingPackagesAreAnError) {
     (void)measure(model_cells().back(), few, without_r);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("R is not installed"));
+    EXPECT_THAT(error.what(), HasSubstr("R is not installed"));
   }
 }
 

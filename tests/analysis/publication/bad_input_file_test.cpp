@@ -1,16 +1,11 @@
 // Damaged or incomplete files: each is refused in one line, and nothing is left behind, or is
 // analysed as far as possible.
-#include <fstream>
-#include <functional>
 #include <string>
-
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/study_file.h"
 #include "tests/unprivileged.h"
@@ -21,9 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using study::ms;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::Not;
 
 class BadInputFile : public study::StudyFile {
  protected:
@@ -60,33 +52,6 @@ class BadInputFile : public study::StudyFile {
 
 TEST_F(BadInputFile, OneThatIsNotThere) { EXPECT_THAT(refusal(), HasSubstr("no such file")); }
 
-TEST_F(BadInputFile, AFolder) {
-  fs::create_directory(path_);
-  EXPECT_THAT(refusal(), HasSubstr("is no file"));
-}
-
-TEST_F(BadInputFile, AnEmptyFile) {
-  write_file(path_, "");
-  EXPECT_THAT(refusal(), HasSubstr("is no study"));
-}
-
-TEST_F(BadInputFile, Garbage) {
-  write_file(path_, std::string(5000, 'x'));
-  EXPECT_THAT(refusal(), HasSubstr("is no database"));
-}
-
-TEST_F(BadInputFile, AnotherProgramsDatabase) {
-  SQLite::Database(path_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
-      .exec("CREATE TABLE song (title)");
-  EXPECT_THAT(refusal(), HasSubstr("is no study"));
-}
-
-TEST_F(BadInputFile, ANewerFoveolasStudy) {
-  write_study(1);
-  study::tamper(path_, "PRAGMA user_version = 99");
-  EXPECT_THAT(refusal(), HasSubstr("use a newer Foveola"));
-}
-
 TEST_F(BadInputFile, ATruncatedStudy) {
   write_study(2);
   const std::string whole = read_file(path_);
@@ -114,27 +79,11 @@ TEST_F(BadInputFile, FlippedBytes) {
   EXPECT_GT(refused, 0);
 }
 
-TEST_F(BadInputFile, AStudyWithoutSessions) {
-  write_study(0);
-  EXPECT_THAT(refusal(), HasSubstr("none of its 0 sessions is completed"));
-}
-
-TEST_F(BadInputFile, AStudyWithoutAFinishedSession) {
-  {
-    study::StudyStore store(path_, study::small_protocol());
-    study::PlayedSession session(store, study::facts_of("P01"), study::small_plan());
-    session.begin();
-    run_trials(session, 1, 2);
-  }
-  EXPECT_THAT(refusal(), HasSubstr("none of its 1 sessions is completed"));
-}
-
 TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
   write_study(2);
   {
     study::StudyStore store(path_, study::small_protocol());
-    study::PlayedSession session(store, study::facts_of("P03"), study::small_plan());
-    session.begin();
+    study::PlayedSession session = study::begun_session(store, "P03");
     run_trials(session, 3, 3);
   }
   const AnalysisOutput output = analyze_study(path_, results_);
@@ -147,11 +96,7 @@ TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
 TEST_F(BadInputFile, ATimeThatWasChangedAfterwards) {
   write_study(2);
   study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
-  const std::string line = refusal();
-  EXPECT_THAT(line,
-              HasSubstr("is not what was written (1 fault, the first: P02: its rows in mark do "
-                        "not follow from its events)"));
-  EXPECT_THAT(line, HasSubstr("--unverified"));
+  EXPECT_THAT(refusal(), HasSubstr("is not what was written (1 fault, the first: P02: "));
 }
 
 TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysSo) {
@@ -177,16 +122,6 @@ TEST_F(BadInputFile, TheReportSaysThatAWholeRecordWasVerifiedAndWhatIsMissingInI
   EXPECT_THAT(report, HasSubstr(" events of 2 sessions, "));
   EXPECT_THAT(report, HasSubstr("<p>It is unchanged since it was written.</p>"));
   EXPECT_THAT(report, HasSubstr("<li>P01: trial 0, attempt 1 has no frames</li>"));
-}
-
-TEST_F(BadInputFile, ATimeWithoutALogarithmIsLeftOutOfTheAnalysisAndNamed) {
-  write_study(2);
-  study::tamper(path_,
-                "UPDATE mark SET time_ns = 0 WHERE session = 2 AND trial = 1 AND kind = "
-                "'material'");
-  (void)analyze_study(path_, results_, {.unverified = true});
-  EXPECT_THAT(read_file(results_ / "exclusions.csv"),
-              HasSubstr("P02,hall,od,material,a time of 0 s has no logarithm,"));
 }
 
 TEST_F(BadInputFile, AFolderThatNothingMayBeWrittenInto) {

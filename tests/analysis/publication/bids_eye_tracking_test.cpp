@@ -3,20 +3,15 @@
 #include <cmath>
 #include <sstream>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/tables/text_file.h"
 #include "tests/analysis/gunzip.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 constexpr const char* stem = "bids/sub-P1/beh/sub-P1_task-preview_run-01_recording-eye1_physio";
 
@@ -103,10 +98,10 @@ TEST(BidsEyeTracking, TheSamplesSidecarHasWhatTheSpecificationRequires) {
   EXPECT_DOUBLE_EQ(json["StartTime"].get<double>(), -0.004);
   EXPECT_THAT(json["Columns"].get<std::vector<std::string>>(),
               ElementsAre("timestamp", "x_coordinate", "y_coordinate"));
-  EXPECT_THAT(json["RecordedEye"].get<std::string>(), testing::AnyOf("left", "right", "cyclopean"));
+  EXPECT_THAT(json["RecordedEye"].get<std::string>(), AnyOf("left", "right", "cyclopean"));
   // "gaze-on-screen" would need the screen's size and distance too.
   EXPECT_THAT(json["SampleCoordinateSystem"].get<std::string>(),
-              testing::AnyOf("eye-in-head", "gaze-in-world"));
+              AnyOf("eye-in-head", "gaze-in-world"));
   EXPECT_TRUE(json["x_coordinate"]["Units"].is_string());
   EXPECT_TRUE(json["y_coordinate"]["Units"].is_string());
 }
@@ -116,9 +111,8 @@ TEST(BidsEyeTracking, TheEventsSidecarHasWhatTheSpecificationRequires) {
   const nlohmann::json json = json_in(files.at(3));
   const auto columns = json["Columns"].get<std::vector<std::string>>();
   EXPECT_EQ(columns.at(0), "onset");
-  EXPECT_THAT(rows_in(files.at(2)), testing::Each(SizeIs(columns.size())));
-  EXPECT_THAT(json_in(files.at(1))["Columns"],
-              testing::Contains(json["OnsetSource"].get<std::string>()));
+  EXPECT_THAT(rows_in(files.at(2)), Each(SizeIs(columns.size())));
+  EXPECT_THAT(json_in(files.at(1))["Columns"], Contains(json["OnsetSource"].get<std::string>()));
   for (const auto& row : rows_in(files.at(2))) {
     EXPECT_TRUE(json["trial_type"]["Levels"].contains(row.at(2))) << row.at(2);
     EXPECT_GE(std::stod(row.at(1)), 0.0);
@@ -138,13 +132,10 @@ TEST(BidsEyeTracking, RunsAreCountedForEachParticipant) {
   EXPECT_THAT(names_of(eyes.files_of(made_up_gaze("P1"))),
               ElementsAre(std::string(stem) + ".tsv.gz", std::string(stem) + ".json",
                           std::string(stem) + "events.tsv.gz", std::string(stem) + "events.json"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P1")).at(0).name, testing::HasSubstr("_run-02_"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, testing::HasSubstr("sub-P2"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, testing::HasSubstr("_run-02_"));
-}
-
-TEST(BidsEyeTracking, WhoIsNotAnalysedHasNoFiles) {
-  EXPECT_THAT(files_of(made_up_gaze("P9")), IsEmpty());
+  EXPECT_THAT(eyes.files_of(made_up_gaze("P1")).at(0).name, HasSubstr("_run-02_"));
+  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, HasSubstr("sub-P2"));
+  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, HasSubstr("_run-02_"));
+  EXPECT_THAT(eyes.files_of(made_up_gaze("P9")), IsEmpty()) << "not analysed";
 }
 
 TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
@@ -161,9 +152,8 @@ TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
   const std::optional<TextFile> ignored = eyes.ignored();
   ASSERT_TRUE(ignored.has_value());
   EXPECT_EQ(ignored->name, "bids/.bidsignore");
-  EXPECT_THAT(ignored->content,
-              testing::EndsWith("\n*_physioevents.tsv.gz\n*_physioevents.json\n"));
-  EXPECT_THAT(ignored->content, testing::HasSubstr("# "));
+  EXPECT_THAT(ignored->content, EndsWith("\n*_physioevents.tsv.gz\n*_physioevents.json\n"));
+  EXPECT_THAT(ignored->content, HasSubstr("# "));
 }
 
 TEST(BidsEyeTracking, RecordingsWithoutAFrequencyAreCounted) {

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <set>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
 
 std::vector<TextFile> bids_of(const study::StudyRecords& records) {
   const StudyTables tables = tabulate_study(records);
@@ -110,23 +106,13 @@ TEST(Bids, ColumnsOfQuestionnairesStayApartFromOursAndFromEachOther) {
   }
 }
 
-TEST(Bids, SaysWhoTookPart) {
-  study::StudyRecords records = complete_study(2);
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
-  const std::vector<TextFile> files = bids_of(records);
-  EXPECT_THAT(content_of(files, "bids/dataset_description.json"), HasSubstr("(Simulated data)"));
-  EXPECT_THAT(content_of(files, "bids/participants.tsv"), HasSubstr("sub-P1\tP1\tsimulated\t"));
-}
-
 TEST(Bids, CodesThatCannotBeLabelsStayApart) {
   study::StudyRecords records = complete_study(3);
   records.sessions[1].participant = "P-1";
   records.sessions[2].participant = "../\t";
   std::set<std::string> names;
   for (const TextFile& file : bids_of(records)) {
-    EXPECT_THAT(file.name, testing::Not(HasSubstr("..")));
+    EXPECT_THAT(file.name, Not(HasSubstr("..")));
     names.insert(file.name);
   }
   EXPECT_EQ(names.size(), 5U + 3U);

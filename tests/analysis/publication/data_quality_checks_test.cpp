@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <span>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/statistics/proportion.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::Each;
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::SizeIs;
 
 study::FrameFigures good_frames(const std::string& participant) {
   return {.participant = participant,
@@ -54,6 +46,26 @@ void add_catch_trial(study::StudyRecords& records, bool has_mark) {
 DataQualityReport report_on(const study::StudyRecords& records,
                             const study::DataQualityRecords& quality = {}) {
   return check_data_quality(tabulate_study(records), quality, records);
+}
+
+/// The check of this name on the study.
+DataQualityCheck check_on(const study::StudyRecords& records, const std::string& name,
+                          const study::DataQualityRecords& quality = {}) {
+  return check_of(report_on(records, quality), name);
+}
+
+void expect_check(const DataQualityCheck& check, Verdict verdict, const std::string& found) {
+  EXPECT_EQ(check.verdict, verdict);
+  EXPECT_EQ(check.found, found);
+}
+
+/// Every method in another place from trial to trial.
+void balance_methods(study::StudyRecords& records) {
+  int trial = 0;
+  for (study::TrialRow& row : records.trials) {
+    row.method_position = static_cast<std::uint16_t>((trial % 3 + trial / 3) % 3);
+    ++trial;
+  }
 }
 
 TEST(DataQualityChecks, GoodDataPass) {
@@ -101,8 +113,7 @@ TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
   study::DataQualityRecords quality;
   quality.frames = {good_frames("P1"), good_frames("X")};
   quality.frames[1].late = 9000;
-  const DataQualityReport report = report_on(complete_study(1), quality);
-  EXPECT_EQ(check_of(report, "refresh").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(complete_study(1), "refresh", quality).verdict, Verdict::passed);
 }
 
 TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
@@ -117,38 +128,33 @@ TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
 TEST(DataQualityChecks, OnlyTheLastValidationCounts) {
   study::DataQualityRecords quality;
   quality.gaze_runs = {{"P1", 1, 0.5, 0.1, 0.0, true}, {"P1", 2, 4.0, 0.1, 0.4, false}};
-  const DataQualityReport report = report_on(complete_study(1), quality);
-  EXPECT_EQ(check_of(report, "Validation").verdict, Verdict::flagged);
+  EXPECT_EQ(check_on(complete_study(1), "Validation", quality).verdict, Verdict::flagged);
 }
 
 TEST(DataQualityChecks, AMouseInPlaceOfAnEyeAndSessionsThatDifferAreFlagged) {
+  const study::StudyRecords records = complete_study(2);
   study::DataQualityRecords quality;
   quality.gaze = {{.participant = "P1", .tracker = "fove0"},
                   {.participant = "X", .tracker = "hid"}};
-  EXPECT_EQ(check_of(report_on(complete_study(2)), "Source").verdict, Verdict::unknown);
-  EXPECT_EQ(check_of(report_on(complete_study(2), quality), "Source").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "Source").verdict, Verdict::unknown);
+  EXPECT_EQ(check_on(records, "Source", quality).verdict, Verdict::passed);
   quality.gaze.push_back({.participant = "P2", .tracker = "pointer"});
-  const DataQualityCheck mixed = check_of(report_on(complete_study(2), quality), "Source");
-  EXPECT_EQ(mixed.verdict, Verdict::flagged);
-  EXPECT_EQ(mixed.found,
-            "the eye tracker of profile fove0 (P1); the mouse pointer in place of an eye (P2)");
+  expect_check(check_on(records, "Source", quality), Verdict::flagged,
+               "the eye tracker of profile fove0 (P1); the mouse pointer in place of an eye (P2)");
   quality.gaze.erase(quality.gaze.begin());
-  const DataQualityCheck mouse = check_of(report_on(complete_study(2), quality), "Source");
-  EXPECT_EQ(mouse.verdict, Verdict::flagged);
-  EXPECT_EQ(mouse.found, "the mouse pointer in place of an eye");
+  expect_check(check_on(records, "Source", quality), Verdict::flagged,
+               "the mouse pointer in place of an eye");
 }
 
 TEST(DataQualityChecks, ManyTimesThatRanOutAreFlagged) {
   study::StudyRecords records = complete_study(5);
-  EXPECT_EQ(check_of(report_on(records), "ran out").found, "none");
+  EXPECT_EQ(check_on(records, "ran out").found, "none");
   for (const char* participant : {"P1", "P2"}) {
     value_of(records, participant, "aula", "od", "outline") = right_censored(60.0);
   }
-  EXPECT_EQ(check_of(report_on(records), "ran out").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "ran out").verdict, Verdict::passed);
   value_of(records, "P3", "aula", "od", "outline") = right_censored(60.0);
-  const DataQualityCheck many = check_of(report_on(records), "ran out");
-  EXPECT_EQ(many.verdict, Verdict::flagged);
-  EXPECT_EQ(many.found, "outline with OD 30.0 %");
+  expect_check(check_on(records, "ran out"), Verdict::flagged, "outline with OD 30.0 %");
 }
 
 TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
@@ -156,13 +162,9 @@ TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
   for (study::TrialRow& row : records.trials) {
     row.method_position = row.method;
   }
-  EXPECT_EQ(check_of(report_on(records), "order").verdict, Verdict::flagged);
-  int trial = 0;
-  for (study::TrialRow& row : records.trials) {
-    row.method_position = static_cast<std::uint16_t>((trial % 3 + trial / 3) % 3);
-    ++trial;
-  }
-  const DataQualityCheck balanced = check_of(report_on(records), "order");
+  EXPECT_EQ(check_on(records, "order").verdict, Verdict::flagged);
+  balance_methods(records);
+  const DataQualityCheck balanced = check_on(records, "order");
   EXPECT_EQ(balanced.verdict, Verdict::passed);
   EXPECT_THAT(balanced.found, HasSubstr("5 to 6 times"));
 }
@@ -195,23 +197,11 @@ TEST(DataQualityChecks, OneRandomDesignInAHundredIsFlagged) {
 
 TEST(DataQualityChecks, ASceneWithAMissingTrialSaysNothingOfTheOrder) {
   study::StudyRecords records = complete_study(6);
-  int trial = 0;
-  for (study::TrialRow& row : records.trials) {
-    row.method_position = static_cast<std::uint16_t>((trial % 3 + trial / 3) % 3);
-    ++trial;
-  }
-  const DataQualityCheck whole = check_of(report_on(records), "order");
-  EXPECT_THAT(whole.found, HasSubstr("each method 4 to 4 times"));
+  balance_methods(records);
+  EXPECT_THAT(check_on(records, "order").found, HasSubstr("each method 4 to 4 times"));
   records.trials.pop_back();
   records.values.resize(records.trials.size() * records.measures.size());
-  const DataQualityCheck less = check_of(report_on(records), "order");
-  EXPECT_THAT(less.found, HasSubstr("each method 3 to 4 times"));
-}
-
-TEST(DataQualityChecks, SimulatedSessionsAreFlagged) {
-  study::StudyRecords records = complete_study(3);
-  records.sessions[0].kind = "simulated";
-  EXPECT_EQ(check_of(report_on(records), "People").verdict, Verdict::flagged);
+  EXPECT_THAT(check_on(records, "order").found, HasSubstr("each method 3 to 4 times"));
 }
 
 TEST(DataQualityChecks, MarksAreHeldAgainstTheReactionFloor) {
@@ -233,46 +223,25 @@ TEST(DataQualityChecks, MarksAreHeldAgainstTheReactionFloor) {
 // 0.055 s, of which a simple reaction alone takes more.
 TEST(DataQualityChecks, AMarkSoonerThanAnybodySeesIsFlaggedOfOneParticipantToo) {
   study::StudyRecords records = complete_study(1);
-  EXPECT_EQ(check_of(report_on(records), "sooner than").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "sooner than").verdict, Verdict::passed);
   value_of(records, "P1", "aula", "fv", "outline") = measured(0.055);
-  const DataQualityCheck early = check_of(report_on(records), "sooner than");
+  const DataQualityCheck early = check_on(records, "sooner than");
   EXPECT_EQ(early.verdict, Verdict::flagged);
   EXPECT_THAT(early.found, HasSubstr("P1, aula, fv, outline: 0.055 s"));
 }
 
 TEST(DataQualityChecks, WhatSessionsRanOnIsComparedIfTheyAreAnalysed) {
-  study::StudyRecords records = complete_study(2);
+  const study::StudyRecords records = complete_study(2);
   study::DataQualityRecords quality;
   const auto on = [](const std::string& participant, const std::string& threads) {
     return study::SessionSetup{
         participant, "human", {R"({"machine":{"threads":)" + threads + "}}"}};
   };
   quality.setups = {on("P1", "2"), on("P2", "2"), on("P3", "8")};
-  EXPECT_EQ(check_of(report_on(records, quality), "machines").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "machines", quality).verdict, Verdict::passed);
   quality.setups[1] = on("P2", "4");
-  const DataQualityCheck other = check_of(report_on(records, quality), "machines");
-  EXPECT_EQ(other.verdict, Verdict::flagged);
-  EXPECT_EQ(other.found, "threads: 2 in P1; 4 in P2");
-}
-
-TEST(DataQualityChecks, FilesSayWhoTookPart) {
-  study::StudyRecords records = complete_study(1);
-  records.sessions[0].kind = "pilot";
-  add_catch_trial(records, true);
-  study::DataQualityRecords quality;
-  quality.reactions = {{"P1", 0.3, false}};
-  quality.frames = {good_frames("P1")};
-  const StudyTables tables = tabulate_study(records);
-  const DataQualityReport report = check_data_quality(tables, quality, records);
-  for (const Table& table :
-       {data_quality_table(tables, report), latency_table(tables, report),
-        reaction_times_table(tables, report), catch_trials_table(tables, report)}) {
-    const std::vector<CsvRow> rows = parse_csv(csv_of(table), table.id);
-    ASSERT_GT(rows.size(), 1U) << table.id;
-    EXPECT_THAT(rows, Each(SizeIs(rows.front().size())));
-    EXPECT_EQ(rows.front().back(), "participant_kind");
-    EXPECT_EQ(rows.back().back(), "pilot");
-  }
+  expect_check(check_on(records, "machines", quality), Verdict::flagged,
+               "threads: 2 in P1; 4 in P2");
 }
 
 TEST(DataQualityChecks, MarksInCatchTrialsAreFalseAlarms) {
@@ -331,11 +300,8 @@ TEST(DataQualityChecks, GazeUpToHalfTheTimeElsewhereAndObjectsInViewPass) {
   study::StudyRecords records = complete_study(1);
   study::DataQualityRecords quality;
   quality.gaze = gaze_on_objects(records);
-  const DataQualityReport report = report_on(records, quality);
-  EXPECT_EQ(check_of(report, "out of view").verdict, Verdict::passed);
-  EXPECT_EQ(check_of(report, "out of view").found, "0 of 12 marks");
-  EXPECT_EQ(check_of(report, "gaze elsewhere").verdict, Verdict::passed);
-  EXPECT_EQ(check_of(report, "gaze elsewhere").found, "0 of 6 trials");
+  expect_check(check_on(records, "out of view", quality), Verdict::passed, "0 of 12 marks");
+  expect_check(check_on(records, "gaze elsewhere", quality), Verdict::passed, "0 of 6 trials");
 }
 
 TEST(DataQualityChecks, OfManyMarksOutOfViewFiveAreToldAndEverybodyIsNamed) {
@@ -345,10 +311,8 @@ TEST(DataQualityChecks, OfManyMarksOutOfViewFiveAreToldAndEverybodyIsNamed) {
   for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U, 12U, 18U}) {
     quality.gaze[i].figures.marks[1].object_in_view = false;
   }
-  const DataQualityCheck check = check_of(report_on(records, quality), "out of view");
-  EXPECT_EQ(check.verdict, Verdict::flagged);
-  EXPECT_EQ(
-      check.found,
+  expect_check(
+      check_on(records, "out of view", quality), Verdict::flagged,
       "8 of 48 marks: P1, aula, od, material; P1, aula, vp, material; P1, aula, fv, material; "
       "P1, barn, vp, material; P1, barn, fv, material; and 3 others of P2, P3, P4");
 }
@@ -389,11 +353,8 @@ TEST(DataQualityChecks, OnlyTheLastTimingsOfAnalysedTestTrialsAreHeldAgainstTheG
 TEST(DataQualityChecks, SessionsThatWentThroughWithoutAWordPass) {
   study::DataQualityRecords quality;
   quality.courses = {{.participant = "P1"}, {.participant = "P2"}};
-  const DataQualityReport report = report_on(complete_study(2), quality);
-  EXPECT_EQ(check_of(report, "cut off").verdict, Verdict::passed);
-  EXPECT_EQ(check_of(report, "cut off").found, "none");
-  EXPECT_EQ(check_of(report, "Notes").verdict, Verdict::passed);
-  EXPECT_EQ(check_of(report, "Notes").found, "none");
+  expect_check(check_on(complete_study(2), "cut off", quality), Verdict::passed, "none");
+  expect_check(check_on(complete_study(2), "Notes", quality), Verdict::passed, "none");
 }
 
 TEST(DataQualityChecks, WhoseSessionWasCutOffIsNamedIfAnalysed) {
@@ -404,9 +365,8 @@ TEST(DataQualityChecks, WhoseSessionWasCutOffIsNamedIfAnalysed) {
                      {.participant = "P2"},
                      {.participant = "P3", .interruptions = 2, .attempts_lost = 1},
                      {.participant = "P4", .interruptions = 3, .attempts_lost = 3}};
-  const DataQualityCheck check = check_of(report_on(records, quality), "cut off");
-  EXPECT_EQ(check.verdict, Verdict::flagged);
-  EXPECT_EQ(check.found, "P1: 1 time, 0 attempts lost; P3: 2 times, 1 attempt lost");
+  expect_check(check_on(records, "cut off", quality), Verdict::flagged,
+               "P1: 1 time, 0 attempts lost; P3: 2 times, 1 attempt lost");
 }
 
 TEST(DataQualityChecks, EverybodyWithNotesIsNamedWithTheFirst) {
@@ -418,18 +378,15 @@ TEST(DataQualityChecks, EverybodyWithNotesIsNamedWithTheFirst) {
        .notes = {"the eye tracker sends no gaze", "the eye tracker sends gaze again"}},
       {.participant = "P2", .notes = {std::string(100, 'x') + "\nand more"}},
       {.participant = "P3", .notes = {"not analysed"}}};
-  const DataQualityCheck check = check_of(report_on(records, quality), "Notes");
-  EXPECT_EQ(check.verdict, Verdict::flagged);
-  EXPECT_EQ(check.found,
-            "P1: the eye tracker sends no gaze (and 1 more); P2: " + std::string(80, 'x') + " …");
+  expect_check(
+      check_on(records, "Notes", quality), Verdict::flagged,
+      "P1: the eye tracker sends no gaze (and 1 more); P2: " + std::string(80, 'x') + " …");
 }
 
 TEST(DataQualityChecks, OneProgramForAllSessionsPasses) {
   study::StudyRecords records = complete_study(2);
   records.programs = {{"P1", {"Foveola 1"}}, {"P2", {"Foveola 1"}}};
-  const DataQualityCheck check = check_of(report_on(records), "Programs");
-  EXPECT_EQ(check.verdict, Verdict::passed);
-  EXPECT_EQ(check.found, "Foveola 1 in 2 sessions");
+  expect_check(check_on(records, "Programs"), Verdict::passed, "Foveola 1 in 2 sessions");
 }
 
 TEST(DataQualityChecks, EveryProgramOfTheAnalysedSessionsIsNamed) {
@@ -437,10 +394,8 @@ TEST(DataQualityChecks, EveryProgramOfTheAnalysedSessionsIsNamed) {
   records.sessions[2].state = "interrupted";
   records.programs = {
       {"P1", {"Foveola 1"}}, {"P2", {"Foveola 1", "Foveola 2"}}, {"P3", {"Foveola 3"}}};
-  const DataQualityCheck check = check_of(report_on(records), "Programs");
-  EXPECT_EQ(check.verdict, Verdict::flagged);
-  EXPECT_EQ(check.found,
-            "Foveola 1 in 2 sessions; Foveola 2 in 1 session; P2 by Foveola 1, then Foveola 2");
+  expect_check(check_on(records, "Programs"), Verdict::flagged,
+               "Foveola 1 in 2 sessions; Foveola 2 in 1 session; P2 by Foveola 1, then Foveola 2");
 }
 
 /// Puts a timing that ended so before that of the trial which counts.
@@ -456,16 +411,15 @@ TEST(DataQualityChecks, TrialsTimedAgainAreNamedButForThoseThatWereCutOff) {
   study::StudyRecords records = complete_study(3);
   records.sessions[2].state = "interrupted";
   (void)gaze_on_objects(records);  // numbers the trials
-  EXPECT_EQ(check_of(report_on(records), "timed again").found, "0 of 12 trials");
+  EXPECT_EQ(check_on(records, "timed again").found, "0 of 12 trials");
   add_earlier_timing(records, 1, "interrupted");
-  EXPECT_EQ(check_of(report_on(records), "timed again").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "timed again").verdict, Verdict::passed);
   add_earlier_timing(records, 2, "retimed");
   add_earlier_timing(records, 2, "paused");
   add_earlier_timing(records, 7, "retimed");
   add_earlier_timing(records, 13, "retimed");
-  const DataQualityCheck check = check_of(report_on(records), "timed again");
-  EXPECT_EQ(check.verdict, Verdict::flagged);
-  EXPECT_EQ(check.found, "2 of 12 trials: P1, aula, fv (retimed, paused); P2, aula, vp (retimed)");
+  expect_check(check_on(records, "timed again"), Verdict::flagged,
+               "2 of 12 trials: P1, aula, fv (retimed, paused); P2, aula, vp (retimed)");
 }
 
 }  // namespace

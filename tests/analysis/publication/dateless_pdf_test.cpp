@@ -1,18 +1,11 @@
 #include "analysis/publication/dateless_pdf.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/publication/gnuplot.h"
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::ThrowsMessage;
 
 std::string pdf_of(const std::string& date) {
   const std::string catalog = "1 0 obj\n<</Type/Catalog/Pages 2 0 R>>\nendobj\n";

@@ -2,17 +2,11 @@
 
 #include <cstdlib>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(Gnuplot, PrintsWhatTheScriptDraws) {
   EXPECT_THAT(run_gnuplot("set terminal svg\nplot [0:1] x\n"),

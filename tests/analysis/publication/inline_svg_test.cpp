@@ -1,14 +1,9 @@
 #include "analysis/publication/inline_svg.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 constexpr const char* drawing =
     "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 9 9\"><title>Gnuplot</title>"
@@ -23,22 +18,14 @@ TEST(InlineSvg, HasARoleAndAnEscapedName) {
   EXPECT_THAT(svg, Not(HasSubstr("<title>")));
 }
 
-TEST(InlineSvg, TakesThePagesColors) {
+TEST(InlineSvg, TakesThePagesColorsAndHasIdsOfItsOwn) {
   const std::string svg = inline_svg(drawing, "fig", "");
-  EXPECT_THAT(svg, HasSubstr("color='var(--figure-method-1)'"));
-  EXPECT_THAT(svg, HasSubstr("<rect fill=\"none\"/>"));
-  EXPECT_THAT(svg, HasSubstr("<text fill=\"var(--figure-ink)\">"));
-  EXPECT_THAT(svg, HasSubstr("stroke='rgb(1,2,3)'"));
-}
-
-TEST(InlineSvg, IdsAreItsOwn) {
-  const std::string svg = inline_svg(drawing, "fig", "");
-  EXPECT_THAT(svg, HasSubstr("id='fig-gpPt6'"));
-  EXPECT_THAT(svg, HasSubstr("href='#fig-gpPt6'"));
-}
-
-TEST(InlineSvg, TextStaysAsItIs) {
-  EXPECT_THAT(inline_svg(drawing, "fig", ""), HasSubstr(">rgb(11,106,168) \"black\" id='x'<"));
+  for (const char* part :
+       {"color='var(--figure-method-1)'", "<rect fill=\"none\"/>",
+        "<text fill=\"var(--figure-ink)\">", "stroke='rgb(1,2,3)'", "id='fig-gpPt6'",
+        "href='#fig-gpPt6'", ">rgb(11,106,168) \"black\" id='x'<"}) {
+    EXPECT_THAT(svg, HasSubstr(part));
+  }
 }
 
 TEST(InlineSvg, DamagedInputEndsToo) {

@@ -1,15 +1,9 @@
 #include "analysis/publication/logarithmic_axis.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Pointwise;
 
 TEST(LogarithmicAxis, TicksAreRoundNumbersWithinTheRange) {
   EXPECT_THAT(logarithmic_ticks({0.9, 130.0}), ElementsAre(1, 2, 5, 10, 20, 50, 100));

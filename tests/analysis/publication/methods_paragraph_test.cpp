@@ -2,19 +2,12 @@
 
 #include <filesystem>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "study/protocol/read_procedure.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::AnyOf;
-using testing::HasSubstr;
-using testing::Not;
 
 std::string paragraph(const study::StudyRecords& records,
                       const study::DataQualityRecords& quality = {}) {
@@ -78,12 +71,10 @@ TEST(MethodsParagraph, SaysWhatSessionsRanOnAsTheyRecordedIt) {
 
 TEST(MethodsParagraph, LeavesOutWhatItDoesNotSay) {
   const std::string text = paragraph(complete_study(1));
-  EXPECT_THAT(text, HasSubstr("1 participant saw"));
-  EXPECT_THAT(text, Not(HasSubstr("of profile")));
-  EXPECT_THAT(text, Not(HasSubstr("filled in")));
-  EXPECT_THAT(text, Not(HasSubstr("catch trial")));
-  EXPECT_THAT(text, Not(HasSubstr("practice")));
-  EXPECT_THAT(text, HasSubstr("No comparison was planned"));
+  EXPECT_THAT(text, AllOf(HasSubstr("1 participant saw"), HasSubstr("No comparison was planned")));
+  for (const char* words : {"of profile", "filled in", "catch trial", "practice"}) {
+    EXPECT_THAT(text, Not(HasSubstr(words)));
+  }
 }
 
 TEST(MethodsParagraph, TellsAllAnalysesThatWereDoneAndNoOthers) {
@@ -101,12 +92,6 @@ TEST(MethodsParagraph, TellsAllAnalysesThatWereDoneAndNoOthers) {
               AllOf(Not(HasSubstr("sensitivity")), Not(HasSubstr("right-censored and"))));
 }
 
-TEST(MethodsParagraph, CountsSessionsThatAreNotAnalysed) {
-  study::StudyRecords records = complete_study(4);
-  records.sessions[1].state = "withdrawn";
-  EXPECT_THAT(paragraph(records), HasSubstr("One session was not analysed (session withdrawn: 1)"));
-}
-
 TEST(MethodsParagraph, SaysWhatElseWasDone) {
   study::StudyRecords records = complete_study(2);
   records.protocol.practice = {{"aula", "od"}};
@@ -120,22 +105,11 @@ TEST(MethodsParagraph, SaysWhatElseWasDone) {
                     HasSubstr("They filled in load (Hart 2006).")));
 }
 
-TEST(MethodsParagraph, CallsSimulatedDataSo) {
-  study::StudyRecords records = complete_study(2);
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
-  const std::string text = paragraph(records);
-  EXPECT_THAT(text, HasSubstr("Simulated data:"));
-  EXPECT_THAT(text, HasSubstr("2 simulated participants saw"));
-}
-
 TEST(MethodsParagraph, SaysHowDataWereSimulated) {
-  study::StudyRecords records = complete_study(2);
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
-  EXPECT_THAT(paragraph(records), Not(AnyOf(HasSubstr("predicted"), HasSubstr("scaled"))));
+  study::StudyRecords records = of_kind(complete_study(2), "simulated");
+  EXPECT_THAT(paragraph(records),
+              AllOf(HasSubstr("Simulated data:"), HasSubstr("2 simulated participants saw"),
+                    Not(AnyOf(HasSubstr("predicted"), HasSubstr("scaled")))));
   records.simulation = study::SimulationFacts{.scale = 36.0, .predicted = true, .injected = ""};
   EXPECT_THAT(paragraph(records),
               AllOf(HasSubstr("not rendered but predicted"), HasSubstr("scaled down by 36.")));

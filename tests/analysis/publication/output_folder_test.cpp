@@ -6,24 +6,18 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::ThrowsMessage;
 
 // SHA-256 of "abc": FIPS 180-4's example.
 constexpr const char* digest_of_abc =
@@ -133,7 +127,7 @@ TEST(OutputFolder, AKillLeavesNothingBehindForGood) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "results")) {
     left.push_back(entry.path().filename());
   }
-  EXPECT_THAT(left, testing::UnorderedElementsAre("manifest.sha256", "table"));
+  EXPECT_THAT(left, UnorderedElementsAre("manifest.sha256", "table"));
 }
 
 TEST(OutputFolder, IsWrittenByOneProgramAtATime) {

@@ -2,14 +2,10 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(PointLanes, PointsThatAreFarEnoughApartStayInTheMiddle) {
   EXPECT_THAT(point_lanes({}, 1.0, 3), IsEmpty());

@@ -3,8 +3,6 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/analyze_study.h"
@@ -12,16 +10,13 @@
 #include "renderer/base/csv.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 /// Every file in which words stand, by its path in the folder.
 std::map<std::string, std::string> texts_in(const fs::path& folder) {
@@ -117,37 +112,6 @@ TEST_F(ProtocolsLabels, OfAmendedSessionsAreSaidToo) {
                            "bids/task-preview_beh.json", "psych-ds/dataset_description.json"}) {
     EXPECT_THAT(texts_.at(file), HasSubstr(sentence)) << file;
   }
-}
-
-TEST_F(ProtocolsLabels, AreThereForEveryRatingAndMeasure) {
-  study::StudyRecords records = complete_study(3);
-  records.measures[material_index].question.id = "third";
-  study::Question& rating = records.measures[artifacts_index].question;
-  rating = {.id = "comfort",
-            .text = "How comfortable?",
-            .minimum = 1,
-            .maximum = 7,
-            .labels = {"not at all", "very"}};
-  analyse(records);
-  EXPECT_THAT(output_.summary, HasSubstr("comfort, 1 not at all to 7 very"));
-  EXPECT_THAT(texts_.at("report.html"),
-              AllOf(HasSubstr("1 not at all to 7 very"), Not(HasSubstr("the artifacts"))));
-  EXPECT_THAT(texts_.at("ratings-comfort.tex"), HasSubstr("1 not at all to 7 very"));
-  EXPECT_THAT(texts_.at("times-third.tex"), HasSubstr("Time until the mark third"));
-  EXPECT_THAT(texts_.at("trials_long.csv"), HasSubstr(",third_s,third_censored,comfort_rating"));
-}
-
-TEST_F(ProtocolsLabels, AScaleOfManyPointsHasAFigureWithItsCaption) {
-  study::StudyRecords records = complete_study(3);
-  study::Question& rating = records.measures[artifacts_index].question;
-  rating.maximum = 100;
-  rating.labels = {"not at all", "very"};
-  analyse(records);
-  EXPECT_THAT(texts_.at("report.html"),
-              AllOf(HasSubstr("aria-label=\"Ratings, artifacts, of all scenes and participants."),
-                    HasSubstr("each one’s mean, 1 not at all to 100 very, over the scenes"),
-                    Not(HasSubstr("Bars are the shares"))));
-  EXPECT_TRUE(fs::exists(scratch_ / "out/ratings_artifacts.pdf"));
 }
 
 }  // namespace

@@ -1,32 +1,24 @@
 // Every timing of a study's file comes out, those that were made again among them.
-#include <algorithm>
 #include <map>
 #include <string>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/csv.h"
 #include "renderer/base/files.h"
+#include "tests/matchers.h"
 #include "tests/study/record/study_file.h"
 
 namespace foveola::analysis {
 namespace {
 
 using study::ms;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
 
 class RecordedTimings : public study::StudyFile {
  protected:
   /// P01 is timed again in the first trial, where the time ran out before the second mark.
   void write_retimed_study() {
     study::StudyStore store(path_, study::small_protocol());
-    study::PlayedSession session(store, study::facts_of("P01"), study::small_plan());
-    session.begin();
+    study::PlayedSession session = study::begun_session(store);
     session.choose_and_start(ms(20));
     session.happen(ms(1000), study::FirstFramePresented{ms(1000)});
     session.happen(ms(2000), study::Marked{ms(2000)});
@@ -64,8 +56,7 @@ TEST_F(RecordedTimings, OfWithdrawnSessionsComeOutOnlyIfAskedForAndChangeNoResul
   write_retimed_study();
   {
     study::StudyStore store(path_, study::small_protocol());
-    study::PlayedSession session(store, study::facts_of("P02"), study::small_plan());
-    session.begin();
+    study::PlayedSession session = study::begun_session(store, "P02");
     session.run_trial(ms(1000), ms(500), ms(1500), 1);
     session.happen(ms(5000), study::Withdrawn{});
   }

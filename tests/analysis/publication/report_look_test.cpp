@@ -2,27 +2,17 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/publication/methods_paragraph.h"
 #include "analysis/publication/report.h"
 #include "analysis/publication/trial_data.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
 
-using testing::Each;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 std::string simulated_report() {
-  study::StudyRecords records = golden_study_records();
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
+  const study::StudyRecords records = of_kind(golden_study_records(), "simulated");
   study::DataQualityRecords quality;
   quality.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
   StudyTables tables = tabulate_study(records);
@@ -72,7 +62,7 @@ TEST(ReportLook, EveryTableHasACaptionAndHeadingsForRowsAndColumns) {
 TEST(ReportLook, EveryFigureHasANameACaptionAndAMark) {
   const std::vector<std::string> figures = parts(simulated_report(), "<figure>", "</figure>");
   EXPECT_EQ(figures.size(), 6U);
-  EXPECT_THAT(figures, Each(testing::ContainsRegex("<svg role=\"img\" aria-label=\"[A-Z]")));
+  EXPECT_THAT(figures, Each(ContainsRegex("<svg role=\"img\" aria-label=\"[A-Z]")));
   EXPECT_THAT(figures, Each(HasSubstr("<figcaption><span class=\"tag\">Simulated data</span>")));
   EXPECT_THAT(figures, Each(HasSubstr("<text>Simulated data</text>")));
 }

@@ -104,21 +104,6 @@ TEST(ReportStyle, ContrastIsAsInTheRecommendation) {
   EXPECT_NEAR(contrast("#777777", "#ffffff"), 4.48, 0.005);
 }
 
-TEST(ReportStyle, BothSchemesDefineTheSameColors) {
-  const Colors in_dark = dark();
-  EXPECT_GE(light().size(), 17U);
-  for (const auto& [name, color] : light()) {
-    EXPECT_TRUE(in_dark.contains(name)) << name;
-  }
-}
-
-TEST(ReportStyle, FiguresOnPaperAreTheFilesOnWhite) {
-  const Colors colors = light();
-  for (const FigureColor& color : palette::all) {
-    EXPECT_EQ(colors.at(std::string(color.property)), color.rgb);
-  }
-}
-
 /// A colour that is written out instead of named would be the same in the dark.
 TEST(ReportStyle, RulesTakeTheirColorsByName) {
   const std::string style(report_style());

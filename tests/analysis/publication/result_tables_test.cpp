@@ -2,20 +2,14 @@
 
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/koskela2018/background.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::Each;
-using testing::ElementsAre;
-using testing::SizeIs;
 
 struct Results {
   StudyTables tables;
@@ -40,34 +34,6 @@ Results results_of(const study::StudyRecords& records) {
   return results;
 }
 
-TEST(ResultTables, ColumnsAreFixedAndNameTheirUnits) {
-  const Results results = results_of(golden_study_records());
-  EXPECT_THAT(
-      results.rows_of("times_by_scene").at(0),
-      ElementsAre("mark", "scene", "method", "n", "mean_s", "sd_s", "median_s", "n_pairs",
-                  "mean_percent_of_baseline", "sd_percent_of_baseline",
-                  "geometric_mean_percent_of_baseline", "ci95_low_percent_of_baseline",
-                  "ci95_high_percent_of_baseline", "ratio_of_means_percent",
-                  "sd_over_baseline_mean_percent", "censored", "missing", "participant_kind"));
-  EXPECT_THAT(results.rows_of("times_by_method").at(0),
-              ElementsAre("mark", "method", "n", "geometric_mean_s", "ci95_low_s", "ci95_high_s",
-                          "geometric_mean_percent_of_baseline", "ci95_low_percent_of_baseline",
-                          "ci95_high_percent_of_baseline", "participant_kind"));
-  EXPECT_THAT(
-      results.rows_of("ratings_by_method").at(0),
-      ElementsAre("rating", "method", "n", "mean", "sd", "median", "missing", "participant_kind"));
-  EXPECT_THAT(results.rows_of("rating_counts").at(0),
-              ElementsAre("rating", "method", "value", "label", "count", "participant_kind"));
-  EXPECT_THAT(results.rows_of("background_correlation").at(0),
-              ElementsAre("mark", "method", "quantity", "background_questions", "n", "censored",
-                          "pearson_r", "t", "p_two_sided", "ci95_low_r", "ci95_high_r",
-                          "spearman_rho", "t_rho", "p_rho", "ci95_low_rho", "ci95_high_rho",
-                          "p_rho_exact", "participant_kind"));
-  EXPECT_THAT(
-      results.rows_of("exclusions").at(0),
-      ElementsAre("participant", "scene", "method", "measure", "reason", "participant_kind"));
-}
-
 TEST(ResultTables, AmendedSessionsAreListed) {
   study::StudyRecords records = complete_study(3);
   records.amended.push_back({"P2", {"0a1b", {"timing.timeout_s", "texts.rest"}, "title = 'x'"}});
@@ -78,14 +44,6 @@ TEST(ResultTables, AmendedSessionsAreListed) {
                                       "participant_kind"),
                           ElementsAre("P2", "0a1b", "timing.timeout_s texts.rest", "TRUE", "human"),
                           ElementsAre("P3", "2c3d", "", "FALSE", "human")));
-}
-
-TEST(ResultTables, EveryRowHasEveryColumn) {
-  for (const int participants : {1, 2, 4}) {
-    for (const Table& table : results_of(complete_study(participants)).all) {
-      EXPECT_THAT(table.rows, Each(SizeIs(table.columns.size()))) << table.id;
-    }
-  }
 }
 
 TEST(ResultTables, NumbersAreInFullPrecision) {
@@ -107,37 +65,6 @@ TEST(ResultTables, WhatDoesNotExistIsEmpty) {
   EXPECT_THAT(results.rows_of("background_correlation").at(1),
               ElementsAre("outline", "vp", "log_ratio", "graphics_3d+offline_rendering", "1", "0",
                           "", "", "", "", "", "", "", "", "", "", "", "human"));
-}
-
-TEST(ResultTables, SimulatedParticipantsAreSaidToBe) {
-  study::StudyRecords records = complete_study(2);
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
-  const std::vector<CsvRow> rows = results_of(records).rows_of("times_by_scene");
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    EXPECT_EQ(rows[i].back(), "simulated");
-  }
-}
-
-TEST(ResultTables, EveryTableSaysWhoseDataItShows) {
-  study::StudyRecords records = complete_study(3);
-  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
-  for (const char* kind : {"simulated", "pilot", "human"}) {
-    for (study::SessionRow& session : records.sessions) {
-      session.kind = kind;
-    }
-    records.values[artifacts_index] = {};
-    records.amended = {{"P1", {"0a1b", {"texts.rest"}, "title = 'x'"}}};
-    for (const Table& table : results_of(records).all) {
-      const std::vector<CsvRow> rows = parse_csv(csv_of(table), table.id);
-      ASSERT_GT(rows.size(), 1U) << table.id;
-      EXPECT_EQ(rows.front().back(), "participant_kind") << table.id;
-      for (std::size_t i = 1; i < rows.size(); ++i) {
-        EXPECT_EQ(rows[i].back(), kind) << table.id;
-      }
-    }
-  }
 }
 
 TEST(ResultTables, AnExclusionHasItsOwnSessionsKind) {

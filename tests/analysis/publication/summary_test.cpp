@@ -1,15 +1,10 @@
 #include "analysis/publication/summary.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 std::string summary_of(const study::StudyRecords& records) {
   StudyTables tables = tabulate_study(records);
@@ -48,39 +43,12 @@ TEST(Summary, HasThePublishedNumbersBesideTheStudys) {
   EXPECT_THAT(summary_of(records), Not(HasSubstr("published")));
 }
 
-TEST(Summary, SaysThatDataAreSimulated) {
-  study::StudyRecords records = complete_study(2);
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
-  EXPECT_THAT(summary_of(records), HasSubstr("2 simulated participants"));
-}
-
-TEST(Summary, EveryTableSaysWhoseDataItShows) {
-  study::StudyRecords records = complete_study(3);
-  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "pilot";
-  }
-  const std::string text = summary_of(records);
-  std::size_t marks_found = 0;
-  for (std::size_t at = text.find(" (Pilot data)\n"); at != std::string::npos;
-       at = text.find(" (Pilot data)\n", at + 1)) {
-    ++marks_found;
-  }
-  EXPECT_EQ(marks_found, 6U);
-}
-
 TEST(Summary, NamesCannotSteerTheTerminal) {
   study::StudyRecords records = complete_study(2);
   records.scenes[0] = "au\x1b[31mla";
   const std::string text = summary_of(records);
   EXPECT_THAT(text, HasSubstr("au?[31mla"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
-}
-
-TEST(Summary, NoLineEndsInBlanks) {
-  EXPECT_THAT(summary_of(complete_study(1)), Not(HasSubstr(" \n")));
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <set>
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/data_files.h"
@@ -13,15 +11,10 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::Each;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::SizeIs;
 
 using study::TrialKind;
 using study::TrialRow;
@@ -269,11 +262,8 @@ TEST(TrialData, ScoresSayWhetherTheirSessionIsAnalysed) {
 }
 
 TEST(TrialData, PsychDsDescribesItsVariables) {
-  study::StudyRecords records = complete_study(2);
+  study::StudyRecords records = of_kind(complete_study(2), "simulated");
   records.protocol.name = "my study/2";
-  for (study::SessionRow& session : records.sessions) {
-    session.kind = "simulated";
-  }
   const StudyTables tables = tabulate_study(records);
   const TrialColumns trials(records, tables.set);
   const ParticipantColumns participants(records, tables.set);

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/dataset/comparisons.h"
 #include "analysis/monte_carlo/expected_study.h"
 #include "analysis/monte_carlo/fitted_studies.h"
@@ -15,12 +12,11 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/made_up_study.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::Pair;
 
 constexpr const char* heading =
@@ -94,9 +90,8 @@ TEST(ModelsPlan, HasEveryPairWithItsKind) {
   plan.primary = {{"material", "od", "vp"}};
   const std::string text =
       csv_of(models_plan(set, compared_pairs(set, plan), study::SceneEffects::fixed));
-  EXPECT_THAT(text,
-              testing::StartsWith("measure,kind,method,reference,scenes,detail\r\n"
-                                  "material,time,od,vp,fixed,full\r\noutline,time,vp,od,fixed"));
+  EXPECT_THAT(text, StartsWith("measure,kind,method,reference,scenes,detail\r\n"
+                               "material,time,od,vp,fixed,full\r\noutline,time,vp,od,fixed"));
   EXPECT_THAT(text, HasSubstr("artifacts,points,fv,vp,fixed,full\r\n"));
 }
 

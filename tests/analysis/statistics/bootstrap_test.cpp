@@ -1,12 +1,9 @@
 #include "analysis/statistics/bootstrap.h"
 
-#include <cmath>
 #include <numeric>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

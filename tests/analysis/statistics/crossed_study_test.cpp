@@ -2,12 +2,10 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/power.h"
 #include "analysis/statistics/proportion.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

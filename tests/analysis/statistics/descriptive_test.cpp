@@ -4,18 +4,12 @@
 #include <limits>
 #include <map>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 /// The samples of one value per row.
 std::map<std::string, std::vector<double>> single_samples() {
@@ -115,19 +109,6 @@ TEST(Descriptive, ValuesThatDifferInTheirRoundingAloneAreEqual) {
   ASSERT_NE(small[0], small[1]);
   EXPECT_NEAR(geometric_mean_of_logs(small)->value, 1.01, 1e-14);
   EXPECT_FALSE(geometric_mean_of_logs(small)->interval);
-}
-
-TEST(Descriptive, MedianDoesNotDependOnOrder) {
-  EXPECT_EQ(median(std::vector<double>{9, 1, 5}), 5.0);
-  EXPECT_EQ(median(std::vector<double>{9, 1, 5, 2}), 3.5);
-}
-
-TEST(Descriptive, AWiderConfidenceWidensTheInterval) {
-  const std::vector<double> values = {1, 2, 4, 8};
-  const Interval narrow = mean_estimate(values, 0.5)->interval.value();
-  const Interval wide = mean_estimate(values, 0.99)->interval.value();
-  EXPECT_LT(wide.low, narrow.low);
-  EXPECT_GT(wide.high, narrow.high);
 }
 
 TEST(Descriptive, GeometricMeanNamesTheValueWithoutLogarithm) {

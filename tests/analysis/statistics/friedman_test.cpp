@@ -1,9 +1,7 @@
 #include "analysis/statistics/friedman.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,14 +1,10 @@
 #include "analysis/statistics/multiplicity.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(Multiplicity, HolmsPValuesAreThoseOfR) {
   const auto golden = golden_inference();

@@ -4,12 +4,10 @@
 #include <numeric>
 #include <span>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/statistics/proportion.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

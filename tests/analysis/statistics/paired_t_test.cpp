@@ -1,17 +1,12 @@
 #include "analysis/statistics/paired_t.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/pairs.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(PairedT, TestsIntervalsAndEffectSizesAreThoseOfR) {
   const auto golden = golden_inference();
@@ -64,34 +59,6 @@ TEST(PairedT, WhatDoesNotVaryHasNoT) {
   EXPECT_FALSE(one_sample_t(halves));
   EXPECT_FALSE(ratio_t(halves));
   EXPECT_FALSE(ratio_t(log_ratios({101.0, 10100.0}, {100.0, 10000.0})));
-}
-
-TEST(PairedT, SwappingTheSidesInvertsTheRatio) {
-  const std::vector<double> a = {1.5, 2.5, 9, 4};
-  const std::vector<double> b = {7, 5, 12, 4.5};
-  const RatioTest forward = ratio_t(log_ratios(a, b)).value();
-  const RatioTest backward = ratio_t(log_ratios(b, a)).value();
-  EXPECT_DOUBLE_EQ(forward.ratio, 1.0 / backward.ratio);
-  EXPECT_DOUBLE_EQ(forward.interval.low, 1.0 / backward.interval.high);
-  EXPECT_DOUBLE_EQ(forward.logs.p, backward.logs.p);
-}
-
-TEST(PairedT, UnitsDoNotMatterToRatios) {
-  const std::vector<double> seconds = {1.5, 2.5, 9, 4};
-  const std::vector<double> baseline = {7, 5, 12, 4.5};
-  std::vector<double> ms = seconds;
-  std::vector<double> baseline_ms = baseline;
-  for (std::size_t i = 0; i < ms.size(); ++i) {
-    ms[i] *= 1000.0;
-    baseline_ms[i] *= 1000.0;
-  }
-  EXPECT_GOLDEN(ratio_t(log_ratios(ms, baseline_ms))->logs.p,
-                ratio_t(log_ratios(seconds, baseline))->logs.p);
-}
-
-TEST(PairedT, ATimeWithoutALogarithmIsNamed) {
-  EXPECT_THAT([] { (void)logarithms(std::vector<double>{1, 0}); },
-              ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
 }
 
 }  // namespace

@@ -2,10 +2,8 @@
 
 #include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
@@ -22,13 +20,6 @@ TEST(Proportion, IntervalsAreThoseOfR) {
     EXPECT_GOLDEN(interval.low, golden.at(name + "low"));
     EXPECT_GOLDEN(interval.high, golden.at(name + "high"));
   }
-}
-
-TEST(Proportion, MissesMirrorSuccesses) {
-  const Interval hits = clopper_pearson(3, 20);
-  const Interval misses = clopper_pearson(17, 20);
-  EXPECT_DOUBLE_EQ(hits.low, 1.0 - misses.high);
-  EXPECT_DOUBLE_EQ(hits.high, 1.0 - misses.low);
 }
 
 }  // namespace

@@ -1,15 +1,10 @@
 #include "analysis/statistics/ranks.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(Ranks, EqualValuesShareTheMeanOfTheirRanks) {
   const Ranks ranks = rank(std::vector<double>{7, -1, 7, 3, 7, 3});

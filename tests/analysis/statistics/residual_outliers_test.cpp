@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "analysis/statistics/proportion.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
@@ -102,7 +100,7 @@ TEST(ResidualOutliers, AFewOutliersOfOneParticipantDoNotMaskEachOther) {
     found.push_back(outlier.index);
     EXPECT_NEAR(outlier.deviation, std::log(20.0), 1.2);
   }
-  EXPECT_THAT(found, testing::UnorderedElementsAre(30, 33, 37, 41));
+  EXPECT_THAT(found, UnorderedElementsAre(30, 33, 37, 41));
 }
 
 TEST(ResidualOutliers, ValuesThatTheModelFitsExactlyHaveNone) {
@@ -114,15 +112,15 @@ TEST(ResidualOutliers, ValuesThatTheModelFitsExactlyHaveNone) {
            0.1 * static_cast<double>(participant) + std::sqrt(static_cast<double>(condition))});
     }
   }
-  EXPECT_THAT(residual_outliers(values), testing::IsEmpty());
-  EXPECT_THAT(residual_outliers({}), testing::IsEmpty());
-  EXPECT_THAT(residual_outliers({{0, 0, 1.0}, {0, 1, 9.0}}), testing::IsEmpty());
+  EXPECT_THAT(residual_outliers(values), IsEmpty());
+  EXPECT_THAT(residual_outliers({}), IsEmpty());
+  EXPECT_THAT(residual_outliers({{0, 0, 1.0}, {0, 1, 9.0}}), IsEmpty());
 }
 
 TEST(ResidualOutliers, WhatOnlyOneTrialSaysOfAParticipantIsNoOutlier) {
   std::vector<TrialValue> values = clean_study(2);
   values.push_back({16, 0, 50.0});
-  EXPECT_THAT(residual_outliers(values), testing::IsEmpty());
+  EXPECT_THAT(residual_outliers(values), IsEmpty());
 }
 
 }  // namespace

@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {

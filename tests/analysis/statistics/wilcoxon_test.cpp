@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/analysis/golden.h"
 #include "tests/analysis/pairs.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::DoubleEq;
 
 TEST(Wilcoxon, RankSumsAndPValuesAreThoseOfR) {
   const auto golden = golden_inference();

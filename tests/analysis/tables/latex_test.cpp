@@ -1,12 +1,9 @@
 #include "analysis/tables/latex.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(LatexText, NamesCannotBecomeCommands) {
   EXPECT_EQ(latex_text("a_b & 50 % of #1 {x} $y$ ~^\\input"),

@@ -1,24 +1,20 @@
 #include "analysis/tables/table_formats.h"
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/tables/table.h"
 #include "renderer/base/csv.h"
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola::analysis {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
 using enum ColumnType;
 
 /// A row with a field of every kind, one with hostile texts, and one without values.
@@ -37,7 +33,7 @@ Table every_kind() {
 TEST(TableFormats, ANameOfTwoColumnsIsRefusedInEveryFormat) {
   Table table = every_kind();
   table.columns[1].name = "mean_s";
-  const auto refused = testing::ThrowsMessage<Error>(HasSubstr("mean_s: is the name of two"));
+  const auto refused = ThrowsMessage<Error>(HasSubstr("mean_s: is the name of two"));
   EXPECT_THAT([&] { (void)csv_of(table); }, refused);
   EXPECT_THAT([&] { (void)tsv_heading(table.columns); }, refused);
   EXPECT_THAT([&] { (void)json_of(table); }, refused);
