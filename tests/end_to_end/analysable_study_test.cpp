@@ -1,24 +1,16 @@
 // Whatever a protocol measures is analysed, and everything that was recorded comes out.
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/study_rows.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
 
 const std::string third_mark = "[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n";
 
@@ -39,11 +31,9 @@ class AnalysableStudy : public testing::Test, protected Hall {
 
   ProgramResult check() const { return run({"study", "check", path_of("p.toml")}); }
   ProgramResult simulate(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> command = {
-        "study",          "simulate", path_of("p.toml"), "--db", path_of("study.sqlite"),
-        "--participants", "2",        "--predicted"};
-    command.insert(command.end(), options.begin(), options.end());
-    return run(command);
+    return run(joined({"study", "simulate", path_of("p.toml"), "--db", path_of("study.sqlite"),
+                       "--participants", "2", "--predicted"},
+                      options));
   }
   /// Analyses the study into the folder out.
   ProgramResult analyse() const {
@@ -153,8 +143,7 @@ class EveryMeasure : public AnalysableStudy {
                  read_file(std::filesystem::path(TEST_DATA_DIR) /
                            "../../protocols/questionnaires/nasa-tlx.toml"));
     write_protocol(every_measure);
-    const ProgramResult simulated = simulate({"--inject", "order:1"});
-    EXPECT_EQ(simulated.exit_code, 0) << simulated.errors;
+    succeeded(simulate({"--inject", "order:1"}));
     analysed_ = analyse();
     EXPECT_EQ(analysed_.exit_code, 0) << analysed_.errors;
   }
@@ -270,27 +259,22 @@ TEST_F(AnalysableStudy, SimulatedParticipantsRefuseWhatTheyCannotJudge) {
   write_protocol("[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n" + third_mark);
   expect_one_line(simulate(), 1, "cannot judge the mark third");
   EXPECT_FALSE(std::filesystem::exists(path_of("study.sqlite")));
-  const ProgramResult drawn = simulate({"--inject", "order:1"});
-  EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+  succeeded(simulate({"--inject", "order:1"}));
   write_protocol("[[rating]]\nid = \"comfort\"\ntext = \"?\"\n");
   expect_one_line(simulate(), 1, "cannot judge the rating comfort");
   std::filesystem::remove(path_of("study.sqlite"));
   write_protocol(third_mark + "simulated = \"outline\"\n");
-  EXPECT_EQ(simulate().exit_code, 0);
+  succeeded(simulate());
 }
 
 TEST_F(AnalysableStudy, LabelsAreTheProtocolsFromTheProtocolToTheReport) {
   write_protocol(
       "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\nlabels = [\"keine & <b>\", \"überall\"]\n");
-  ASSERT_EQ(simulate({"--inject", "order:1"}).exit_code, 0);
-  const ProgramResult analysed =
-      run_foveola({"analyze", path_of("study.sqlite"), "-o", path_of("out")});
-  ASSERT_EQ(analysed.exit_code, 0) << analysed.errors;
+  succeeded(simulate({"--inject", "order:1"}));
+  const ProgramResult analysed = succeeded(analyse());
   EXPECT_THAT(analysed.output,
               AllOf(HasSubstr("1 keine & <b> to 5 überall"), Not(HasSubstr("not discernible"))));
-  EXPECT_THAT(
-      read_file(own_folder() / "out/report.html"),
-      AllOf(HasSubstr("1 keine &amp; &lt;b&gt; to 5 überall"), Not(HasSubstr("not discernible"))));
+  EXPECT_THAT(written("report.html"), HasSubstr("1 keine &amp; &lt;b&gt; to 5 überall"));
 }
 
 TEST_F(AnalysableStudy, AForgottenParticipantIsInNoFileOfTheNextAnalysis) {
@@ -310,12 +294,12 @@ TEST_F(AnalysableStudy, AForgottenParticipantIsInNoFileOfTheNextAnalysis) {
     return files;
   };
   const std::vector<std::string> analyse = {"analyze", study, "--bids", "-o", path_of("out")};
-  ASSERT_EQ(run_foveola(analyse).exit_code, 0);
-  EXPECT_THAT(files_of_p001(), testing::Contains(HasSubstr("recording-eye1_physio.tsv.gz")));
+  succeeded(run_foveola(analyse));
+  EXPECT_THAT(files_of_p001(), Contains(HasSubstr("recording-eye1_physio.tsv.gz")));
   const ProgramResult forgotten = run({"study", "forget", study, "P001", "--yes"});
   EXPECT_EQ(forgotten.exit_code, 1) << "the analysis still holds the participant";
   EXPECT_THAT(forgotten.output, HasSubstr("recording-eye1_physio.tsv.gz: is named after P001\n"));
-  ASSERT_EQ(run_foveola(analyse).exit_code, 0);
+  succeeded(run_foveola(analyse));
   EXPECT_THAT(files_of_p001(), IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(path_of("out/bids/participants.tsv")));
 }

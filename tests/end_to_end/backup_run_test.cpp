@@ -1,23 +1,15 @@
 // A session whose study is copied to another disk.
 #include <filesystem>
 
-#include <gmock/gmock.h>
-
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/small_disk.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   return {fs::directory_iterator(folder), fs::directory_iterator()};
@@ -28,8 +20,7 @@ class BackupRun : public StudyRun {
   void run_to_the_last_page(const fs::path& backup_folder) {
     participant_.write_protocol(one_trial_keys, short_look);
     participant_.begin({"--backup-to", backup_folder});
-    participant_.answer_page("Return");  // welcome
-    participant_.answer_page("Return");  // choosing
+    participant_.begin_trials();
     time_trial();
     rate("3");
     EXPECT_EQ(participant_.wait_for_page(), "completed");

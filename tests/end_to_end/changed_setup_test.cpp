@@ -1,25 +1,18 @@
 // Sessions on other equipment than they, or those before them, had.
-#include <gmock/gmock.h>
 
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class ChangedSetup : public StudyRun {
  protected:
   void begin_and_quit(const std::vector<std::string>& options) {
     participant_.begin(options);
     participant_.wait_for_page();
-    participant_.program().type_line("quit");
-    EXPECT_EQ(participant_.program().wait_for_end(), 0);
+    participant_.quit();
   }
 
   ProgramResult refused(const std::string& participant, std::vector<std::string> options) {
@@ -54,16 +47,6 @@ TEST_F(ChangedSetup, ASessionIsContinuedAsItBegan) {
   EXPECT_THAT(warnings, Contains(HasSubstr("pixels: 640 x 480 in P1; 480 x 360 in P1")));
 }
 
-TEST_F(ChangedSetup, AnotherParticipantIsWarnedOfOrRefused) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  begin_and_quit({});
-  participant_.seat("P2");
-  participant_.set_window("480x360");
-  begin_and_quit({});
-  EXPECT_THAT(participant_.program().said(),
-              HasSubstr("WARNING: other equipment: pixels 480 x 360 (P1: 640 x 480)."));
-}
-
 TEST_F(ChangedSetup, IsRefusedWhereTheProtocolAsksForTheSame) {
   participant_.write_protocol(one_trial_keys,
                               std::string("[preflight]\nsame_display = true\n") + short_look);
@@ -74,14 +57,6 @@ TEST_F(ChangedSetup, IsRefusedWhereTheProtocolAsksForTheSame) {
   begin_and_quit({"--despite-changes"});
   EXPECT_THAT(participant_.ask("SELECT text FROM note WHERE text LIKE 'despite changes: %'"),
               ElementsAre(HasSubstr("pixels 480 x 360 (P1: 640 x 480)")));
-}
-
-TEST_F(ChangedSetup, AWindowOfOnePixelBeginsNothing) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  const ProgramResult result = participant_.run_besides("P1", {"--window", "1x1"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.errors, HasSubstr("preflight: misses"));
-  EXPECT_THAT(participant_.ask("SELECT id FROM session"), IsEmpty());
 }
 
 }  // namespace

@@ -2,20 +2,15 @@
 #include <filesystem>
 #include <fstream>
 
-#include <gmock/gmock.h>
-
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/stepped_clock.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::FieldsAre;
-using ::testing::HasSubstr;
 
 class RunBeforeClocks : public StudyRun {
  protected:
@@ -33,9 +28,8 @@ class RunBeforeClocks : public StudyRun {
   void begin_trial() {
     participant_.write_protocol(one_trial_keys, short_look);
     participant_.begin();
-    participant_.answer_page("Return");  // welcome
-    participant_.answer_page("Return");  // choosing
-    participant_.answer_page("space");   // ready
+    participant_.begin_trials();
+    participant_.answer_page("space");  // ready
     EXPECT_EQ(participant_.wait_for_page(), "marking");
   }
 

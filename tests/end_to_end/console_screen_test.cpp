@@ -1,17 +1,11 @@
 // The experimenter's console as a screen of the terminal, through a session.
-#include <gmock/gmock.h>
 
 #include "tests/at_terminal.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 TEST_F(StudyRun, IsSeenAndSteeredOnOneScreen) {
   participant_.write_protocol(one_trial_keys, short_look);

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -15,15 +14,12 @@
 #include "tests/at_terminal.h"
 #include "tests/end_to_end/small_disk.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class CutOffRun : public StudyRun {
  protected:
@@ -31,9 +27,8 @@ class CutOffRun : public StudyRun {
   void begin_trial() {
     participant_.write_protocol(one_trial_keys, short_look);
     participant_.begin();
-    participant_.answer_page("Return");  // welcome
-    participant_.answer_page("Return");  // choosing
-    participant_.answer_page("space");   // ready
+    participant_.begin_trials();
+    participant_.answer_page("space");  // ready
     participant_.answer_page("space");
     participant_.program().wait_for("outline was marked");
   }
@@ -59,8 +54,7 @@ class CutOffRun : public StudyRun {
     time_trial();
     rate("3");
     end_by_enter();
-    const study::Verification verified = study::verify_study(participant_.database());
-    EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+    participant_.expect_no_fault();
     EXPECT_THAT(participant_.ask("SELECT attempt, outcome FROM attempt ORDER BY attempt"),
                 ElementsAre("1|interrupted", "2|rated"));
   }
@@ -174,8 +168,7 @@ TEST_F(CutOffRun, ADiskThatIsFullAtTheEndCostsNothingButTheBackup) {
               AllOf(HasSubstr("all that P1 did is in "), HasSubstr("but its backup failed: "),
                     HasSubstr("make one with foveola study backup")));
   disk.make_room();
-  const study::Verification verified = study::verify_study(participant_.database());
-  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+  participant_.expect_no_fault();
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("completed"));
 }
 

@@ -2,29 +2,21 @@
 #include <csignal>
 #include <filesystem>
 
-#include <gmock/gmock.h>
-#include <sqlite3.h>
-
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
 TEST_F(StudyRun, AParticipantMayStop) {
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin();
-  participant_.answer_page("Return");  // welcome
-  participant_.answer_page("Return");  // choosing
+  participant_.begin_trials();
   participant_.answer_page("Escape");  // ready
   participant_.answer_page("BackSpace");
   participant_.wait_for_page();
@@ -60,8 +52,7 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
   program.wait_for("The session goes on");
   program.type_line("withdraw P1");
   program.wait_for("stopped taking part");
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
+  participant_.quit();
   EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
               ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn",
                           "end_undone", "resumed", "withdrawn"));
@@ -76,8 +67,7 @@ TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
   participant_.program().type_line("withdraw P1");
   participant_.program().wait_for("stopped taking part");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
 
   participant_.begin({"--resume", "--undo-end"});
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
@@ -88,56 +78,10 @@ TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("completed"));
   EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence LIMIT 5"),
               ElementsAre("session_started", "withdrawn", "end_undone", "note_written", "resumed"));
-  EXPECT_THAT(study::verify_study(participant_.database()).faults, IsEmpty());
+  participant_.expect_no_fault();
   EXPECT_EQ(participant_.replay().exit_code, 0);
   EXPECT_THAT(participant_.run_besides("P1", {"--resume", "--undo-end"}).errors,
               HasSubstr("which is completed"));
-}
-
-/// As if the last event had been recorded by a clock that was ten years ahead.
-void date_last_event_ahead(const fs::path& study) {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(study.c_str(), &database), SQLITE_OK);
-  const std::string guard =
-      value_of(study, "SELECT sql FROM sqlite_schema WHERE name = 'event_is_fixed'");
-  const std::string sql =
-      "DROP TRIGGER event_is_fixed; UPDATE event SET utc ="
-      " strftime('%Y-%m-%dT%H:%M:%fZ', utc, '+10 years') WHERE sequence ="
-      " (SELECT max(sequence) FROM event); " +
-      guard;
-  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
-  sqlite3_close(database);
-}
-
-TEST_F(StudyRun, AClockThatWasSetBackMeanwhileIsNoted) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin();
-  participant_.wait_for_page();
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
-  date_last_event_ahead(participant_.database());
-
-  participant_.begin({"--resume"});
-  participant_.wait_for_page();
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
-  EXPECT_THAT(participant_.ask("SELECT text FROM note ORDER BY sequence"),
-              ElementsAre(testing::StartsWith("goes on with "),
-                          AllOf(testing::StartsWith("the computer's clock was set back by 365"),
-                                HasSubstr(" days since 20"))));
-}
-
-TEST_F(StudyRun, TheExperimenterMayExclude) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin();
-  participant_.wait_for_page();
-  participant_.program().type_line("exclude P1 the tracker failed");
-  participant_.program().wait_for("The session was excluded: the tracker failed");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
-  EXPECT_THAT(participant_.ask("SELECT type, json_extract(payload, '$.reason') FROM event "
-                               "ORDER BY sequence"),
-              ElementsAre("session_started|-", "excluded|the tracker failed"));
 }
 
 TEST_F(StudyRun, CodesThatDifferInCapitalLettersOnlyAreWarnedOf) {
@@ -146,8 +90,7 @@ TEST_F(StudyRun, CodesThatDifferInCapitalLettersOnlyAreWarnedOf) {
     participant_.seat(code);
     participant_.begin();
     participant_.wait_for_page();
-    participant_.program().type_line("quit");
-    EXPECT_EQ(participant_.program().wait_for_end(), 0);
+    participant_.quit();
     EXPECT_EQ(participant_.program().said().find("p1 is another participant than P1") !=
                   std::string::npos,
               std::string(code) == "p1");

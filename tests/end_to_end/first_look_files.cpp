@@ -1,6 +1,5 @@
 #include "tests/end_to_end/first_look_files.h"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>

@@ -1,17 +1,13 @@
 // A person's own file, without a camera or without light, rendered with no options at all.
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/first_look_files.h"
 #include "tests/end_to_end/program.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 class FirstLook : public testing::TestWithParam<FirstLookFile> {
  protected:
@@ -75,13 +71,12 @@ TEST_P(FirstLook, FillsAFairPartOfThePicture) {
   if (GetParam().is_empty) {
     GTEST_SKIP() << "there is nothing to see";
   }
-  const ProgramResult result = render("seen.exr", {"--environment", "1,1,1", "--variance"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  succeeded(render("seen.exr", {"--environment", "1,1,1", "--variance"}));
   const double covered = share_before_sky(film_image("seen.exr"));
   EXPECT_GE(covered, GetParam().least_covered);
   EXPECT_LE(covered, GetParam().most_covered);
   if (!GetParam().is_enclosed) {
-    ASSERT_EQ(render("seen.png", {"--environment", "1,1,1"}).exit_code, 0);
+    succeeded(render("seen.png", {"--environment", "1,1,1"}));
     expect_something_to_see(picture("seen.png"));
   }
 }

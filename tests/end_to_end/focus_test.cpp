@@ -2,18 +2,13 @@
 #include <chrono>
 #include <thread>
 
-#include <gmock/gmock.h>
-
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 using namespace std::chrono_literals;
 
 /// By the name of the window manager; none: "".
@@ -30,9 +25,8 @@ TEST_P(Managed, KeysThatGoElsewhereCostNoMark) {
   participant_.write_protocol(one_trial_keys, "[timing]\nmark_timeout_s = 4\nrating_s = 0.2\n");
   participant_.begin();
   RunningProgram& program = participant_.program();
-  participant_.answer_page("Return");  // welcome
-  participant_.answer_page("Return");  // choosing
-  participant_.answer_page("space");   // ready
+  participant_.begin_trials();
+  participant_.answer_page("space");  // ready
   EXPECT_EQ(participant_.wait_for_page(), "marking");
   participant_.focus_elsewhere();
   EXPECT_EQ(participant_.wait_for_page(), "paused");
@@ -53,7 +47,7 @@ TEST_P(Managed, KeysThatGoElsewhereCostNoMark) {
   EXPECT_THAT(participant_.ask("SELECT text FROM note"),
               Contains(StartsWith("the window lost the keyboard")));
   EXPECT_THAT(participant_.ask("SELECT * FROM mark WHERE censored = 1"), IsEmpty());
-  EXPECT_THAT(study::verify_study(participant_.database()).faults, IsEmpty());
+  participant_.expect_no_fault();
 }
 
 INSTANTIATE_TEST_SUITE_P(By, Managed, testing::Values("", "openbox", "twm"),
@@ -69,8 +63,7 @@ TEST_F(StudyRun, AWindowThatIsNotSeenPauses) {
   participant_.minimise();
   participant_.program().wait_for("Note: the window is hidden");
   participant_.program().wait_for("The session pauses.");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
 }
 
 }  // namespace

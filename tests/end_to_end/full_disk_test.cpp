@@ -3,21 +3,13 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/files.h"
 #include "tests/end_to_end/small_disk.h"
 #include "tests/end_to_end/study_of_a_hall.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 using FullDisk = StudyOfAHall;
 
@@ -28,7 +20,7 @@ TEST_F(FullDisk, IsThatOfTheFileThatIsWritten) {
   const auto source = [&](const std::string& name) { return (folder / name).string(); };
   write_file(folder / "room.gltf", room_gltf());
   copy_published_numbers();
-  ASSERT_EQ(simulate("study.sqlite").exit_code, 0);
+  succeeded(simulate("study.sqlite"));
   const SmallDisk disk(folder / "disk");
   const auto target = [&](const std::string& name) { return (disk.folder() / name).string(); };
   std::filesystem::create_directory_symlink(disk.folder(), folder / "study.sqlite.backups");

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/angles.h"
@@ -11,18 +10,11 @@
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/headset_run.h"
 #include "tests/end_to_end/preview_command.h"
+#include "tests/matchers.h"
 #include "tests/openxr/scripted_headset.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::ContainsRegex;
-using ::testing::Each;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 /// Small pictures at 30 Hz, for a machine that draws with its processor, whose lenses show no upper
 /// left corner.
@@ -59,8 +51,7 @@ TEST_F(HeadsetPreview, FollowsTheHeadAndTheEyes) {
                  "gaze_sample_time": [{"time": 0, "policy": "true", "delay_ms": 10}])"));
   const std::string file = folder_ / "last.png";
   const ProgramResult result =
-      preview({"--headset", "--frames", "40", "--screenshot", file, "--fill-unsampled"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
+      succeeded(preview({"--headset", "--frames", "40", "--screenshot", file, "--fill-unsampled"}));
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_EQ(json.at("display"), "openxr");
   EXPECT_EQ(json.at("tracker"), "openxr");
@@ -138,8 +129,7 @@ TEST_F(HeadsetRun, AWholeSessionNeedsNoKeyboard) {
   EXPECT_EQ(found.at("headset").at("eyes").size(), 2U);
   EXPECT_EQ(found.at("display").at("seen").front().get<std::string>().front(), '0')
       << "the upper left corner";
-  const ProgramResult replayed = participant_.replay();
-  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const ProgramResult replayed = succeeded(participant_.replay());
   EXPECT_THAT(replayed.output, AllOf(ContainsRegex("hall, vp.*the same, bit for bit"),
                                      ContainsRegex("hall, fv.*the same, bit for bit")));
 }

@@ -1,9 +1,8 @@
 // What is injected in a study has to be found by its analysis, and nothing where nothing is.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/hall.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
@@ -41,11 +40,9 @@ mark_timeout_s = 120
   nlohmann::json analysis_of(const std::string& effect, int seed = 1) const {
     const std::string name = "study-" + std::to_string(seed);
     const std::string database = (folder / (name + ".sqlite")).string();
-    const ProgramResult simulated = simulate(effect, seed, database);
-    EXPECT_EQ(simulated.exit_code, 0) << simulated.errors;
+    succeeded(simulate(effect, seed, database));
     const ProgramResult analysed =
-        run_foveola({"analyze", database, "-o", (folder / name).string(), "--json"});
-    EXPECT_EQ(analysed.exit_code, 0) << analysed.errors;
+        succeeded(run_foveola({"analyze", database, "-o", (folder / name).string(), "--json"}));
     return nlohmann::json::parse(analysed.output);
   }
 };
@@ -154,8 +151,7 @@ TEST_F(InjectedEffectsStudy, AnUnknownRatingIsRefusedWithThoseThereAre) {
   const ProgramResult refused =
       simulate("shift-rating:comfrt:fv:1", 1, (folder / "none.sqlite").string());
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors,
-              testing::HasSubstr("no rating 'comfrt'; choose one of comfort, effort"));
+  EXPECT_THAT(refused.errors, HasSubstr("no rating 'comfrt'; choose one of comfort, effort"));
 }
 
 TEST_F(InjectedEffectsStudy, NothingIsFoundWhereNothingWasInjected) {

@@ -1,17 +1,13 @@
 // The experimenter's console for machines, through a whole session.
 #include <sstream>
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::HasSubstr;
 
 /// Of all lines but those of standard error.
 std::vector<nlohmann::json> objects_in(const std::string& lines) {
@@ -28,8 +24,7 @@ std::vector<nlohmann::json> objects_in(const std::string& lines) {
 TEST_F(StudyRun, TellsMachinesAllOfIt) {
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin({"--json"});
-  participant_.answer_page("Return");  // welcome
-  participant_.answer_page("Return");  // choosing
+  participant_.begin_trials();
   time_trial();
   participant_.program().wait_for("\"last_mark\":\"material was marked after");
   participant_.program().type_line("note it rings");

@@ -2,23 +2,18 @@
 // whatever becomes of the program, it reads them as they were, and continues one of schema 5. What
 // is expected was read from their tables by sqlite3.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/seated_participant.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 std::string kept_file(const std::string& name, const std::string& schema = "schema-4") {
   return read_file(fs::path(TEST_DATA_DIR) / schema / name);
@@ -50,8 +45,7 @@ class KeptStudy : public testing::Test {
   /// What a command says with --json, which must succeed.
   nlohmann::json json_of(std::vector<std::string> arguments) const {
     arguments.emplace_back("--json");
-    const ProgramResult result = run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    const ProgramResult result = succeeded(run(arguments));
     return nlohmann::json::parse(result.output);
   }
 
@@ -106,8 +100,8 @@ TEST_F(KeptStudy, GivesItsGazeOut) {
 }
 
 TEST_F(KeptStudy, IsAnalysedAsItWas) {
-  const ProgramResult analysed = run_foveola({"analyze", study_, "-o", path_of("report")});
-  ASSERT_EQ(analysed.exit_code, 0) << analysed.errors;
+  const ProgramResult analysed =
+      succeeded(run_foveola({"analyze", study_, "-o", path_of("report")}));
   std::vector<std::string> trials;
   for (NamedFields& row : rows_of_csv(hall_.folder / "report/trials_long.csv")) {
     if (row["status"] == "analysed" && row["trial_kind"] == "test") {
@@ -125,7 +119,7 @@ TEST_F(KeptStudy, IsAnalysedAsItWas) {
   for (NamedFields& row : rows_of_csv(hall_.folder / "report/latency.csv")) {
     frames.push_back(row["participant"] + " " + row["frames"]);
   }
-  EXPECT_THAT(frames, testing::Contains("PROGRAM-1 81"));
+  EXPECT_THAT(frames, Contains("PROGRAM-1 81"));
 }
 
 // Which films come out depends on the program and the processor; what happened does not.
@@ -147,14 +141,14 @@ TEST_F(KeptStudy, IsReplayed) {
 TEST_F(KeptStudy, IsMergedWithItsOwnKindAlone) {
   const std::string part = hall_.folder.write("part/part.sqlite", kept_file("study.sqlite"));
   for (const char* participant : {"PROGRAM-1", "PROGRAM-2"}) {
-    EXPECT_EQ(run({"study", "forget", part, participant, "--yes"}).exit_code, 0);
+    succeeded(run({"study", "forget", part, participant, "--yes"}));
   }
   const std::string all = path_of("all.sqlite");
   EXPECT_THAT(run({"study", "merge", part, study_, "-o", all}).output,
               HasSubstr(": 6 sessions, 4 of them in several files: "));
   EXPECT_THAT(json_of({"study", "verify", all}).at("faults"), IsEmpty());
   const std::string newer = path_of("newer.sqlite");
-  ASSERT_EQ(run({"study", "simulate", "keys", "--db", newer, "--participants", "1"}).exit_code, 0);
+  succeeded(run({"study", "simulate", "keys", "--db", newer, "--participants", "1"}));
   expect_one_line(run({"study", "merge", study_, newer, "-o", path_of("both.sqlite")}), 1,
                   "newer.sqlite: has schema 5, and " + study_ + " has 4");
 }
@@ -177,8 +171,8 @@ TEST(KeptNewStudy, IsReadAndContinuedAsItWas) {
   copy_kept_study(participant.folder(), "schema-5", "hall.glb");
   const std::string study = participant.database();
   const fs::path head = fs::path(TEST_DATA_DIR) / "schema-5/head.txt";
-  const ProgramResult verified = run_foveola({"study", "verify", study, "--head", head.string()});
-  EXPECT_EQ(verified.exit_code, 0) << verified.errors;
+  const ProgramResult verified =
+      succeeded(run_foveola({"study", "verify", study, "--head", head.string()}));
   EXPECT_THAT(verified.output,
               AllOf(HasSubstr("sessions  2\nevents    19\nchunks    4\nfaults    0\n"),
                     HasSubstr("PROGRAM-2: trial 0, attempt 1 is open: no event states its frames,"
@@ -202,7 +196,7 @@ TEST(KeptNewStudy, IsReadAndContinuedAsItWas) {
   }
   participant.answer_page("Return");
   EXPECT_EQ(participant.program().wait_for_end(), 0);
-  EXPECT_EQ(run_foveola({"study", "verify", study, "--head", head.string()}).exit_code, 0);
+  succeeded(run_foveola({"study", "verify", study, "--head", head.string()}));
   EXPECT_THAT(participant.ask("SELECT trial, attempt, outcome FROM attempt WHERE session = 3"),
               ElementsAre("0|1|interrupted", "0|2|rated", "1|1|rated"));
   EXPECT_THAT(

@@ -12,15 +12,13 @@
 #include <thread>
 #include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/csv.h"
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_rows.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
@@ -83,10 +81,7 @@ struct UninterruptedStudy {
     events = count_events(database);
   }
 
-  void finish(const fs::path& study) const {
-    const ProgramResult result = hall.run(command(study));
-    ASSERT_EQ(result.exit_code, 0) << result.errors;
-  }
+  void finish(const fs::path& study) const { succeeded(hall.run(command(study))); }
 
   Hall hall;
   fs::path database = hall.folder / "uninterrupted.sqlite";
@@ -161,9 +156,9 @@ class Kill : public testing::Test {
     uninterrupted().finish(study_);
     const Rows log = log_of(study_);
     for (const std::string& event : acknowledged_) {
-      EXPECT_THAT(log, testing::Contains(event)) << "was lost";
+      EXPECT_THAT(log, Contains(event)) << "was lost";
     }
-    EXPECT_THAT(results_of(study_), testing::ElementsAreArray(uninterrupted().results));
+    EXPECT_THAT(results_of(study_), ElementsAreArray(uninterrupted().results));
     const study::Verification verified = study::verify_study(study_);
     EXPECT_GT(verified.events, 0U);
     for (const study::RecordFault& fault : verified.faults) {
@@ -292,8 +287,7 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
   std::vector<Tables> tables;
   for (const fs::path& study : {study_, uninterrupted().database}) {
     const fs::path output = study.string() + ".analysis";
-    const ProgramResult analysed = run_foveola({"analyze", study.string(), "-o", output.string()});
-    ASSERT_EQ(analysed.exit_code, 0) << analysed.errors;
+    succeeded(run_foveola({"analyze", study.string(), "-o", output.string()}));
     tables.push_back(tables_in(output));
   }
   EXPECT_FALSE(tables[0].empty());
@@ -308,7 +302,7 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
   const std::vector<CsvRow> again = tables[0].at("trials_timed_again.csv");
   ASSERT_LE(again.size(), 2U);
   if (again.size() == 2) {
-    EXPECT_THAT(again.back(), testing::Contains("interrupted"));
+    EXPECT_THAT(again.back(), Contains("interrupted"));
     for (Tables& of_study : tables) {
       of_study.at("trials_timed_again.csv").resize(1);
       for (auto& [name, table] : of_study) {
@@ -322,7 +316,7 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
 // By Ctrl-C, which the program answers itself.
 TEST_F(Kill, AStoppedStudyGoesOnAsWell) {
   ASSERT_NO_FATAL_FAILURE(end_early_by(SIGINT, [&] { return has_events(events_ / 3); }));
-  EXPECT_THAT(said_, testing::HasSubstr("with --resume goes on"));
+  EXPECT_THAT(said_, HasSubstr("with --resume goes on"));
   EXPECT_EQ(rows_of(study_, "SELECT state FROM session WHERE state <> 'completed'"),
             Rows{"interrupted"});
   finish_and_compare();
@@ -376,9 +370,8 @@ TEST_F(Kill, ASessionOfAnotherSeedIsNotResumed) {
   *(std::find(other.begin(), other.end(), "--seed") + 1) = "12";
   const ProgramResult refused = hall_.run(other);
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.errors, testing::AllOf(testing::HasSubstr("unfinished session of P001"),
-                                             testing::HasSubstr("seed 11, not 12"),
-                                             testing::HasSubstr("--seed 11")));
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("unfinished session of P001"),
+                                    HasSubstr("seed 11, not 12"), HasSubstr("--seed 11")));
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 // That no command leaves memory behind. Part of a build with the address sanitizer only, whose leak
 // detector is switched on here alone: Clang 14's failed in some processes that end while one of
 // their threads does, and a command that it failed in is run again.
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/end_to_end/hall.h"

@@ -4,18 +4,15 @@
 #include <thread>
 
 #include <SQLiteCpp/Database.h>
-#include <gmock/gmock.h>
 
 #include "renderer/base/angles.h"
 #include "study/record/database.h"
 #include "study/record/recorded_frames.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class Looking : public StudyRun {
  protected:
@@ -23,8 +20,7 @@ class Looking : public StudyRun {
   void choose_wall(const std::string& keys, const std::string& tables) {
     participant_.write_protocol(keys, tables + short_look);
     participant_.begin();
-    participant_.answer_page("Return");  // welcome
-    participant_.answer_page("Return");  // choosing
+    participant_.begin_trials();
   }
 
   /// The view is 16 degrees wide, and a keystroke turns it by more than two.
@@ -105,8 +101,7 @@ TEST_F(Looking, AfterAResumptionTheViewIsTheTrialsOwn) {
   participant_.wait_for_page();        // choosing: the wall is ahead, Tab goes on to the lamp
   participant_.type_all({"Tab", "Return"});
   EXPECT_EQ(participant_.wait_for_page(), "ready");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
 
   participant_.begin({"--resume"});
   time_trial();

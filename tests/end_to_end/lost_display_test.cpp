@@ -1,18 +1,12 @@
 // The X server goes away under the window: one line, and what was recorded stays.
 #include <string>
 
-#include <gmock/gmock.h>
-
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::MatchesRegex;
 
 /// That the display broke is the last line that was said, and the only one about it.
 void expect_last_line(const std::string& said, const std::string& remedy) {

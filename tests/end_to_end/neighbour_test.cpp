@@ -14,7 +14,6 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <sqlite3.h>
 
 #include "renderer/base/files.h"
@@ -23,15 +22,12 @@
 #include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
 #include "tests/file_locks.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// Consent and two trials.
 constexpr const char* two_trials_keys = R"(
@@ -207,10 +203,9 @@ TEST_F(RunWithNeighbours, WhatOtherProgramsReadIsNotLostByAKill) {
     reads += readers.times();
     const std::string of_participant =
         fmt::format(" JOIN session ON session.id = session WHERE participant = 'P{}'", i);
-    EXPECT_THAT(participant_.ask("SELECT type FROM event" + of_participant),
-                testing::Contains(moment.event))
+    EXPECT_THAT(participant_.ask("SELECT type FROM event" + of_participant), Contains(moment.event))
         << moment.page;
-    EXPECT_THAT(log_of(study()), testing::IsSupersetOf(acknowledged)) << moment.page;
+    EXPECT_THAT(log_of(study()), IsSupersetOf(acknowledged)) << moment.page;
     EXPECT_THAT(study::verify_study(study()).faults, IsEmpty()) << moment.page;
   }
   for (const auto& [page, times] : killed) {
@@ -231,8 +226,7 @@ TEST_F(RunWithNeighbours, AnothersLockIsWaitedForAndSaid) {
   sqlite3_close(other);
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
   note("after");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
   EXPECT_THAT(study::verify_study(study()).faults, IsEmpty());
 }
 
@@ -352,7 +346,7 @@ file = "form.toml"
                 AllOf(HasSubstr("is read by the command, too"), HasSubstr("name another file")));
     EXPECT_TRUE(folder_.content() == before);
   }
-  EXPECT_EQ(render("room.png", {"--spp", "1", "--size", "16x8"}).exit_code, 0);
+  succeeded(render("room.png", {"--spp", "1", "--size", "16x8"}));
   EXPECT_EQ(render("room.png", {"--spp", "1", "--size", "16x8"}).exit_code, 0) << "once more";
 }
 

@@ -1,32 +1,25 @@
 // A study of a user's own scene.
 #include "tests/end_to_end/own_scene.h"
 
-#include <string>
-
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 TEST_F(OwnScene, IsShownAsTheDescriptorBesideItSays) {
-  const ProgramResult result =
-      run({"render", path("kitchen.glb"), "-o", path("x.png"), "--size", "16x8", "--spp", "1"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const ProgramResult result = succeeded(
+      run({"render", path("kitchen.glb"), "-o", path("x.png"), "--size", "16x8", "--spp", "1"}));
   EXPECT_THAT(result.errors, HasSubstr("kitchen.glb is shown as kitchen.toml beside it says"));
 }
 
 TEST_F(OwnScene, IsFoundBesideTheProtocol) {
-  const ProgramResult checked = run({"study", "check", path("study.toml")});
-  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  const ProgramResult checked = succeeded(run({"study", "check", path("study.toml")}));
   EXPECT_THAT(checked.output, AllOf(HasSubstr("kitchen"), HasSubstr("Stove")));
-  EXPECT_EQ(simulate().exit_code, 0);
+  succeeded(simulate());
 }
 
 TEST_F(OwnScene, AChangedDescriptorIsAnotherScene) {
-  ASSERT_EQ(simulate().exit_code, 0);
+  succeeded(simulate());
   write("kitchen.toml", descriptor("Fridge"));
   const ProgramResult refused = run({"study", "simulate", path("study.toml"), "--db",
                                      path("study.sqlite"), "--participants", "2"});

@@ -1,19 +1,12 @@
 // What is measured before a session: said, recorded, and refused where the protocol asks for more.
-#include <gmock/gmock.h>
 
 #include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 const char* const goggles = R"(
 title = "Goggles"
@@ -31,9 +24,8 @@ class PreflightRun : public StudyRun {
   /// A run that is refused before there is a session.
   ProgramResult refused_with(const std::string& gate, const std::vector<std::string>& options) {
     participant_.write_protocol(one_trial_keys, "[preflight]\n" + gate + short_look);
-    std::vector<std::string> all = {"--window", "320x240"};
-    all.insert(all.end(), options.begin(), options.end());
-    const ProgramResult result = participant_.run_besides("P1", all);
+    const ProgramResult result =
+        participant_.run_besides("P1", joined({"--window", "320x240"}, options));
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.output, HasSubstr("REFUSED"));
     EXPECT_THAT(result.errors, AllOf(HasSubstr("preflight: misses what the protocol asks for"),
@@ -58,12 +50,6 @@ TEST_F(PreflightRun, ATrackerThatSendsNothingBeginsNothing) {
       HasSubstr("asks for: gaze rate, gaze age;"));
 }
 
-TEST_F(PreflightRun, AMouseIsNoTrackedEye) {
-  const ProgramResult result = refused_with("tracked_eye = true\n", {});
-  EXPECT_THAT(result.errors, HasSubstr("asks for: eye;"));
-  EXPECT_THAT(result.output, HasSubstr("THE MOUSE'S POINTER STANDS FOR THE EYE"));
-}
-
 TEST_F(PreflightRun, ARehearsalOfAHeadsetsProtocolIsToldAndOfferedAMonitor) {
   participant_.write_protocol(one_trial_keys,
                               std::string("[preflight]\ntracked_eye = true\n") + short_look);
@@ -75,8 +61,7 @@ TEST_F(PreflightRun, ARehearsalOfAHeadsetsProtocolIsToldAndOfferedAMonitor) {
                                                    HasSubstr("STANDS IN FOR THE HEADSET GOGGLES"),
                                                    HasSubstr("--display desktop --tracker pointer"),
                                                    ContainsRegex("eye +REFUSED +simulated")));
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
+  participant_.quit();
   EXPECT_THAT(participant_.ask("SELECT devices ->> '$.preflight.eye' FROM session"),
               ElementsAre("simulated"));
   EXPECT_THAT(participant_.ask("SELECT text FROM note"),
@@ -88,8 +73,7 @@ TEST_F(PreflightRun, ItsFiguresAreInTheRecord) {
   participant_.begin();
   EXPECT_THAT(participant_.program().said(),
               AllOf(Not(HasSubstr("HEADSET")), HasSubstr("128 x 64 pixels of 2.8 degrees")));
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
+  participant_.quit();
   EXPECT_THAT(participant_.ask("SELECT devices ->> '$.preflight.speeds[0].scene',"
                                " devices ->> '$.preflight.speeds[0].frames' > 0,"
                                " devices ->> '$.preflight.speeds[0].samples_per_second' > 1,"

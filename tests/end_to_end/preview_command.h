@@ -17,10 +17,8 @@ namespace foveola::test {
 class PreviewCommand : public ::testing::Test {
  protected:
   std::vector<std::string> command(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments = {"preview",  scene_,    "--size", "512x256",
-                                          "--window", "200x160", "--json"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return arguments;
+    return joined({"preview", scene_, "--size", "512x256", "--window", "200x160", "--json"},
+                  options);
   }
 
   ProgramResult preview(const std::vector<std::string>& options) const {

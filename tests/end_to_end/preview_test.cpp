@@ -1,49 +1,25 @@
 // The live preview, as its user runs it: on a display without a screen.
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 #include <tuple>
 #include <utility>
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/preview_command.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
-
 /// Of the targets around the middle of a window of 200 x 160: four fifths of the way to its sides.
 constexpr int reach_px = 80;
 constexpr int rise_px = 64;
-
-TEST_F(PreviewCommand, WritesItsLastPicture) {
-  const std::string file = folder_ / "last.png";
-  const ProgramResult result =
-      preview({"--frames", "25", "--screenshot", file, "--fill-unsampled"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
-  const auto json = nlohmann::json::parse(result.output);
-  EXPECT_EQ(json.at("frame_count"), 25);
-  EXPECT_THAT(json.at("methods"), ElementsAre("fv"));
-  const FilmImage picture = read_film_image(file);
-  EXPECT_EQ(picture.color.width, 200);
-  EXPECT_EQ(picture.color.height, 160);
-  double sum = 0.0;
-  for (const Rgb& color : picture.color.pixels) {
-    sum += color.g;
-  }
-  EXPECT_GT(sum / (200 * 160), 0.02);
-}
 
 /// The mean of the green of a file's pixels.
 double mean_green(const std::string& file) {
@@ -55,14 +31,24 @@ double mean_green(const std::string& file) {
   return sum / static_cast<double>(picture.pixels.size());
 }
 
+TEST_F(PreviewCommand, WritesItsLastPicture) {
+  const std::string file = folder_ / "last.png";
+  const ProgramResult result =
+      succeeded(preview({"--frames", "25", "--screenshot", file, "--fill-unsampled"}));
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json.at("frame_count"), 25);
+  EXPECT_THAT(json.at("methods"), ElementsAre("fv"));
+  EXPECT_EQ(image_size(file), IVec2(200, 160));
+  EXPECT_GT(mean_green(file), 0.02);
+}
+
 /// From 9 m above the room's ceiling, nothing but the environment is overhead.
 TEST_F(PreviewCommand, StandsAndIsLitAsRenderIs) {
   const std::string file = folder_ / "last.png";
   const auto seen = [&](const std::string& stops) {
-    const ProgramResult result = preview(
+    const ProgramResult result = succeeded(preview(
         {"--frames", "10", "--screenshot", file, "--fill-unsampled", "--camera", "0,11,0", "--head",
-         "0,89", "--environment", "0.125,0.125,0.125", "--exposure", "fixed:" + stops});
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+         "0,89", "--environment", "0.125,0.125,0.125", "--exposure", "fixed:" + stops}));
     EXPECT_THAT(result.errors, Not(HasSubstr("camera")));
     return mean_green(file);
   };
@@ -73,9 +59,8 @@ TEST_F(PreviewCommand, StandsAndIsLitAsRenderIs) {
 TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
   write_file(scene_, R"({"asset":{"version":"2.0"}})");
   const std::string file = folder_ / "last.png";
-  const ProgramResult empty =
-      preview({"--frames", "5", "--screenshot", file, "--fill-unsampled", "--exposure", "fixed:0"});
-  EXPECT_EQ(empty.exit_code, 0);
+  const ProgramResult empty = succeeded(
+      preview({"--frames", "5", "--screenshot", file, "--fill-unsampled", "--exposure", "fixed:0"}));
   EXPECT_THAT(empty.errors, HasSubstr("the scene has no triangles"));
   EXPECT_THAT(empty.errors, HasSubstr("it is shown in a studio light"));
   EXPECT_GT(mean_green(file), 0.3);
@@ -85,15 +70,6 @@ TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
   EXPECT_EQ(preview({"--frames", "5", "--camera", "0,0"}).exit_code, 2);
   expect_one_line(preview({"--frames", "5", "--gaze-filter", "kalman"}), 2,
                   "'kalman' is no filter of a gaze");
-}
-
-TEST_F(PreviewCommand, KeysChangeWhatIsRendered) {
-  const auto json = preview_while([](XUser& user) {
-    for (const char* const key : {"m", "r", "q"}) {
-      user.type(key);
-    }
-  });
-  EXPECT_THAT(json.at("methods"), ElementsAre("fv", "od", "od"));
 }
 
 TEST_F(PreviewCommand, ChecksTheTracker) {
@@ -220,15 +196,7 @@ TEST_F(PreviewCommand, ACheckEndsWithEscape) {
     wait_for_target(user, 100, 80, false);
     user.type("Escape");
   });
-  EXPECT_THAT(json.at("gaze_checks"), ::testing::IsEmpty());
-}
-
-TEST_F(PreviewCommand, FollowsItsWindowsSize) {
-  const auto json = preview_while([this](XUser& user) {
-    user.resize(title_, 320, 100);
-    user.ask_to_close(title_);
-  });
-  EXPECT_THAT(json.at("final_window"), ElementsAre(320, 100));
+  EXPECT_THAT(json.at("gaze_checks"), IsEmpty());
 }
 
 // If it did not go on, the frames would never be done.
@@ -241,17 +209,6 @@ TEST_F(PreviewCommand, GoesOnWhileMinimised) {
       },
       {"--frames", "300"});
   EXPECT_EQ(json.at("frame_count"), 300);
-}
-
-TEST_F(PreviewCommand, ShowsEveryOverlay) {
-  const std::string plain = folder_ / "plain.png";
-  const std::string overlaid = folder_ / "overlaid.png";
-  ASSERT_EQ(preview({"--frames", "3", "--screenshot", plain}).exit_code, 0);
-  const ProgramResult result =
-      preview({"--frames", "3", "--screenshot", overlaid, "--show",
-               "gaze,rings,density,times,latency,view,help", "--display", "fove0"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_NE(read_film_image(plain).color.pixels, read_film_image(overlaid).color.pixels);
 }
 
 TEST_F(PreviewCommand, GoesOnWithoutItsMonitor) {
@@ -319,14 +276,6 @@ TEST_F(PreviewCommand, ARecordingTurnsTheHead) {
   const LastView view = last_view(json);
   EXPECT_NEAR(view.azimuth_deg, 30.0, 1e-3);
   EXPECT_EQ(view.elevation_deg, 0.0);
-}
-
-TEST_F(PreviewCommand, SaysWhatIsWrong) {
-  EXPECT_THAT(preview({"--display", "cinema"}).errors, StartsWith("foveola: error: "));
-  EXPECT_EQ(preview({"--method", "nothing"}).exit_code, 2);
-  const ProgramResult nowhere = run_foveola({"preview", scene_}, {{"DISPLAY", ":9999"}});
-  EXPECT_EQ(nowhere.exit_code, 1);
-  EXPECT_THAT(nowhere.errors, HasSubstr("there is no display"));
 }
 
 }  // namespace

@@ -9,9 +9,10 @@
 #include <stdexcept>
 
 #include <fcntl.h>
-#include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
@@ -83,12 +84,26 @@ ProgramResult run_foveola(std::vector<std::string> arguments, const Environment&
   return run_program(arguments, environment);
 }
 
+std::vector<std::string> joined(std::vector<std::string> words,
+                                const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+ProgramResult succeeded(ProgramResult result, std::source_location place) {
+  if (result.exit_code != 0) {
+    ADD_FAILURE_AT(place.file_name(), static_cast<int>(place.line()))
+        << "exit code " << result.exit_code << ": " << result.errors;
+  }
+  return result;
+}
+
 void expect_one_line(const ProgramResult& result, int exit_code, const std::string& says) {
   EXPECT_EQ(result.exit_code, exit_code) << result.errors;
-  EXPECT_THAT(result.output, testing::IsEmpty());
-  EXPECT_THAT(result.errors, testing::StartsWith("foveola: error: "));
+  EXPECT_THAT(result.output, IsEmpty());
+  EXPECT_THAT(result.errors, StartsWith("foveola: error: "));
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-  EXPECT_THAT(result.errors, testing::HasSubstr(says));
+  EXPECT_THAT(result.errors, HasSubstr(says));
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

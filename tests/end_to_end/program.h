@@ -1,7 +1,7 @@
 // Runs programs as a user would and keeps what they said.
 #pragma once
 
-#include <filesystem>
+#include <source_location>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +29,14 @@ ProgramResult run_program(const std::vector<std::string>& command,
 
 /// The built program with `arguments`.
 ProgramResult run_foveola(std::vector<std::string> arguments, const Environment& environment = {});
+
+/// `words`, and `more` behind them.
+std::vector<std::string> joined(std::vector<std::string> words,
+                                const std::vector<std::string>& more);
+
+/// `result`; the test fails where it asked for it unless the program did as it was told.
+ProgramResult succeeded(ProgramResult result,
+                        std::source_location place = std::source_location::current());
 
 /// Fails the test unless this exit code came with a single line of error, which holds `says`, and
 /// nothing else was printed.

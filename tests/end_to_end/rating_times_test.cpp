@@ -1,11 +1,9 @@
 // How long a participant looks around and takes to rate, and what the picture does meanwhile.
-#include <algorithm>
 #include <chrono>
 #include <string>
 #include <thread>
 
 #include <SQLiteCpp/Database.h>
-#include <gmock/gmock.h>
 
 #include "renderer/image/image_file.h"
 #include "study/record/database.h"
@@ -16,7 +14,6 @@
 namespace foveola::test {
 namespace {
 
-using ::testing::IsEmpty;
 using namespace std::chrono_literals;
 
 struct Rating {
@@ -37,8 +34,7 @@ class RatingTimes : public StudyRun {
     participant_.write_protocol(
         one_trial_keys, "[timing]\nrating_s = 0.2\nwhile_rating = \"" + while_rating + "\"\n");
     participant_.begin();
-    participant_.answer_page("Return");  // welcome
-    participant_.answer_page("Return");  // choosing
+    participant_.begin_trials();
     const std::vector<KeyPress> marks = time_trial();
     std::this_thread::sleep_for(400ms);
     const KeyPress wants = participant_.type("Return");
@@ -50,7 +46,7 @@ class RatingTimes : public StudyRun {
     const KeyPress answers = participant_.type("Return");
     participant_.type("Return");
     end_by_enter();
-    EXPECT_THAT(study::verify_study(participant_.database()).faults, IsEmpty());
+    participant_.expect_no_fault();
     EXPECT_EQ(participant_.replay().exit_code, 0);
 
     const Rating rating{.looked_around_s = seconds("SELECT looked_around_ns FROM attempt"),

@@ -1,12 +1,11 @@
 // Simulated participants before the real window, in real time.
 #include <csignal>
 
-#include <gmock/gmock.h>
-
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_rows.h"
+#include "tests/matchers.h"
 #include "tests/waiting.h"
 #include "tests/x_server.h"
 
@@ -14,10 +13,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// Marks are waited for longer than any machine takes.
 const char* const small_tables_of_a_room = R"(
@@ -92,18 +87,9 @@ class RealTime : public ::testing::Test {
   fs::path database() const { return hall_.folder / "study.sqlite"; }
 
   std::vector<std::string> command(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments = {"study",
-                                          "simulate",
-                                          (hall_.folder / "room.toml").string(),
-                                          "--db",
-                                          database().string(),
-                                          "--participants",
-                                          "1",
-                                          "--seed",
-                                          "3",
-                                          "--real-time"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return arguments;
+    return joined({"study", "simulate", (hall_.folder / "room.toml").string(), "--db",
+                   database().string(), "--participants", "1", "--seed", "3", "--real-time"},
+                  options);
   }
 
   /// The program's own scenes, in this test's cache.
@@ -112,8 +98,7 @@ class RealTime : public ::testing::Test {
   }
 
   void simulate(const std::vector<std::string>& options = {}) const {
-    const ProgramResult result = run_foveola(command(options), environment());
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    const ProgramResult result = succeeded(run_foveola(command(options), environment()));
     EXPECT_THAT(result.output, HasSubstr("of real time"));
   }
 
@@ -149,9 +134,8 @@ TEST_F(RealTime, AWholeSessionBeforeTheWindow) {
   EXPECT_THAT(ask("SELECT early FROM reaction"), ElementsAre("0", "0"));
   EXPECT_THAT(ask("SELECT censored FROM mark"), Each("0"));
   EXPECT_TRUE(verify().gaps.empty());
-  const ProgramResult replayed =
-      run_foveola({"study", "replay", database().string(), "--participant", "P001"}, environment());
-  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const ProgramResult replayed = succeeded(run_foveola(
+      {"study", "replay", database().string(), "--participant", "P001"}, environment()));
   EXPECT_THAT(replayed.output, HasSubstr("the same, bit for bit"));
 }
 
@@ -188,20 +172,6 @@ TEST_F(RealTime, WhatExcludesItIsRefused) {
   expect_one_line(run_foveola(command({"--predicted"}), environment()), 2, "--predicted");
   expect_one_line(run_foveola(command({"--jobs", "2"}), environment()), 2, "--jobs");
   EXPECT_FALSE(fs::exists(database()));
-}
-
-TEST(RealTimeWithoutADisplay, SaysWhatIsMissing) {
-  const Hall hall;
-  Environment environment = hall.environment();
-  environment.insert(environment.end(), {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
-  const fs::path database = hall.folder / "study.sqlite";
-  const ProgramResult result =
-      run_foveola({"study", "simulate", "hall", "--db", database.string(), "--participants", "1",
-                   "--seed", "3", "--real-time", "--inject", "order:1.1"},
-                  environment);
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.errors, HasSubstr("display"));
-  EXPECT_FALSE(fs::exists(database));
 }
 
 }  // namespace

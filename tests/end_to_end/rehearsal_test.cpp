@@ -1,17 +1,13 @@
 // A rehearsal whose scene is worked on meanwhile.
 #include <string>
 
-#include <gmock/gmock.h>
-
 #include "renderer/glb/glb_document.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// The hall with walls of this colour, as its glTF file writes it.
 std::string hall_in(const std::string& color) {

@@ -6,18 +6,15 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/rendered_room.h"
 #include "tests/end_to_end/running_program.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using testing::HasSubstr;
 
 using Options = std::vector<std::string>;
 
@@ -28,17 +25,13 @@ const Options panorama = {"--size", "120x70", "--spp",      "6",      "--method"
 class RenderParts : public Render {
  protected:
   /// Renders all parts of a split. Returns their files.
-  Options parts(int count, Options options, const std::string& name) {
+  Options parts(int count, const Options& options, const std::string& name) {
     Options files;
     for (int number = 1; number <= count; ++number) {
-      Options all = options;
-      for (const std::string& option :
-           {std::string("--shard"), fmt::format("{}/{}", number, count), std::string("--threads"),
-            fmt::format("{}", 1 + number % 2)}) {
-        all.push_back(option);
-      }
       files.push_back(fmt::format("{}-{}.film", name, number));
-      const ProgramResult result = render(files.back(), all);
+      const ProgramResult result =
+          render(files.back(), joined(options, {"--shard", fmt::format("{}/{}", number, count),
+                                                "--threads", fmt::format("{}", 1 + number % 2)}));
       EXPECT_EQ(result.exit_code, 0) << result.errors;
     }
     return files;
@@ -60,29 +53,26 @@ class RenderParts : public Render {
 TEST_F(RenderParts, ByTilesAreTheWholeImageByteForByte) {
   for (const Options& options :
        {panorama, Options{"--size", "100x60", "--spp", "5", "--fov", "60"}}) {
-    ASSERT_EQ(render("whole.exr", options).exit_code, 0);
+    succeeded(render("whole.exr", options));
     for (const int count : {1, 2, 5}) {
       Options files = parts(count, options, "part");
       std::ranges::reverse(files);
-      const ProgramResult merged = merge(files, "merged.exr");
-      ASSERT_EQ(merged.exit_code, 0) << merged.errors;
+      const ProgramResult merged = succeeded(merge(files, "merged.exr"));
       EXPECT_THAT(merged.output, HasSubstr(fmt::format("of {} parts", count)));
       EXPECT_TRUE(bytes("merged.exr") == bytes("whole.exr")) << count << " parts";
     }
-    ASSERT_EQ(render("whole.png", options).exit_code, 0);
-    ASSERT_EQ(merge(parts(2, options, "part"), "merged.png").exit_code, 0);
+    succeeded(render("whole.png", options));
+    succeeded(merge(parts(2, options, "part"), "merged.png"));
     EXPECT_TRUE(bytes("merged.png") == bytes("whole.png"));
   }
 }
 
 TEST_F(RenderParts, BySeedsAreTheSameImageInAnyOrder) {
-  Options options = panorama;
-  options.insert(options.end(), {"--split", "seeds"});
-  const Options files = parts(4, options, "part");
-  ASSERT_EQ(merge(files, "a.exr").exit_code, 0);
-  ASSERT_EQ(merge({files[2], files[0], files[3], files[1]}, "b.exr").exit_code, 0);
+  const Options files = parts(4, joined(panorama, {"--split", "seeds"}), "part");
+  succeeded(merge(files, "a.exr"));
+  succeeded(merge({files[2], files[0], files[3], files[1]}, "b.exr"));
   EXPECT_TRUE(bytes("a.exr") == bytes("b.exr"));
-  ASSERT_EQ(render("whole.exr", panorama).exit_code, 0);
+  succeeded(render("whole.exr", panorama));
   const FilmImage whole = read_film_image(folder_ / "whole.exr");
   const FilmImage merged = read_film_image(folder_ / "a.exr");
   const auto samples = [](const FilmImage& image) {
@@ -102,10 +92,10 @@ TEST_F(RenderParts, BySeedsAreTheSameImageInAnyOrder) {
 
 TEST_F(RenderParts, OneThatWasStoppedGoesOnAsIfNothingHadBeen) {
   const Options options = {"--size", "240x120", "--spp", "40", "--panorama", "--shard", "1/2"};
-  ASSERT_EQ(render("once.film", options).exit_code, 0);
-  Options arguments = {"render", (folder_ / "room.gltf").string(), "-o",
-                       (folder_ / "stopped.film").string(), "--resume"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
+  succeeded(render("once.film", options));
+  const Options arguments = joined({"render", (folder_ / "room.gltf").string(), "-o",
+                                    (folder_ / "stopped.film").string(), "--resume"},
+                                   options);
   constexpr int max_tries = 20;
   int exit_code = 0;
   for (int i = 0; exit_code == 0 && i < max_tries; ++i) {  // a busy machine may stop it too late
@@ -118,15 +108,14 @@ TEST_F(RenderParts, OneThatWasStoppedGoesOnAsIfNothingHadBeen) {
   ASSERT_EQ(exit_code, 130);
   Options rest = options;
   rest.back() = "2/2";
-  ASSERT_EQ(render("rest.film", rest).exit_code, 0);
+  succeeded(render("rest.film", rest));
   expect_one_line(merge({"stopped.film", "rest.film"}, "merged.exr"), 1,
                   "stopped.film: is not finished");
   for (int time = 0; time < 2; ++time) {  // the second one has nothing left to do
-    const ProgramResult resumed = run_foveola(arguments);
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+    succeeded(run_foveola(arguments));
   }
-  ASSERT_EQ(merge({"stopped.film", "rest.film"}, "merged.exr").exit_code, 0);
-  ASSERT_EQ(merge({"once.film", "rest.film"}, "expected.exr").exit_code, 0);
+  succeeded(merge({"stopped.film", "rest.film"}, "merged.exr"));
+  succeeded(merge({"once.film", "rest.film"}, "expected.exr"));
   EXPECT_TRUE(bytes("merged.exr") == bytes("expected.exr"));
 }
 
@@ -147,10 +136,9 @@ TEST_F(RenderParts, AreRefusedIfTheyAreNotThoseOfOneRender) {
   expect_one_line(merge({files[0], "damaged.film", files[2]}, "m.exr"), 1,
                   "damaged.film: is damaged");
   expect_one_line(merge({"room.gltf"}, "m.exr"), 1, "room.gltf: is no film");
-  Options resumed = other;
-  resumed.insert(resumed.end(), {"--shard", "2/3", "--resume"});
   const std::string before = bytes(files[1]);
-  EXPECT_THAT(render(files[1], resumed).errors, HasSubstr("part-2.film: is of another render"));
+  EXPECT_THAT(render(files[1], joined(other, {"--shard", "2/3", "--resume"})).errors,
+              HasSubstr("part-2.film: is of another render"));
   EXPECT_TRUE(bytes(files[1]) == before);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "m.exr"));
 }
@@ -160,9 +148,7 @@ TEST_F(RenderParts, RefuseWhatCannotBeSplit) {
        std::vector<std::pair<Options, std::string>>{{{"--seconds", "1"}, "seconds"},
                                                     {{"--adaptive", "0.01"}, "--adaptive"},
                                                     {{"--view", "v.png"}, "--view"}}) {
-    Options all = {"--panorama", "--shard", "1/2"};
-    all.insert(all.end(), options.begin(), options.end());
-    expect_one_line(render("a.film", all), 2, says);
+    expect_one_line(render("a.film", joined({"--panorama", "--shard", "1/2"}, options)), 2, says);
   }
   expect_one_line(render("a.exr", {"--shard", "1/2"}), 2, "--shard: needs a .film");
   expect_one_line(render("a.exr", {"--resume"}), 2, "--resume: needs a .film");

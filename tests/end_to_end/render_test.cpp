@@ -2,20 +2,19 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/rendered_room.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
 
 TEST_F(Render, ReportsWhatItDidAsJson) {
   const ProgramResult result =
-      render("a.exr", {"--size", "64x32", "--spp", "4", "--seed", "3", "--json"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
+      succeeded(render("a.exr", {"--size", "64x32", "--spp", "4", "--seed", "3", "--json"}));
   const nlohmann::json report = nlohmann::json::parse(result.output);
   EXPECT_EQ(report.at("samples"), 64 * 32 * 4);
   EXPECT_EQ(report.at("non_finite"), 0);
@@ -47,20 +46,18 @@ TEST_F(Render, KeepsVariancesAndSaysInTheFileWhatItDid) {
   for (const char* fact : {"foveola:method", "fv:cutoff=70", "foveola:seed", "foveola:gaze_deg",
                            "20,-5", "foveola:head_deg", "room.gltf", "foveola:clamp", "7.5",
                            "foveola:environment", "0.25,0.5,0.75", "foveola:camera_m"}) {
-    EXPECT_THAT(bytes, testing::HasSubstr(fact));
+    EXPECT_THAT(bytes, HasSubstr(fact));
   }
-  ASSERT_EQ(render("b.exr", {"--size", "64x32", "--samples", "3000"}).exit_code, 0);
+  succeeded(render("b.exr", {"--size", "64x32", "--samples", "3000"}));
   EXPECT_TRUE(read_film_image(folder_ / "b.exr").variances.empty());
 }
 
 TEST_F(Render, WritesWhatTheDisplayShows) {
   const auto view = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> options = {
-        "--size",      "512x256", "--samples", "3000", "--view", (folder_ / "v.exr").string(),
-        "--view-size", "80x40",   "--head",    "30,10"};
-    options.insert(options.end(), more.begin(), more.end());
-    const ProgramResult result = render("a.exr", options);
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    succeeded(render(
+        "a.exr", joined({"--size", "512x256", "--samples", "3000", "--view",
+                         (folder_ / "v.exr").string(), "--view-size", "80x40", "--head", "30,10"},
+                        more)));
     return read_film_image(folder_ / "v.exr").color;
   };
   const RgbImage plain = view({});
@@ -72,11 +69,10 @@ TEST_F(Render, WritesWhatTheDisplayShows) {
 }
 
 TEST_F(Render, TheImageDependsOnTheSeedAndNotOnTheThreads) {
-  const std::vector<std::string> options = {"--size", "64x32", "--spp", "2", "--method", "fv"};
   const auto image = [&](const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = options;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_EQ(render(name, arguments).exit_code, 0);
+    EXPECT_EQ(
+        render(name, joined({"--size", "64x32", "--spp", "2", "--method", "fv"}, more)).exit_code,
+        0);
     return read_film_image(folder_ / name).color.pixels;
   };
   const std::vector<Rgb> one = image("1.exr", {"--threads", "1"});
@@ -86,17 +82,15 @@ TEST_F(Render, TheImageDependsOnTheSeedAndNotOnTheThreads) {
 }
 
 TEST_F(Render, SecondsBoundTheTime) {
-  const ProgramResult result =
-      render("a.png", {"--size", "64x32", "--seconds", "0.2", "--json", "--max-depth", "1"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const ProgramResult result = succeeded(
+      render("a.png", {"--size", "64x32", "--seconds", "0.2", "--json", "--max-depth", "1"}));
   EXPECT_GE(nlohmann::json::parse(result.output).at("seconds"), 0.2);
 }
 
 TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
-  ASSERT_EQ(render("a.exr", {"--size", "32x16", "--spp", "1"}).exit_code, 0);
+  succeeded(render("a.exr", {"--size", "32x16", "--spp", "1"}));
   const std::string image = (folder_ / "a.exr").string();
-  const ProgramResult result = run_foveola({"compare", image, image, "--json"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const ProgramResult result = succeeded(run_foveola({"compare", image, image, "--json"}));
   const nlohmann::json metrics = nlohmann::json::parse(result.output);
   EXPECT_EQ(metrics.at("rmse"), 0.0);
   EXPECT_EQ(metrics.at("pixels"), 32 * 16);

@@ -18,10 +18,8 @@ class Render : public testing::Test {
   void SetUp() override { write_file(folder_ / "room.gltf", room_gltf()); }
 
   ProgramResult render(const std::string& output, const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = {"render", (folder_ / "room.gltf").string(), "-o",
-                                          (folder_ / output).string()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run_foveola(arguments);
+    return run_foveola(joined(
+        {"render", (folder_ / "room.gltf").string(), "-o", (folder_ / output).string()}, options));
   }
 
   TemporaryFolder folder_;

@@ -1,5 +1,4 @@
 // Recorded sessions, driven and rendered again by the built program.
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
@@ -7,12 +6,10 @@
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/study_of_a_hall.h"
 #include "tests/end_to_end/study_rows.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
   std::string protocol = hall_protocol();
@@ -23,9 +20,8 @@ TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
   }
   folder.write("share/protocols/hall.toml", protocol);
   const std::string study = (folder / "study.sqlite").string();
-  const ProgramResult simulated = run({"study", "simulate", "hall", "--db", study, "--participants",
-                                       "1", "--scale", "4", "--samples-per-second", "20000"});
-  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  succeeded(run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--scale", "4",
+                 "--samples-per-second", "20000"}));
   const ProgramResult replayed = run({"study", "replay", study, "--participant", "P001"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.output << replayed.errors;
   EXPECT_THAT(replayed.output, HasSubstr("the same, bit for bit"));
@@ -37,9 +33,9 @@ TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
 
 TEST_F(StudyOfAHall, APredictedSessionHasNothingToReplay) {
   const std::string study = (folder / "study.sqlite").string();
-  const ProgramResult simulated = run({"study", "simulate", "hall", "--db", study, "--participants",
-                                       "3", "--predicted", "--jobs", "2"});
-  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  const ProgramResult simulated =
+      succeeded(run({"study", "simulate", "hall", "--db", study, "--participants", "3",
+                     "--predicted", "--jobs", "2"}));
   EXPECT_THAT(simulated.output, HasSubstr("3 of 3 simulated sessions completed"));
   const ProgramResult replayed = run({"study", "replay", study, "--participant", "P001"});
   EXPECT_EQ(replayed.exit_code, 1);
@@ -50,11 +46,9 @@ class ReplayOfAHall : public StudyOfAHall {
  protected:
   ReplayOfAHall() { simulate("study.sqlite"); }
 
-  ProgramResult replay(std::vector<std::string> more = {}) const {
-    std::vector<std::string> words = {"study", "replay", (folder / "study.sqlite").string(),
-                                      "--participant", "P001"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run(words);
+  ProgramResult replay(const std::vector<std::string>& more = {}) const {
+    return run(joined(
+        {"study", "replay", (folder / "study.sqlite").string(), "--participant", "P001"}, more));
   }
 
   /// Changes a table behind the program's back: its triggers are put aside for the moment.
@@ -77,8 +71,7 @@ class ReplayOfAHall : public StudyOfAHall {
 };
 
 TEST_F(ReplayOfAHall, IsTheSameBitForBitAndCanBeSeen) {
-  const ProgramResult replayed = replay({"-o", (folder / "pictures").string()});
-  ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const ProgramResult replayed = succeeded(replay({"-o", (folder / "pictures").string()}));
   const std::string frames =
       value_of(folder / "study.sqlite", "SELECT sum(frame_count) FROM frame_chunk");
   EXPECT_EQ(replayed.output.find("trial 0 (hall, od), attempt 1: " + frames + " frames, "), 0U)
@@ -89,8 +82,7 @@ TEST_F(ReplayOfAHall, IsTheSameBitForBitAndCanBeSeen) {
 }
 
 TEST_F(ReplayOfAHall, SaysSoInJson) {
-  const ProgramResult replayed = replay({"--json", "--threads", "1"});
-  ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const ProgramResult replayed = succeeded(replay({"--json", "--threads", "1"}));
   const nlohmann::json json = nlohmann::json::parse(replayed.output);
   EXPECT_EQ(json.at("approximate"), "");
   ASSERT_EQ(json.at("attempts").size(), 1U);
@@ -131,7 +123,7 @@ TEST_F(ReplayOfAHall, NamesTheEventThatIsAnotherOne) {
   EXPECT_THAT(replayed.errors,
               HasSubstr("study.sqlite: event " + number + " is recorded as first_frame_presented"));
   EXPECT_THAT(nlohmann::json::parse(replay({"--json"}).output).at("difference"),
-              testing::StartsWith("event " + number));
+              StartsWith("event " + number));
 }
 
 TEST_F(ReplayOfAHall, NeedsTheSceneAsItWas) {

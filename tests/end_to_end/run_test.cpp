@@ -4,24 +4,18 @@
 #include <filesystem>
 #include <thread>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::MatchesRegex;
 using namespace std::chrono_literals;
 
 /// Everything that a session can have.
@@ -72,8 +66,7 @@ void cover_for_a_while(CoverableTracker& tracker, RunningProgram& program) {
 
 /// The film of each attempt of the whole session.
 void expect_replay_bit_for_bit(const SeatedParticipant& participant) {
-  const ProgramResult replayed = participant.replay();
-  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const ProgramResult replayed = succeeded(participant.replay());
   const std::string the_same = ": [0-9]+ frames, [1-9][0-9]* samples: the same, bit for bit\n";
   EXPECT_THAT(replayed.output,
               MatchesRegex("trial 0 \\(hall, od, practice\\), attempt 1" + the_same +
@@ -234,8 +227,7 @@ TEST_F(StudyRun, ATrialThatFollowsTheGazeWaitsForOne) {
                                "type = 'trial_started') > 1000000000"),
               ElementsAre("1"))
       << "no time of the trial ran while it waited";
-  const study::Verification verified = study::verify_study(participant_.database());
-  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+  participant_.expect_no_fault();
   EXPECT_EQ(participant_.replay().exit_code, 0);
 }
 
@@ -245,9 +237,8 @@ TEST_F(StudyRun, AMachineThatSlowsDownIsToldOfWhileItDoes) {
   constexpr std::chrono::milliseconds between{50};
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin();
-  participant_.answer_page("Return");  // welcome
-  participant_.answer_page("Return");  // choosing
-  participant_.answer_page("space");   // ready
+  participant_.begin_trials();
+  participant_.answer_page("space");  // ready
   EXPECT_EQ(participant_.wait_for_page(), "marking");
   for (int i = 0; i < halts; ++i) {
     participant_.program().kill(SIGSTOP);
@@ -257,8 +248,7 @@ TEST_F(StudyRun, AMachineThatSlowsDownIsToldOfWhileItDoes) {
   }
   EXPECT_THAT(participant_.program().wait_for("missed their refresh"),
               HasSubstr("busy with something else"));
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "tests/end_to_end/running_program.h"
 
 #include <array>
-#include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <stdexcept>
 
 #include <fcntl.h>

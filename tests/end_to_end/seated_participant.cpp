@@ -5,7 +5,9 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
+#include "study/record/verification.h"
 #include "tests/end_to_end/tracker_profile.h"
 #include "tests/waiting.h"
 
@@ -89,10 +91,8 @@ void SeatedParticipant::write_protocol(const std::string& keys, const std::strin
 void SeatedParticipant::begin(const std::vector<std::string>& options) {
   screens_ = folder() / ("screens-" + std::to_string(++runs_));
   pages_ = 0;
-  std::vector<std::string> arguments = command();
-  arguments.insert(arguments.end(), {"--screens", screens_.string()});
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  program_ = std::make_unique<RunningProgram>(arguments, environment_);
+  program_ = std::make_unique<RunningProgram>(
+      joined(joined(command(), {"--screens", screens_.string()}), options), environment_);
   const std::string line = program_->wait_for("Session time 0 is ");
   zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
   point_at(320, 240);
@@ -164,12 +164,26 @@ void SeatedParticipant::answer_page(const std::string& key) {
   type(key);
 }
 
+void SeatedParticipant::begin_trials() {
+  answer_page("Return");
+  answer_page("Return");
+}
+
+void SeatedParticipant::quit() {
+  program_->type_line("quit");
+  EXPECT_EQ(program_->wait_for_end(), 0);
+}
+
+void SeatedParticipant::expect_no_fault() const {
+  const study::Verification verified = study::verify_study(database());
+  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+}
+
 ProgramResult SeatedParticipant::run_besides(const std::string& participant,
                                              const std::vector<std::string>& options) const {
-  std::vector<std::string> arguments = {
-      "study", "run", "keys", "--db", database().string(), "--participant", participant};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  return hall_.run(arguments);
+  return hall_.run(
+      joined({"study", "run", "keys", "--db", database().string(), "--participant", participant},
+             options));
 }
 
 ProgramResult SeatedParticipant::replay() const {

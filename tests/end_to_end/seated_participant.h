@@ -79,8 +79,12 @@ class SeatedParticipant {
 
   /// Presses `key` once the next page stands.
   void answer_page(const std::string& key);
+  /// From the welcome, by the choice of the object ahead, to the question whether to start.
+  void begin_trials();
 
   RunningProgram& program() { return *program_; }
+  /// The experimenter ends the program.
+  void quit();
   const TemporaryFolder& folder() const { return hall_.folder; }
   /// Renames another file into the place of the scene's.
   void replace_scene(const std::string& glb) const;
@@ -97,6 +101,7 @@ class SeatedParticipant {
   /// `study status` of the database.
   ProgramResult status() const;
 
+  void expect_no_fault() const;
   /// The rows of a query of the database.
   Rows ask(const std::string& sql) const { return all_rows_of(database(), sql); }
 

@@ -3,11 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/files.h"
 #include "tests/end_to_end/program.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
@@ -15,10 +13,8 @@ namespace {
 /// The program with its standard output redirected as a shell does by `redirection`.
 ProgramResult run_redirected(const std::vector<std::string>& arguments,
                              const std::string& redirection) {
-  std::vector<std::string> command = {"sh", "-c", "exec \"$@\" " + redirection, "sh",
-                                      FOVEOLA_PROGRAM};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return run_program(command);
+  return run_program(
+      joined({"sh", "-c", "exec \"$@\" " + redirection, "sh", FOVEOLA_PROGRAM}, arguments));
 }
 
 class StandardOutput : public testing::Test {
@@ -64,11 +60,10 @@ TEST_F(StandardOutput, ThatTakesNothingIsAnErrorOfEveryCommand) {
          {std::pair(">/dev/full", "No space left on device"), {">&-", "Bad file descriptor"}}) {
       const ProgramResult result = run_redirected(command, redirection);
       EXPECT_EQ(result.exit_code, 1) << command.front() << ' ' << redirection;
-      EXPECT_THAT(
-          result.errors,
-          testing::EndsWith("foveola: error: standard output: cannot be "
-                            "written: " +
-                            std::string(why) + "; make room there, or print to another place\n"));
+      EXPECT_THAT(result.errors,
+                  EndsWith("foveola: error: standard output: cannot be "
+                           "written: " +
+                           std::string(why) + "; make room there, or print to another place\n"));
     }
   }
 }

@@ -1,15 +1,10 @@
 // What the program loads before it knows what it is asked for.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "tests/end_to_end/program.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 // OpenImageIO brings some 250 libraries along. With this variable set, the dynamic linker lists
 // what it would load in place of starting the program (ld.so(8)).

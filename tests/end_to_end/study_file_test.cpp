@@ -5,27 +5,19 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sqlite3.h>
 #include <unistd.h>
 
 #include "renderer/base/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_rows.h"
+#include "tests/matchers.h"
 #include "tests/study/record/bytes_from_hex.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::StartsWith;
 
 /// Two sites' files of the study of the hall, as the program wrote them.
 struct Sites {
@@ -36,10 +28,8 @@ struct Sites {
 
   std::string simulated(const std::string& name, const std::string& participants,
                         const std::string& seed) const {
-    const ProgramResult result =
-        hall.run({"study", "simulate", "hall", "--db", (hall.folder / name).string(),
-                  "--participants", participants, "--seed", seed});
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    succeeded(hall.run({"study", "simulate", "hall", "--db", (hall.folder / name).string(),
+                        "--participants", participants, "--seed", seed}));
     return read_file(hall.folder / name);
   }
 
@@ -117,15 +107,8 @@ std::map<std::string, Rows> content_of(const fs::path& study, const std::string&
   return content;
 }
 
-TEST_F(StudyFile, StatusTellsWhoTookPart) {
-  const ProgramResult status = study({"status", north_});
-  EXPECT_EQ(status.exit_code, 0) << status.errors;
-  EXPECT_THAT(status.output, AllOf(HasSubstr("2 simulated completed\n"), HasSubstr("2 done\n")));
-}
-
 TEST_F(StudyFile, VerifyFindsNothingInWhatWasWritten) {
-  const ProgramResult verified = study({"verify", south_});
-  EXPECT_EQ(verified.exit_code, 0) << verified.errors;
+  const ProgramResult verified = succeeded(study({"verify", south_}));
   EXPECT_THAT(verified.output, MatchesRegex("sessions +3\nevents +[0-9]+\nchunks +[0-9]+\n"
                                             "faults +0\n"));
 }
@@ -148,57 +131,13 @@ TEST_F(StudyFile, VerifyNamesTheChunkInWhichAByteWasFlipped) {
   EXPECT_THAT(verified.errors, HasSubstr("north.sqlite: is not what was written"));
 }
 
-TEST_F(StudyFile, VerifyRefusesAFileThatWasCutShort) {
-  fs::resize_file(north_, sites().north.size() / 2);
-  expect_one_line(study({"verify", north_}), 1, "north.sqlite: is damaged");
-}
-
-TEST_F(StudyFile, VerifyRefusesAFileThatLacksItsLastByte) {
-  fs::resize_file(north_, sites().north.size() - 1);
-  const ProgramResult verified = study({"verify", north_});
-  EXPECT_EQ(verified.exit_code, 1);
-  EXPECT_THAT(verified.output, HasSubstr("bytes, which are no whole number of its pages of 4096"));
-  expect_one_line(study({"status", north_}), 1, "north.sqlite: is damaged (has ");
-}
-
-TEST_F(StudyFile, WithATriggerOfSomebodyElseIsNeitherVerifiedNorWritten) {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(north_.c_str(), &database), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(database,
-                         "CREATE TRIGGER \"a\x1b[2Jb\" AFTER INSERT ON mark BEGIN SELECT 1; END",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  sqlite3_close(database);
-  const auto before = folder_.content();
-  const ProgramResult verified = study({"verify", north_});
-  EXPECT_EQ(verified.exit_code, 1);
-  EXPECT_THAT(verified.output,
-              HasSubstr("has the trigger a?[2Jb on mark, which is not Foveola's\n"));
-  expect_one_line(sites().hall.run({"study", "simulate", "hall", "--db", north_, "--participants",
-                                    "3", "--resume"}),
-                  1, "has the trigger a?[2Jb on mark, which is not Foveola's and could change");
-  EXPECT_EQ(folder_.content(), before);
-}
-
 TEST_F(StudyFile, BackupIsTheStudyOnceMore) {
-  const ProgramResult backup = study({"backup", north_});
-  ASSERT_EQ(backup.exit_code, 0) << backup.errors;
+  const ProgramResult backup = succeeded(study({"backup", north_}));
   const std::string copy = backup.output.substr(0, backup.output.find('\n'));
   EXPECT_EQ(fs::path(copy).parent_path(), folder_ / "north.sqlite.backups");
   for (const char* participant : {"P001", "P002"}) {
     EXPECT_EQ(content_of(copy, participant), content_of(north_, participant));
   }
-}
-
-TEST_F(StudyFile, BackupGoesToAnotherFolder) {
-  const TemporaryFolder disk;
-  const ProgramResult backup = study({"backup", north_, "--to", disk.path()});
-  ASSERT_EQ(backup.exit_code, 0) << backup.errors;
-  const fs::path copy = disk.path() / disk.entries().at(0);
-  EXPECT_EQ(backup.output, copy.string() + "\n");
-  EXPECT_EQ(content_of(copy, "P002"), content_of(north_, "P002"));
-  EXPECT_FALSE(fs::exists(north_ + ".backups"));
-  expect_one_line(study({"backup", north_, "--to", disk / "none"}), 1, "does not exist");
 }
 
 TEST_F(StudyFile, RestorePutsACopyInThePlaceOfADamagedFile) {
@@ -209,8 +148,7 @@ TEST_F(StudyFile, RestorePutsACopyInThePlaceOfADamagedFile) {
   expect_one_line(study({"status", north_}), 1,
                   "put a copy in the study's place by foveola study restore");
   expect_one_line(study({"restore", north_}), 1, "north.sqlite: has no sound backup in ");
-  const ProgramResult restored = study({"restore", north_, "--from", copy});
-  EXPECT_EQ(restored.exit_code, 0) << restored.errors;
+  const ProgramResult restored = succeeded(study({"restore", north_, "--from", copy}));
   EXPECT_THAT(restored.output,
               MatchesRegex(fmt::format("{0}: restored from {1}\n"
                                        "{0}[.]damaged-[^:]*: what was there before\n.*\n",
@@ -262,8 +200,7 @@ TEST_F(StudyFile, ForgetLeavesNoByteOfOneAndAllOfTheOther) {
     EXPECT_THAT(before, HasSubstr(trace));
   }
 
-  const ProgramResult forgotten = study({"forget", north_, "P002", "--yes"});
-  EXPECT_EQ(forgotten.exit_code, 0) << forgotten.errors;
+  const ProgramResult forgotten = succeeded(study({"forget", north_, "P002", "--yes"}));
   EXPECT_THAT(forgotten.output, StartsWith(north_ + ": participant P002 is gone, from 2 files\n"));
   const std::string after = everything();
   for (const std::string& trace : traces) {
@@ -287,8 +224,7 @@ TEST_F(StudyFile, VerifyComparesWithWhatStatusPrinted) {
     EXPECT_THAT(other.output, HasSubstr(" is missing\n"));
   }
   ASSERT_EQ(study({"forget", north_, "P002", "--yes"}).exit_code, 0) << "a head stays";
-  const ProgramResult forgotten = study({"verify", north_, "--head", head});
-  EXPECT_EQ(forgotten.exit_code, 0) << forgotten.errors;
+  const ProgramResult forgotten = succeeded(study({"verify", north_, "--head", head}));
   EXPECT_THAT(forgotten.output, HasSubstr(" was forgotten\n"));
   expect_one_line(study({"verify", north_, "--head", folder_.write("empty", "no head")}), 1,
                   "empty: has no line of a session");
@@ -305,27 +241,21 @@ std::vector<std::vector<std::string>> commands_on(const std::string& file,
           {"simulate", "hall", "--db", file, "--participants", "1"}};
 }
 
-TEST_F(StudyFile, OfANewerSchemaIsLeftToANewerProgram) {
+TEST_F(StudyFile, OfANewerSchemaOrNoneIsLeftAsItIs) {
   constexpr std::size_t last_byte_of_user_version = 63;  // by SQLite's "Database File Format"
   std::string newer = sites().north;
   ++newer.at(last_byte_of_user_version);
-  folder_.write("north.sqlite", newer);
-  const auto before = folder_.content();
-  for (std::vector<std::string>& command : commands_on(north_, path_of("all.sqlite"))) {
-    command.insert(command.begin(), "study");
-    expect_one_line(sites().hall.run(command), 1, "north.sqlite: has schema 6");
+  for (const std::string& bytes : {newer, std::string(5000, 'x')}) {
+    folder_.write("north.sqlite", bytes);
+    const auto before = folder_.content();
+    for (std::vector<std::string>& command : commands_on(north_, path_of("all.sqlite"))) {
+      command.insert(command.begin(), "study");
+      expect_one_line(
+          sites().hall.run(command), 1,
+          bytes == newer ? "north.sqlite: has schema 6" : "north.sqlite: is no database");
+    }
+    EXPECT_EQ(folder_.content(), before);
   }
-  EXPECT_EQ(folder_.content(), before);
-}
-
-TEST_F(StudyFile, ThatIsNoneIsLeftAsItIs) {
-  folder_.write("north.sqlite", std::string(5000, 'x'));
-  const auto before = folder_.content();
-  for (std::vector<std::string>& command : commands_on(north_, path_of("all.sqlite"))) {
-    command.insert(command.begin(), "study");
-    expect_one_line(sites().hall.run(command), 1, "north.sqlite: is no database");
-  }
-  EXPECT_EQ(folder_.content(), before);
 }
 
 TEST_F(StudyFile, InAReadOnlyFolderIsOnlyRead) {

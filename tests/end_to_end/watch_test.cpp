@@ -1,16 +1,12 @@
 // Another terminal follows a session that goes on.
 #include <algorithm>
 
-#include <gmock/gmock.h>
-
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_run.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 TEST_F(StudyRun, IsWatchedFromAnotherTerminal) {
   participant_.write_protocol(one_trial_keys, short_look);
@@ -23,8 +19,7 @@ TEST_F(StudyRun, IsWatchedFromAnotherTerminal) {
       watcher.wait_for("now "),
       HasSubstr("choosing an object, trial 1 of 1: hall with od, timing 1, attempt 1; then the "
                 "session's end"));
-  participant_.answer_page("Return");  // welcome
-  participant_.answer_page("Return");  // choosing
+  participant_.begin_trials();
   watcher.wait_for("The object Wall was chosen.");
   time_trial();
   watcher.wait_for("outline was marked after ");
@@ -35,7 +30,7 @@ TEST_F(StudyRun, IsWatchedFromAnotherTerminal) {
   EXPECT_EQ(machine.wait_for_end(), 0);
   EXPECT_THAT(machine.said(), AllOf(HasSubstr("\"event\":\"object_chosen\""),
                                     HasSubstr("\"phase\":\"completed\"")));
-  EXPECT_TRUE(study::verify_study(participant_.database()).faults.empty());
+  participant_.expect_no_fault();
 }
 
 TEST_F(StudyRun, WhoIsBlindReadsNoMethodUntilTheSessionIsOver) {
@@ -47,8 +42,7 @@ TEST_F(StudyRun, WhoIsBlindReadsNoMethodUntilTheSessionIsOver) {
   participant_.wait_for_page();
   participant_.program().type_line("state");
   participant_.program().wait_for("hall with a hidden method");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
 
   participant_.begin({"--resume"});
   participant_.program().type_line("next");
@@ -58,18 +52,10 @@ TEST_F(StudyRun, WhoIsBlindReadsNoMethodUntilTheSessionIsOver) {
     const std::size_t begin = std::min(said.find("Session time 0"), said.size());
     EXPECT_EQ(said.find("with od", program == &watcher ? 0 : begin), std::string::npos) << said;
   }
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  participant_.quit();
   EXPECT_THAT(
       participant_.ask("SELECT json_extract(devices, '$.experimenter_is_blind') FROM session"),
-      testing::ElementsAre("1"));
-}
-
-TEST_F(StudyRun, ThereIsNothingToWatchBeforeASession) {
-  const ProgramResult none =
-      run_foveola({"study", "watch", (participant_.folder() / "none.sqlite").string()}, {});
-  EXPECT_EQ(none.exit_code, 1);
-  EXPECT_THAT(none.errors, HasSubstr("none.sqlite"));
+      ElementsAre("1"));
 }
 
 }  // namespace

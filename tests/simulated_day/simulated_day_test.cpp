@@ -16,7 +16,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
@@ -24,13 +23,13 @@
 #include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
+#include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
 
-using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
 using Checks = std::set<std::string>;  ///< by their names in the report
@@ -111,7 +110,7 @@ class SimulatedDay : public StudyRun {
   void mouse_rests(const std::string& code) {
     participant_.seat(code);
     participant_.begin();
-    begin_trials();
+    participant_.begin_trials();
     whole_trials(2);
     participant_.wait_for_page();
     participant_.point_at(900, 700);
@@ -181,12 +180,7 @@ class SimulatedDay : public StudyRun {
   void sit_down(const std::string& code) {
     participant_.seat(code);
     participant_.begin({"--tracker", camera_});
-    begin_trials();
-  }
-
-  void begin_trials() {
-    participant_.answer_page("Return");  // welcome
-    participant_.answer_page("Return");  // choosing
+    participant_.begin_trials();
   }
 
   void start_trial() {
@@ -222,9 +216,7 @@ class SimulatedDay : public StudyRun {
 
   /// `foveola analyze` of the day.
   void analyse() const {
-    const ProgramResult analysed =
-        run_foveola({"analyze", participant_.database().string(), "-o", out_.string()});
-    EXPECT_EQ(analysed.exit_code, 0) << analysed.errors;
+    succeeded(run_foveola({"analyze", participant_.database().string(), "-o", out_.string()}));
   }
 
   std::mt19937 random_{2018};
@@ -313,9 +305,8 @@ TEST_F(SimulatedDay, WhateverGoesWrongIsNamedAndNobodyElse) {
     (this->*visit.take_part)(visit.code);
   }
   EXPECT_THAT(participant_.ask("SELECT DISTINCT kind, state FROM session"),
-              ::testing::ElementsAre("human|completed"));
-  const study::Verification verified = study::verify_study(participant_.database());
-  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+              ElementsAre("human|completed"));
+  participant_.expect_no_fault();
 
   analyse();
   std::map<std::string, Checks> named = namings(out_, visits);
