@@ -9,21 +9,17 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/gaze/simulated_eye.h"
+#include "tests/renderer/gaze/gaze_expectations.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::minutes;
+using test::lost_at;
+using test::seen_at;
 
 using enum EyeMovementKind;
-
-GazeSample seen(int time_ms, double azimuth_deg) {
-  return {.time = milliseconds(time_ms),
-          .direction = direction_from({.azimuth_rad = radians(azimuth_deg)}),
-          .valid = true};
-}
-GazeSample blink(int time_ms) { return {.time = milliseconds(time_ms)}; }
 
 double amplitude_deg(const EyeMovement& movement) {
   return degrees(angle_between(movement.from, movement.to));
@@ -58,11 +54,11 @@ std::string text_of(const std::vector<EyeMovement>& movements) {
 
 /// Every 10 ms, the azimuth by which it moves in each step.
 std::vector<GazeSample> moving_by(const std::vector<double>& steps_deg) {
-  std::vector<GazeSample> samples{seen(0, 0.0)};
+  std::vector<GazeSample> samples{seen_at(0, 0.0)};
   double azimuth_deg = 0.0;
   for (const double step_deg : steps_deg) {
     azimuth_deg += step_deg;
-    samples.push_back(seen(10 * static_cast<int>(samples.size()), azimuth_deg));
+    samples.push_back(seen_at(10 * static_cast<int>(samples.size()), azimuth_deg));
   }
   return samples;
 }
@@ -125,66 +121,68 @@ TEST(EyeMovements, WhatIsTooShortAtTheEndBelongsToWhatWasBefore) {
 }
 
 TEST(EyeMovements, ALongBlinkIsNoData) {
-  EXPECT_EQ(text_of(movements_in({seen(0, 0.0), seen(10, 0.1), blink(20), blink(60), blink(100),
-                                  seen(200, 5.0), seen(210, 5.1), seen(220, 5.1)})),
+  EXPECT_EQ(text_of(movements_in({seen_at(0, 0.0), seen_at(10, 0.1), lost_at(20), lost_at(60),
+                                  lost_at(100), seen_at(200, 5.0), seen_at(210, 5.1),
+                                  seen_at(220, 5.1)})),
             "F 0-10 - 10-200 F 200-220");
 }
 
 TEST(EyeMovements, AGapInTheSamplesIsNoData) {
-  EXPECT_EQ(text_of(movements_in({seen(0, 0.0), seen(10, 0.1), seen(100, 0.1), seen(110, 0.1)})),
+  EXPECT_EQ(text_of(movements_in(
+                {seen_at(0, 0.0), seen_at(10, 0.1), seen_at(100, 0.1), seen_at(110, 0.1)})),
             "F 0-10 - 10-100 F 100-110");
 }
 
 TEST(EyeMovements, AFewLostSamplesAreBridged) {
-  EXPECT_EQ(text_of(movements_in(
-                {seen(0, 0.0), seen(10, 0.1), blink(20), blink(30), seen(40, 0.2), seen(50, 0.3)})),
+  EXPECT_EQ(text_of(movements_in({seen_at(0, 0.0), seen_at(10, 0.1), lost_at(20), lost_at(30),
+                                  seen_at(40, 0.2), seen_at(50, 0.3)})),
             "F 0-50");
-  EXPECT_EQ(
-      text_of(movements_in({seen(0, 0.0), seen(10, 0.0), blink(20), seen(30, 3.0), seen(40, 3.0)})),
-      "F 0-10 S 10-40");
+  EXPECT_EQ(text_of(movements_in({seen_at(0, 0.0), seen_at(10, 0.0), lost_at(20), seen_at(30, 3.0),
+                                  seen_at(40, 3.0)})),
+            "F 0-10 S 10-40");
 }
 
 TEST(EyeMovements, AStreamMayBeginAndEndWithoutData) {
-  EXPECT_EQ(text_of(movements_in({blink(0), blink(10), seen(20, 0.0), seen(30, 0.0), blink(50),
-                                  blink(150), blink(300)})),
+  EXPECT_EQ(text_of(movements_in({lost_at(0), lost_at(10), seen_at(20, 0.0), seen_at(30, 0.0),
+                                  lost_at(50), lost_at(150), lost_at(300)})),
             "- 0-20 F 20-30 - 30-300");
-  EXPECT_EQ(text_of(movements_in({blink(0), blink(500)})), "- 0-500");
-  EXPECT_EQ(text_of(movements_in({seen(0, 0.0), seen(500, 0.0)})), "- 0-500");
+  EXPECT_EQ(text_of(movements_in({lost_at(0), lost_at(500)})), "- 0-500");
+  EXPECT_EQ(text_of(movements_in({seen_at(0, 0.0), seen_at(500, 0.0)})), "- 0-500");
   EXPECT_TRUE(movements_in({}).empty());
-  EXPECT_TRUE(movements_in({seen(0, 0.0)}).empty());
+  EXPECT_TRUE(movements_in({seen_at(0, 0.0)}).empty());
 }
 
 TEST(EyeMovements, RepeatedAndEarlierSamplesArePassedOver) {
-  EXPECT_EQ(text_of(movements_in(
-                {seen(0, 0.0), seen(10, 0.1), seen(10, 9.0), seen(5, 40.0), seen(20, 0.2)})),
+  EXPECT_EQ(text_of(movements_in({seen_at(0, 0.0), seen_at(10, 0.1), seen_at(10, 9.0),
+                                  seen_at(5, 40.0), seen_at(20, 0.2)})),
             "F 0-20");
 }
 
 TEST(EyeMovements, ReportsAtOnceWhatTheNewestSamplesSay) {
   EyeMovementDetector detector({});
   EXPECT_EQ(detector.now(), no_data);
-  detector.push(seen(0, 0.0));
+  detector.push(seen_at(0, 0.0));
   EXPECT_EQ(detector.now(), no_data);  // one sample has no velocity
-  detector.push(seen(10, 0.1));
+  detector.push(seen_at(10, 0.1));
   EXPECT_EQ(detector.now(), fixation);
-  detector.push(seen(20, 3.0));
+  detector.push(seen_at(20, 3.0));
   EXPECT_EQ(detector.now(), saccade);
-  detector.push(seen(20, 3.0));
+  detector.push(seen_at(20, 3.0));
   EXPECT_EQ(detector.now(), saccade);
-  detector.push(blink(30));
+  detector.push(lost_at(30));
   EXPECT_EQ(detector.now(), no_data);
-  detector.push(seen(40, 3.1));
+  detector.push(seen_at(40, 3.1));
   EXPECT_EQ(detector.now(), fixation);
 }
 
 TEST(EyeMovements, FinishingMakesADetectorAsNew) {
   EyeMovementDetector detector({});
-  detector.push(seen(1000, 0.0));
-  detector.push(seen(1010, 0.0));
+  detector.push(seen_at(1000, 0.0));
+  detector.push(seen_at(1010, 0.0));
   EXPECT_TRUE(detector.finish());
   EXPECT_FALSE(detector.finish());
-  detector.push(seen(0, 0.0));
-  detector.push(seen(10, 0.0));
+  detector.push(seen_at(0, 0.0));
+  detector.push(seen_at(10, 0.0));
   EXPECT_EQ(text_of({*detector.finish()}), "F 0-10");
 }
 

@@ -18,24 +18,6 @@ using testing::IsEmpty;
 
 const Vec3 ahead(0.0F, 0.0F, -1.0F);
 
-TEST(FixedEyeTracker, AlwaysLooksThere) {
-  FixedEyeTracker tracker(ahead);
-  NewestGaze newest(tracker);
-  const auto sample = newest(milliseconds(5));
-  ASSERT_TRUE(sample);
-  EXPECT_TRUE(sample->valid);
-  EXPECT_EQ(sample->direction, ahead);
-  EXPECT_EQ(sample->time, milliseconds(5));
-}
-
-TEST(SimulatedEyeTracker, DeliversNothingBeforeItsLatency) {
-  SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.02},
-                              [](Nanoseconds) { return ahead; });
-  NewestGaze newest(tracker);
-  EXPECT_FALSE(newest(milliseconds(20) - Nanoseconds(1)));
-  EXPECT_TRUE(newest(milliseconds(20)));
-}
-
 TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
   // The eye turns a degree each millisecond.
   const auto eye = [](Nanoseconds time) {
@@ -43,6 +25,7 @@ TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
   };
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.014, .precision_deg = 0.0}, eye);
   NewestGaze newest(tracker);
+  EXPECT_FALSE(newest(milliseconds(14) - Nanoseconds(1)));
   for (const auto& [now_ms, exposed_ms] :
        {std::pair{14, 0}, {23, 0}, {24, 10}, {33, 10}, {44, 30}}) {
     const auto sample = newest(milliseconds(now_ms));

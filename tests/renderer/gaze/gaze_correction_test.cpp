@@ -10,14 +10,12 @@
 #include "renderer/base/angles.h"
 #include "renderer/gaze/calibration_routine.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
+#include "tests/renderer/gaze/gaze_expectations.h"
 
 namespace foveola {
 namespace {
 
-Vec3 at_deg(double azimuth_deg, double elevation_deg) {
-  return direction_from(
-      {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)});
-}
+using test::at_deg;
 
 double between_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 

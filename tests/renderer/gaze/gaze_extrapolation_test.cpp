@@ -11,6 +11,7 @@
 #include "renderer/base/random.h"
 #include "renderer/gaze/rotations.h"
 #include "renderer/gaze/simulated_eye.h"
+#include "tests/renderer/gaze/gaze_expectations.h"
 
 namespace foveola {
 namespace {
@@ -20,10 +21,7 @@ constexpr Nanoseconds usual_horizon = std::chrono::milliseconds(30);
 constexpr double horizon_s = 0.03;
 
 /// Azimuth and elevation in degrees.
-Vec3 towards_deg(const DVec2& angles_deg) {
-  return direction_from(
-      {.azimuth_rad = radians(angles_deg.x), .elevation_rad = radians(angles_deg.y)});
-}
+Vec3 towards_deg(const DVec2& angles_deg) { return test::at_deg(angles_deg.x, angles_deg.y); }
 DVec2 angles_in_deg(const Vec3& direction) {
   const AzimuthElevation angles = azimuth_elevation(direction);
   return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};

@@ -11,22 +11,20 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
 #include "renderer/gaze/simulated_eye.h"
+#include "tests/renderer/gaze/gaze_expectations.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
+using test::at_deg;
+using test::lost_at;
+using test::seen_at;
 
-Vec3 at_deg(double azimuth_deg) { return direction_from({.azimuth_rad = radians(azimuth_deg)}); }
 double azimuth_deg(const Vec3& direction) {
   return degrees(azimuth_elevation(direction).azimuth_rad);
 }
-
-GazeSample seen_at(int time_ms, double azimuth_deg) {
-  return {.time = milliseconds(time_ms), .direction = at_deg(azimuth_deg), .valid = true};
-}
-GazeSample blink_at(int time_ms) { return {.time = milliseconds(time_ms)}; }
 
 /// Samples that arrive at their own times, and what a filter makes of them.
 class FilteredStream {
@@ -63,15 +61,8 @@ FilteredStream held(std::vector<GazeSample> samples, Nanoseconds limit = longest
   return {{.hold_s = foveola::seconds(limit)}, std::move(samples)};
 }
 
-TEST(GazeHold, PassesValidSamplesOn) {
-  FilteredStream stream = held({seen_at(10, 1.0), seen_at(20, 2.0)});
-  EXPECT_FALSE(stream.newest(milliseconds(9)));
-  EXPECT_EQ(stream.newest(milliseconds(15))->time, milliseconds(10));
-  EXPECT_EQ(stream.newest(milliseconds(20))->time, milliseconds(20));
-}
-
 TEST(GazeHold, HoldsTheLastValidOneWithItsOwnTime) {
-  FilteredStream stream = held({seen_at(10, 1.0), blink_at(20), blink_at(30), seen_at(200, 5.0)});
+  FilteredStream stream = held({seen_at(10, 1.0), lost_at(20), lost_at(30), seen_at(200, 5.0)});
   stream.newest(milliseconds(10));
   const auto sample = stream.newest(milliseconds(100));
   ASSERT_TRUE(sample);
@@ -82,7 +73,7 @@ TEST(GazeHold, HoldsTheLastValidOneWithItsOwnTime) {
 }
 
 TEST(GazeHold, LetsGoAfterSixHundredMilliseconds) {
-  FilteredStream stream = held({seen_at(10, 1.0), blink_at(20)});
+  FilteredStream stream = held({seen_at(10, 1.0), lost_at(20)});
   stream.newest(milliseconds(10));
   EXPECT_TRUE(stream.newest(milliseconds(610))->valid);
   EXPECT_FALSE(stream.newest(milliseconds(610) + Nanoseconds(1))->valid);
@@ -95,7 +86,7 @@ TEST(GazeHold, LetsGoOfATrackerThatHasStopped) {
 }
 
 TEST(GazeHold, KeepsInvalidSamplesBackWhileItHoldsAndReportsTheEnd) {
-  FilteredStream stream = held({seen_at(10, 1.0), blink_at(20), blink_at(30), blink_at(640)});
+  FilteredStream stream = held({seen_at(10, 1.0), lost_at(20), lost_at(30), lost_at(640)});
   const auto first = stream.polled(milliseconds(100));
   ASSERT_EQ(first.size(), 1U);
   EXPECT_EQ(first[0].time, milliseconds(10));
@@ -110,7 +101,7 @@ TEST(GazeHold, KeepsInvalidSamplesBackWhileItHoldsAndReportsTheEnd) {
 }
 
 TEST(GazeHold, WithoutAnyValidSampleThereIsNone) {
-  EXPECT_FALSE(held({blink_at(10)}).newest(milliseconds(10))->valid);
+  EXPECT_FALSE(held({lost_at(10)}).newest(milliseconds(10))->valid);
 }
 
 /// What becomes of these azimuths.
@@ -213,36 +204,9 @@ TEST(OneEuro, QuietensAnEyeAtRestAndFollowsASaccade) {
   EXPECT_NEAR(left_deg, 0.4, 0.1);
 }
 
-TEST(GazeFilter, SmoothsAllThatArriveTogether) {
-  GazeFilter smooth({.one_euro = OneEuroSettings{}});
-  OneEuro filter({});
-  const std::vector<GazeSample> smoothed =
-      smooth.filtered(milliseconds(16), {seen_at(0, 0.0), seen_at(8, 1.0), seen_at(16, 2.0)});
-  ASSERT_EQ(smoothed.size(), 3U);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(smoothed[i].direction, filter.smoothed(milliseconds(8 * i), at_deg(i)));
-  }
-}
-
-TEST(GazeFilter, SmoothsWhatPassesAndLeavesBlinksAlone) {
-  FilteredStream smooth({.one_euro = OneEuroSettings{}},
-                        {seen_at(0, 0.0), seen_at(8, 1.0), blink_at(16), seen_at(24, 1.0)});
-  OneEuro filter({});
-  EXPECT_FALSE(smooth.newest(-milliseconds(1)));
-  EXPECT_EQ(smooth.newest(milliseconds(0))->direction,
-            filter.smoothed(milliseconds(0), at_deg(0.0)));
-  const Vec3 second = filter.smoothed(milliseconds(8), at_deg(1.0));
-  EXPECT_EQ(smooth.newest(milliseconds(8))->direction, second);
-  EXPECT_EQ(smooth.newest(milliseconds(12))->direction, second);
-  EXPECT_EQ(smooth.newest(milliseconds(12))->time, milliseconds(8));
-  EXPECT_FALSE(smooth.newest(milliseconds(16))->valid);
-  EXPECT_EQ(smooth.newest(milliseconds(24))->direction,
-            filter.smoothed(milliseconds(24), at_deg(1.0)));
-}
-
 TEST(GazeFilter, WithoutAnyLeavesSamplesAsTheyAre) {
   GazeFilter none({});
-  const std::vector<GazeSample> samples{seen_at(0, 1.0), blink_at(8), seen_at(16, 3.0)};
+  const std::vector<GazeSample> samples{seen_at(0, 1.0), lost_at(8), seen_at(16, 3.0)};
   const std::vector<GazeSample> passed = none.filtered(milliseconds(20), samples);
   ASSERT_EQ(passed.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -258,7 +222,7 @@ std::vector<GazeSample> pursuit_with_a_blink() {
   std::vector<GazeSample> samples;
   for (int time_ms = 0; time_ms < 800; time_ms += 8) {
     const bool is_blink = time_ms >= 400 && time_ms < 500;
-    samples.push_back(is_blink ? blink_at(time_ms)
+    samples.push_back(is_blink ? lost_at(time_ms)
                                : seen_at(time_ms, 0.02 * time_ms + 0.1 * random.normal()));
   }
   return samples;

@@ -7,18 +7,14 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/gaze/simulated_eye.h"
+#include "tests/renderer/gaze/gaze_expectations.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
-
-GazeSample marked_gaze(int time_ms, double azimuth_deg) {
-  return {.time = milliseconds(time_ms),
-          .direction = direction_from({.azimuth_rad = radians(azimuth_deg)}),
-          .valid = true};
-}
-GazeSample lost(int time_ms) { return {.time = milliseconds(time_ms)}; }
+using test::lost_at;
+using test::seen_at;
 
 std::vector<GazeSample> marked(const std::vector<GazeSample>& samples) {
   GazeMarker marker;
@@ -43,12 +39,12 @@ std::string marks_of(const std::vector<GazeSample>& samples) {
 TEST(GazeMarker, ASaccadeIsWhatMovesFast) {
   std::vector<GazeSample> samples;
   for (int i = 0; i < 10; ++i) {
-    samples.push_back(marked_gaze(10 * i, 0.0));
+    samples.push_back(seen_at(10 * i, 0.0));
   }
-  samples.push_back(marked_gaze(100, 5.0));
-  samples.push_back(marked_gaze(110, 10.0));
+  samples.push_back(seen_at(100, 5.0));
+  samples.push_back(seen_at(110, 10.0));
   for (int i = 12; i < 22; ++i) {
-    samples.push_back(marked_gaze(10 * i, 10.0));
+    samples.push_back(seen_at(10 * i, 10.0));
   }
   EXPECT_EQ(marks_of(samples), "ffffffffffssffffffffff");
 }
@@ -57,13 +53,13 @@ TEST(GazeMarker, ABlinkLastsUpToSixHundredMilliseconds) {
   const auto with_pause = [](int pause_ms) {
     std::vector<GazeSample> samples;
     for (int i = 0; i < 8; ++i) {
-      samples.push_back(marked_gaze(10 * i, 0.0));
+      samples.push_back(seen_at(10 * i, 0.0));
     }
     for (int time_ms = 80; time_ms < 70 + pause_ms; time_ms += 100) {
-      samples.push_back(lost(time_ms));
+      samples.push_back(lost_at(time_ms));
     }
     for (int i = 0; i < 8; ++i) {
-      samples.push_back(marked_gaze(70 + pause_ms + 10 * i, 0.0));
+      samples.push_back(seen_at(70 + pause_ms + 10 * i, 0.0));
     }
     return samples;
   };
@@ -74,10 +70,9 @@ TEST(GazeMarker, ABlinkLastsUpToSixHundredMilliseconds) {
 }
 
 TEST(GazeMarker, ATrackerThatSendsNothingLeavesNothingToMark) {
-  EXPECT_EQ(marks_of({marked_gaze(0, 0.0), marked_gaze(10, 0.0), marked_gaze(300, 1.0),
-                      marked_gaze(310, 1.0)}),
+  EXPECT_EQ(marks_of({seen_at(0, 0.0), seen_at(10, 0.0), seen_at(300, 1.0), seen_at(310, 1.0)}),
             "ffff");
-  EXPECT_EQ(marks_of({marked_gaze(0, 0.0)}), "-");
+  EXPECT_EQ(marks_of({seen_at(0, 0.0)}), "-");
   EXPECT_EQ(marks_of({}), "");
 }
 
@@ -118,8 +113,8 @@ TEST(GazeMarker, AgreesWithTheEyeThatMoved) {
 }
 
 TEST(MarkedMovements, LastUntilTheNextOne) {
-  std::vector<GazeSample> samples = {marked_gaze(0, 0.0), marked_gaze(10, 0.0), lost(25),
-                                     marked_gaze(40, 0.0), marked_gaze(50, 0.0)};
+  std::vector<GazeSample> samples = {seen_at(0, 0.0), seen_at(10, 0.0), lost_at(25),
+                                     seen_at(40, 0.0), seen_at(50, 0.0)};
   samples[0].mark = samples[1].mark = GazeMark::fixation;
   samples[2].mark = GazeMark::blink;
   samples[3].mark = samples[4].mark = GazeMark::fixation;

@@ -136,17 +136,6 @@ auto has_reports(std::uint64_t count) {
 
 bool is_connected(const HidTrackerState& state) { return state.is_connected; }
 
-TEST(HidEyeTracker, HasNoSampleBeforeTheFirstReport) {
-  const SteadyClock clock;
-  CallLog log;
-  HidEyeTracker tracker(opener_of({Reads{}}, log), clock, quick_settings());
-  NewestGaze newest(tracker);
-  const HidTrackerState state = wait_for(tracker, is_connected);
-  EXPECT_FALSE(newest(clock.now()));
-  EXPECT_EQ(state.device.product, "Scripted");
-  EXPECT_EQ(state.status_text, "");
-}
-
 TEST(HidEyeTracker, ReadsTheConfigurationBeforeItRequestsGaze) {
   const SteadyClock clock;
   CallLog log;
@@ -183,25 +172,6 @@ TEST(HidEyeTracker, DeliversTheSampleOfEachReportInOrder) {
         glm::normalize(Vec3(2.0F * static_cast<float>(i) / 240.0F - 1.0F, 0.0F, -1.0F));
     EXPECT_LT(glm::distance(arrived[i].direction, expected), 1e-6F);
   }
-}
-
-TEST(HidEyeTracker, SurvivesMergedShortAndForeignReads) {
-  const SteadyClock clock;
-  CallLog log;
-  const Bytes report = tracking_report(1000, 600'000, 0);
-  const Reads reads = {report, Bytes(report.begin(), report.begin() + 40), Bytes{0x55, 1, 2, 3},
-                       // As much of two reports as a read of one can hold.
-                       test::status_report(4, 60) + report, report};
-  HidEyeTracker tracker(opener_of({reads}, log), clock, quick_settings());
-  NewestGaze newest(tracker);
-  const HidTrackerState state = wait_for(tracker, has_reports(2));
-  EXPECT_EQ(state.counters.reports, 2U);
-  EXPECT_EQ(state.counters.short_reads, 2U);
-  EXPECT_EQ(state.counters.wrong_ids, 1U);
-  EXPECT_EQ(state.counters.other_reports, 1U);
-  EXPECT_EQ(state.status.configuration, HidConfigurationStatus::user_calibration_needed);
-  EXPECT_LT(glm::distance(newest(clock.now())->direction, glm::normalize(Vec3(0.3F, 0.15F, -0.3F))),
-            1e-6F);
 }
 
 TEST(HidEyeTracker, ComesBackWhenItIsPluggedInAgain) {

@@ -38,19 +38,6 @@ Bytes report_at_100_hz(int index) {
   return tracking_report(static_cast<std::uint64_t>(10'000 * index), 0, 0);
 }
 
-TEST(GazeStream, GazeIsADirectionThroughTheScreen) {
-  HidGazeStream stream = stream_of();
-  const auto middle = newest(stream.receive(tracking_report(0, 300'000, 150'000), milliseconds(1)));
-  ASSERT_TRUE(middle);
-  EXPECT_TRUE(middle->valid);
-  expect_along(middle->direction, {0, 0, -1});
-  const auto corner = newest(stream.receive(tracking_report(10, 600'000, 0), milliseconds(2)));
-  expect_along(corner->direction, {0.3F, 0.15F, -0.3F});
-  const auto beyond =
-      newest(stream.receive(tracking_report(20, -300'000, 150'000), milliseconds(3)));
-  expect_along(beyond->direction, {-0.6F, 0.0F, -0.3F});
-}
-
 TEST(GazeStream, AReportWithoutAGazePointIsASampleThatIsNotValid) {
   HidGazeStream stream = stream_of({.latency_s = 0.014});
   const auto sample = newest(
@@ -158,15 +145,6 @@ TEST(GazeStream, ZerosBehindAReportArePadding) {
   stream.receive(test::status_report(1, 100) + Bytes(61, 0), milliseconds(1));
   EXPECT_EQ(stream.counters().other_reports, 1U);
   EXPECT_EQ(stream.counters().wrong_ids, 0U);
-}
-
-TEST(GazeStream, LearnsTheStatusFromInputReports) {
-  HidGazeStream stream = stream_of();
-  stream.learn(
-      HidStatus{.sampling_frequency_hz = 60.0, .configuration = HidConfigurationStatus::ready});
-  stream.receive(test::status_report(3, 90), milliseconds(1));
-  EXPECT_EQ(stream.status().sampling_frequency_hz, 90.0);
-  EXPECT_EQ(stream.status().configuration, HidConfigurationStatus::screen_setup_needed);
 }
 
 TEST(GazeStream, CountsGapsBySensorTime) {

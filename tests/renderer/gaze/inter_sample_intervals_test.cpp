@@ -11,14 +11,6 @@ GazeSample sample_at(int time_ms, bool valid = true) {
   return {.time = milliseconds(time_ms), .valid = valid};
 }
 
-TEST(InterSampleIntervals, KnowsNothingOfOneSample) {
-  InterSampleIntervals intervals;
-  intervals.add(sample_at(5));
-  EXPECT_EQ(intervals.samples(), 1U);
-  EXPECT_FALSE(intervals.rate_hz());
-  EXPECT_FALSE(intervals.jitter_ms());
-}
-
 TEST(InterSampleIntervals, CountsEverySampleOnce) {
   InterSampleIntervals intervals;
   for (const int time_ms : {0, 10, 10, 10, 20, 15, 30}) {

@@ -8,6 +8,13 @@
 
 namespace foveola::test {
 
+/// What arrives at a tracker by `now`.
+inline std::vector<GazeSample> polled(EyeTracker& tracker, Nanoseconds now) {
+  std::vector<GazeSample> arrived;
+  tracker.poll(now, arrived);
+  return arrived;
+}
+
 /// Polls a tracker, which must outlive it.
 class NewestGaze {
  public:

@@ -53,22 +53,6 @@ TEST(OpenGazeDecoder, FractionsBecomeDirections) {
   EXPECT_TRUE(is_near(corner->direction, {-1.0F, -1.0F, -1.0F}));
 }
 
-TEST(OpenGazeDecoder, TwoEyesLookAtTheirMiddle) {
-  OpenGazeDecoder decoder = decoder_with({.screen = square});
-  const auto sample = newest(decoder.decode(
-      "<REC LPOGX=\"0.7\" LPOGY=\"0.5\" LPOGV=\"1\" RPOGX=\"0.8\" RPOGY=\"0.5\" RPOGV=\"1\" />\n",
-      seconds(1)));
-  EXPECT_TRUE(is_near(sample->direction, {0.5F, 0.0F, -1.0F}));
-}
-
-TEST(OpenGazeDecoder, NoEyeIsAnInvalidSample) {
-  OpenGazeDecoder decoder = decoder_with({.screen = square});
-  const auto sample =
-      newest(decoder.decode("<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"0\" />\n", seconds(1)));
-  ASSERT_TRUE(sample);
-  EXPECT_FALSE(sample->valid);
-}
-
 TEST(OpenGazeDecoder, OfSeveralRecordsAllInOrder) {
   OpenGazeDecoder decoder = decoder_with({.screen = square});
   const auto samples = decoder.decode(record(0.0, 0.5, 1) + record(1.0, 0.5, 2), seconds(1));
@@ -186,18 +170,6 @@ TEST(OpenGazeTracker, AsksForDataAndDeliversIt) {
   EXPECT_EQ(tracker.counters().reconnects, 0U);
 }
 
-TEST(OpenGazeTracker, TakesARecordByteByByte) {
-  TrackerServer server;
-  OpenGazeTracker tracker(settings_for(server.port()));
-  accept_and_answer_requests(server);
-  for (const char& byte : record(0.0, 0.5)) {
-    server.send({&byte, 1});
-  }
-  EXPECT_TRUE(comes_to_look_along(tracker, {-1.0F, 0.0F, -1.0F}));
-  EXPECT_EQ(tracker.counters().records, 1U);
-  EXPECT_EQ(tracker.counters().garbage, 0U);
-}
-
 TEST(OpenGazeTracker, ComesBackAfterTheServerHungUp) {
   TrackerServer server;
   OpenGazeTracker tracker(settings_for(server.port()));
@@ -245,15 +217,6 @@ TEST(OpenGazeTracker, WaitsForAServerThatStartsLater) {
   accept_and_answer_requests(server);
   server.send(record(0.5, 0.0));
   EXPECT_TRUE(comes_to_look_along(tracker, {0.0F, 1.0F, -1.0F}));
-}
-
-TEST(OpenGazeTracker, SkipsGarbage) {
-  TrackerServer server;
-  OpenGazeTracker tracker(settings_for(server.port()));
-  accept_and_answer_requests(server);
-  server.send(std::string(100000, '\0') + "\n<<<\r\n" + record(1.0, 0.5));
-  EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
-  EXPECT_EQ(tracker.counters().garbage, 2U);
 }
 
 TEST(OpenGazeTracker, GivesUpASilentServerForANewConnection) {

@@ -11,34 +11,23 @@ namespace {
 
 using std::chrono::milliseconds;
 using test::NewestGaze;
+using test::polled;
 
 const Vec3 to_the_right(1.0F, 0.0F, 0.0F);
 const Vec3 upwards(0.0F, 1.0F, 0.0F);
 
-TEST(PointerEyeTracker, KnowsNothingBeforeTheFirstEvent) {
+TEST(PointerEyeTracker, RestsWhereItWasMovedToLast) {
   PointerEyeTracker pointer;
   NewestGaze newest(pointer);
-  EXPECT_FALSE(newest(milliseconds(5)));
-}
-
-TEST(PointerEyeTracker, LooksWhereItWasMovedToLast) {
-  PointerEyeTracker pointer;
-  NewestGaze newest(pointer);
+  EXPECT_FALSE(newest(milliseconds(0)));
   pointer.point_at(milliseconds(1), to_the_right);
   pointer.point_at(milliseconds(2), upwards);
-  const auto sample = newest(milliseconds(5));
-  ASSERT_TRUE(sample);
-  EXPECT_TRUE(sample->valid);
-  EXPECT_EQ(sample->direction, upwards);
-}
-
-TEST(PointerEyeTracker, IsKnownToRestWhereItIs) {
-  PointerEyeTracker pointer;
-  NewestGaze newest(pointer);
-  pointer.point_at(milliseconds(1), to_the_right);
-  EXPECT_EQ(newest(milliseconds(5))->time, milliseconds(5));
-  EXPECT_EQ(newest(milliseconds(7005))->time, milliseconds(7005));
-  EXPECT_EQ(newest(milliseconds(7005))->direction, to_the_right);
+  for (const Nanoseconds now : {milliseconds(5), milliseconds(7005)}) {
+    const auto sample = newest(now);
+    ASSERT_TRUE(sample && sample->valid);
+    EXPECT_EQ(sample->time, now);
+    EXPECT_EQ(sample->direction, upwards);
+  }
 }
 
 TEST(PointerEyeTracker, IsNotThereBeforeItsEvent) {
@@ -57,12 +46,6 @@ TEST(PointerEyeTracker, OutsideTheWindowItSeesNothing) {
   EXPECT_FALSE(newest(milliseconds(5))->valid);
   pointer.point_at(milliseconds(6), upwards);
   EXPECT_TRUE(newest(milliseconds(7))->valid);
-}
-
-std::vector<GazeSample> polled(PointerEyeTracker& pointer, Nanoseconds now) {
-  std::vector<GazeSample> arrived;
-  pointer.poll(now, arrived);
-  return arrived;
 }
 
 TEST(PointerEyeTracker, IsSampledEvenlyHoweverSeldomItIsAsked) {

@@ -1,7 +1,7 @@
 #include "renderer/gaze/profiles.h"
 
 #include <filesystem>
-#include <functional>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -9,13 +9,14 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "renderer/base/error.h"
 #include "renderer/gaze/latency.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
 
+using test::error_of;
 using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -87,25 +88,13 @@ TEST(TrackerProfile, WithTheHeadsetGivesThePublishedLatency) {
   EXPECT_NEAR(total_latency(latency_stages(inputs)).best_s, 0.038, 1e-15);
 }
 
-TEST(TrackerProfile, TheOthersCanBeReadToo) {
-  EXPECT_EQ(read_tracker_profile("hid").source, TrackerSource::hid);
-  const TrackerProfile gaze_point = read_tracker_profile("open-gaze");
-  EXPECT_EQ(gaze_point.source, TrackerSource::open_gaze);
-  EXPECT_EQ(gaze_point.open_gaze.host, "127.0.0.1");
-  EXPECT_EQ(gaze_point.open_gaze.port, 4242);
-  const TrackerProfile pointer = read_tracker_profile("pointer");
-  EXPECT_EQ(pointer.source, TrackerSource::pointer);
-  EXPECT_EQ(pointer.rate_hz, 125.0);
-  EXPECT_EQ(shortest_delay(pointer), Nanoseconds(0));
-  const TrackerProfile simulated = read_tracker_profile("simulated");
-  EXPECT_EQ(simulated.simulated.bias_right_deg, 0.5);
-  EXPECT_EQ(simulated.simulated.bias_up_deg, -0.4);
-  EXPECT_EQ(simulated.simulated.data_loss, 0.02);
-}
-
-TEST(Profiles, AreListedByName) {
+TEST(Profiles, OfEveryTrackerCanBeRead) {
   EXPECT_THAT(tracker_profile_names(),
               ElementsAre("fove0", "hid", "open-gaze", "openxr", "pointer", "simulated"));
+  for (const std::string& name : tracker_profile_names()) {
+    EXPECT_EQ(read_tracker_profile(name).name, name);
+  }
+  EXPECT_EQ(shortest_delay(read_tracker_profile("pointer")), Nanoseconds(0));
 }
 
 TEST(Profiles, OfAHeadsetByOpenXrLeaveItsViewsToItsRuntime) {
@@ -113,15 +102,6 @@ TEST(Profiles, OfAHeadsetByOpenXrLeaveItsViewsToItsRuntime) {
   EXPECT_EQ(display.kind, DisplayKind::openxr);
   EXPECT_EQ(display.horizontal_fov_deg, 0.0);
   EXPECT_EQ(read_tracker_profile("openxr").source, TrackerSource::openxr);
-}
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Profiles, AnUnknownNameSaysWhichThereAre) {
@@ -245,42 +225,38 @@ struct Fault {
   const char* message;  ///< a part of it
 };
 
-TEST(Profiles, WhatIsWrongWithADisplayIsSaidWithItsPlace) {
-  for (const Fault& f :
-       {Fault{"title = \"Mine\"", "", "title is missing"},
-        {"\"headset\"", "\"helmet\"", "mine.toml:2:8: there is no kind 'helmet'"},
-        {"width_px = 2000", "width_px = 2001", "mine.toml:3:12: two views"},
-        {"width_px = 2000", "width_px = 2000.5", "mine.toml:3:12: width_px is out of range"},
-        {"height_px = 1000", "height_px = 0", "mine.toml:4:13: height_px is out of range"},
-        {"refresh_rate_hz = 90", "refresh_rate_hz = -90", "refresh_rate_hz is out of range"},
-        {"refresh_rate_hz = 90", "refresh_rate_hz = nan", "refresh_rate_hz is out of range"},
-        {"refresh_rate_hz = 90\n", "", "refresh_rate_hz is missing"},
-        {"horizontal_fov_deg = 110", "horizontal_fov_deg = 180", "horizontal_fov_deg is out"},
-        {"vertical_fov_deg = 95.5\n", "", "vertical_fov_deg is missing"},
-        {"k2 = 0.24", "k3 = 0.24", "lens.k2 is missing"},
-        {"k2 = 0.24", "k2 = 0.24, k3 = 1", "unknown key 'lens.k3'"},
-        {"[0.56, 0.5]", "[0.56, 1.5]", "mine.toml:8:24: lens.axis is out of range"},
-        {"duration_ms = 3, ", "", "scan_out.duration_ms is missing"},
-        {"\"measured\"", "\"guessed\"", "there is no provenance 'guessed'"},
-        {"scan_out = {", "scan_in = {", "scan_out is missing"},
-        {"kind", "width_m = 0.5\nkind", "mine.toml:2:1: unknown key 'width_m'"},
-        {"kind = ", "kind == ", "mine.toml:2:"}}) {
-    EXPECT_THAT(error_of([&] { display_from(with(headset, f.from, f.to)); }),
-                AllOf(HasSubstr("mine.toml:"), HasSubstr(f.message)))
-        << f.to;
+/// Each fault by itself, in a profile that is right otherwise.
+template <typename Profile>
+void expect_refused(Profile (*read)(const std::string&), const std::string& right,
+                    std::initializer_list<Fault> faults) {
+  for (const Fault& fault : faults) {
+    EXPECT_THAT(error_of([&] { read(with(right, fault.from, fault.to)); }),
+                AllOf(HasSubstr("mine.toml:"), HasSubstr(fault.message)))
+        << fault.to;
   }
 }
 
-TEST(Profiles, AMonitorHasASizeADistanceAndNoOtherFieldOfView) {
-  for (const Fault& f :
-       {Fault{"width_m = 0.6", "width_m = 0.2", "mine.toml:6:11: such a size has no square pixels"},
-        {"viewing_distance_m = 0.3\n", "", "viewing_distance_m is missing"},
-        {"viewing_distance_m = 0.3", "viewing_distance_m = 0",
-         "viewing_distance_m is out of range"},
-        {"kind", "horizontal_fov_deg = 90\nkind", "unknown key 'horizontal_fov_deg'"},
-        {"kind", "lens = { k1 = 0, k2 = 0 }\nkind", "unknown key 'lens'"}}) {
-    EXPECT_THAT(error_of([&] { display_from(with(monitor, f.from, f.to)); }), HasSubstr(f.message));
-  }
+TEST(Profiles, WhatIsWrongWithADisplayIsSaidWithItsPlace) {
+  expect_refused(display_from, headset,
+                 {{"title = \"Mine\"", "", "title is missing"},
+                  {"\"headset\"", "\"helmet\"", "mine.toml:2:8"},
+                  {"width_px = 2000", "width_px = 2001", "mine.toml:3:12: two views"},
+                  {"width_px = 2000", "width_px = 2000.5", "mine.toml:3:12"},
+                  {"height_px = 1000", "height_px = 0", "mine.toml:4:13"},
+                  {"refresh_rate_hz = 90", "refresh_rate_hz = nan", "mine.toml:5:19"},
+                  {"horizontal_fov_deg = 110", "horizontal_fov_deg = 180", "mine.toml:6:22"},
+                  {"vertical_fov_deg = 95.5\n", "", "vertical_fov_deg is missing"},
+                  {"k2 = 0.24", "k3 = 0.24", "lens.k2 is missing"},
+                  {"[0.56, 0.5]", "[0.56, 1.5]", "mine.toml:8:24"},
+                  {"duration_ms = 3, ", "", "scan_out.duration_ms is missing"},
+                  {"\"measured\"", "\"guessed\"", "mine.toml:9:44"},
+                  {"kind", "width_m = 0.5\nkind", "mine.toml:2:1: unknown key 'width_m'"}});
+  expect_refused(
+      display_from, monitor,
+      {{"width_m = 0.6", "width_m = 0.2", "mine.toml:6:11: such a size has no square pixels"},
+       {"viewing_distance_m = 0.3\n", "", "viewing_distance_m is missing"},
+       {"kind", "horizontal_fov_deg = 90\nkind", "unknown key 'horizontal_fov_deg'"},
+       {"kind", "lens = { k1 = 0, k2 = 0 }\nkind", "unknown key 'lens'"}});
 }
 
 TEST(Profiles, ADisplaySaysWhatItWasMeasuredToBe) {
@@ -306,32 +282,23 @@ size_px = 48
   EXPECT_EQ(mine.timing_patch->corner, WindowCorner::top_right);
   EXPECT_STREQ(name_of(mine.timing_patch->corner), "top right");
   EXPECT_EQ(mine.timing_patch->size_px, 48);
-  for (const Fault& f : {Fault{"date = \"2026-11-02\"\n", "", "measured.date is missing"},
-                         {"250.5", "-1", "measured.white_cd_m2 is out of range"},
-                         {"gamma", "gamut", "unknown key 'measured.gamut'"},
-                         {"top right", "middle", "there is no corner 'middle'"},
-                         {"48", "0", "timing_patch.size_px is out of range"}}) {
-    EXPECT_THAT(error_of([&] { display_from(with(monitor + tables, f.from, f.to)); }),
-                HasSubstr(f.message));
-  }
+  expect_refused(display_from, monitor + tables,
+                 {{"date = \"2026-11-02\"\n", "", "measured.date is missing"},
+                  {"250.5", "-1", "measured.white_cd_m2"},
+                  {"top right", "middle", "there is no corner 'middle'"},
+                  {"48", "0", "timing_patch.size_px"}});
 }
 
 TEST(Profiles, WhatIsWrongWithATrackerIsSaidWithItsPlace) {
-  for (const Fault& f :
-       {Fault{"\"open-gaze\"", "\"open gaze\"", "mine.toml:2:10: there is no source 'open gaze'"},
-        {"rate_hz = 150", "rate_hz = 0", "mine.toml:3:11: rate_hz is out of range"},
-        {"\"open-gaze\"", "\"recorded\"", "recording is missing or empty"},
-        {"transfer", "transport", "transfer is missing"},
-        {"duration_ms = 2", "duration_ms = -2", "transfer.duration_ms is out of range"},
-        {"duration_ms = 2", "duration_ms = 2000", "transfer.duration_ms is out of range"},
-        {"port = 4343", "port = 65536", "open_gaze.port is out of range"},
-        {"\"tracker.example\"", "\"\"", "open_gaze.host is empty"},
-        {"[open_gaze]", "[simulated]", "unknown key 'simulated'"},
-        {"port = 4343", "porto = 4343", "unknown key 'open_gaze.porto'"}}) {
-    EXPECT_THAT(error_of([&] { tracker_from(with(tracker, f.from, f.to)); }),
-                AllOf(HasSubstr("mine.toml:"), HasSubstr(f.message)))
-        << f.to;
-  }
+  expect_refused(tracker_from, tracker,
+                 {{"\"open-gaze\"", "\"open gaze\"", "mine.toml:2:10"},
+                  {"rate_hz = 150", "rate_hz = 0", "mine.toml:3:11"},
+                  {"\"open-gaze\"", "\"recorded\"", "recording is missing or empty"},
+                  {"transfer", "transport", "transfer is missing"},
+                  {"duration_ms = 2", "duration_ms = 2000", "transfer.duration_ms"},
+                  {"port = 4343", "port = 65536", "open_gaze.port"},
+                  {"\"tracker.example\"", "\"\"", "open_gaze.host is empty"},
+                  {"[open_gaze]", "[simulated]", "unknown key 'simulated'"}});
 }
 
 }  // namespace

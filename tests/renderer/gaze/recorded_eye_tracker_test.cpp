@@ -6,15 +6,17 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
+#include "tests/error_of.h"
+#include "tests/renderer/gaze/newest_gaze.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
+using test::polled;
 using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -27,12 +29,7 @@ std::vector<GazeSample> read(const std::string& content) {
 }
 
 std::string error_of(const std::string& content) {
-  try {
-    read(content);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { read(content); });
 }
 
 TEST(GazeFile, IsReadAsItIsDescribed) {
@@ -132,12 +129,6 @@ std::vector<GazeSample> three_samples() {
   return {{.time = milliseconds(10), .valid = true},
           {.time = milliseconds(20)},
           {.time = milliseconds(35), .direction = right, .valid = true}};
-}
-
-std::vector<GazeSample> polled(EyeTracker& tracker, Nanoseconds now) {
-  std::vector<GazeSample> arrived;
-  tracker.poll(now, arrived);
-  return arrived;
 }
 
 TEST(RecordedEyeTracker, DeliversEachSampleOnceAtItsTimeAndTheLatency) {

@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/error.h"
 #include "renderer/base/random.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
@@ -27,12 +27,7 @@ std::vector<HeadPose> read_head(const std::string& content) {
 }
 
 std::string head_error_of(const std::string& content) {
-  try {
-    read_head(content);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { read_head(content); });
 }
 
 TEST(HeadFile, IsReadAsItIsDescribed) {

@@ -69,7 +69,7 @@ SimulatedEyeSettings plain(std::uint64_t seed) {
   return {.seed = seed, .microsaccade_interval_s = 0.0, .blinks_per_minute = 0.0};
 }
 
-double angle_deg(const Vec3& a, const DVec3& b) { return degrees(angle_between(a, Vec3(b))); }
+double degrees_between(const Vec3& a, const DVec3& b) { return degrees(angle_between(a, Vec3(b))); }
 
 TEST(SimulatedEye, FixatesBetweenSaccades) {
   SimulatedEye eye(plain(3));
@@ -93,10 +93,10 @@ TEST(SimulatedEye, SaccadesAreWithinTheirLimits) {
   double square_sum = 0.0;
   const std::vector<SimulatedSaccade> saccades = eye.saccades(hours(1));
   for (const SimulatedSaccade& saccade : saccades) {
-    ASSERT_NEAR(saccade.amplitude_deg, angle_deg(Vec3(saccade.from), saccade.to), 1e-4);
+    ASSERT_NEAR(saccade.amplitude_deg, degrees_between(Vec3(saccade.from), saccade.to), 1e-4);
     ASSERT_GE(saccade.amplitude_deg, 1.0);
     ASSERT_LT(saccade.amplitude_deg, 30.0);
-    ASSERT_LE(angle_deg(Vec3(saccade.to), ahead), 30.0 + 1e-4);
+    ASSERT_LE(degrees_between(Vec3(saccade.to), ahead), 30.0 + 1e-4);
     ASSERT_NEAR(foveola::seconds(saccade.end - saccade.start),
                 0.021 + 0.0022 * saccade.amplitude_deg, 2e-9);
     ASSERT_FALSE(saccade.is_micro);
@@ -110,18 +110,18 @@ TEST(SimulatedEye, SaccadesAreWithinTheirLimits) {
 
 TEST(SimulatedEye, LooksAheadAtFirst) {
   SimulatedEye eye(plain(5));
-  EXPECT_LT(angle_deg(*eye.gaze(Nanoseconds(0)), {0.0, 0.0, -1.0}), 1e-5);
+  EXPECT_LT(degrees_between(*eye.gaze(Nanoseconds(0)), {0.0, 0.0, -1.0}), 1e-5);
   EXPECT_EQ(eye.gaze(-milliseconds(100)), eye.gaze(Nanoseconds(0)));
 }
 
 TEST(SimulatedEye, RestsWhereItsSaccadesLead) {
   SimulatedEye eye(plain(5));
   for (const SimulatedSaccade& saccade : eye.saccades(minutes(1))) {
-    EXPECT_LT(angle_deg(*eye.gaze(saccade.end + milliseconds(100)), saccade.to), 1e-5);
+    EXPECT_LT(degrees_between(*eye.gaze(saccade.end + milliseconds(100)), saccade.to), 1e-5);
     const Nanoseconds middle = saccade.start + (saccade.end - saccade.start) / 2;
     const Vec3 half_way = *eye.gaze(middle);
-    EXPECT_NEAR(angle_deg(half_way, saccade.from), 0.5 * saccade.amplitude_deg, 1e-4);
-    EXPECT_NEAR(angle_deg(half_way, saccade.to), 0.5 * saccade.amplitude_deg, 1e-4);
+    EXPECT_NEAR(degrees_between(half_way, saccade.from), 0.5 * saccade.amplitude_deg, 1e-4);
+    EXPECT_NEAR(degrees_between(half_way, saccade.to), 0.5 * saccade.amplitude_deg, 1e-4);
   }
 }
 
@@ -198,7 +198,7 @@ TEST(SimulatedEye, MicrosaccadesAreGammaDistributed) {
 TEST(SimulatedEye, MicrosaccadesDoNotLeadAway) {
   SimulatedEye eye(staring(10));
   for (Nanoseconds time{0}; time < hours(5); time += std::chrono::seconds(1)) {
-    ASSERT_LT(angle_deg(*eye.gaze(time), {0.0, 0.0, -1.0}), 1.5);
+    ASSERT_LT(degrees_between(*eye.gaze(time), {0.0, 0.0, -1.0}), 1.5);
   }
 }
 

@@ -28,14 +28,6 @@ Turn turn_deg(double right_deg, double up_deg) {
   return {.right_rad = radians(right_deg), .up_rad = radians(up_deg)};
 }
 
-TEST(SteeredHeadTracker, StaysWhereItIsPut) {
-  SteeredHeadTracker head({.azimuth_rad = 1.25, .elevation_rad = -0.5});
-  const HeadPose pose = head.pose(milliseconds(700));
-  EXPECT_EQ(pose.time, milliseconds(700));
-  EXPECT_EQ(pose.heading.azimuth_rad, 1.25);
-  EXPECT_EQ(pose.heading.elevation_rad, -0.5);
-}
-
 TEST(SteeredHeadTracker, DragsTurnItAtOnce) {
   SteeredHeadTracker head(ahead);
   head.turn(milliseconds(10), turn_deg(5.0, 2.0));
