@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "renderer/base/error.h"
 #include "renderer/image/image_file.h"
+#include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
 
@@ -38,12 +38,7 @@ TEST(DisplayPicturesTest, WhatCannotBeWrittenIsReportedAndTheOthersAreWritten) {
   DisplayPictures pictures;
   pictures.write_privately(folder / "no-such-folder" / "one.png", grey_picture());
   pictures.write_privately(folder / "two.png", grey_picture());
-  try {
-    pictures.finish();
-    FAIL() << "a picture in no folder";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("one.png"));
-  }
+  EXPECT_THAT(test::error_of([&] { pictures.finish(); }), ::testing::HasSubstr("one.png"));
   EXPECT_TRUE(std::filesystem::exists(folder / "two.png"));
   EXPECT_NO_THROW(pictures.finish()) << "reported once";
 }

@@ -6,6 +6,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
+#include "tests/renderer/window/patterned_film.h"
 
 namespace foveola {
 namespace {
@@ -43,17 +44,14 @@ class FilmMirrorTest : public ::testing::TestWithParam<IVec2> {
  protected:
   /// Adds samples of random colours at random places.
   void add(int count) {
-    std::vector<ViewSample> samples(static_cast<std::size_t>(count));
-    std::vector<Rgb> radiance(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    std::vector<Vec2> images(static_cast<std::size_t>(count));
+    std::vector<Rgb> radiance(images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
       const auto u = static_cast<float>(random_.uniform());
-      const auto v = static_cast<float>(random_.uniform());
-      samples[i] = {.direction = direction_from_equirect({u, v}), .image = {u, v}};
+      images[i] = {u, static_cast<float>(random_.uniform())};
       radiance[i] = Rgb(static_cast<float>(random_.uniform()));
     }
-    NumberedBatch batch;
-    film_.number(samples, batch, workers_);
-    film_.add(batch, radiance, workers_);
+    test::add_samples(film_, images, radiance, workers_);
   }
 
   FilmUpdate collect(const Viewport& viewport, int levels) {
@@ -149,11 +147,7 @@ TEST(FilmMirrorCost, OneSampleIsAFewCells) {
   const Workers workers(1);
   FilmMirror mirror(film);
   const Viewport viewport(head_orientation({}), radians(90.0), radians(90.0));
-  const ViewSample sample{.direction = {0, 0, -1}, .image = {0.5F, 0.5F}};
-  NumberedBatch batch;
-  film.number(std::span(&sample, 1), batch, workers);
-  const std::vector<Rgb> radiance = {Rgb(1.0F)};
-  film.add(batch, radiance, workers);
+  test::add_samples(film, {Vec2(0.5F, 0.5F)}, {Rgb(1.0F)}, workers);
   EXPECT_LE(mirror.collect(film, std::span(&viewport, 1), 3).size(), 3U);
 }
 
@@ -162,11 +156,7 @@ TEST(FilmMirrorCost, WhatIsOutOfViewIsNotCopied) {
   const Workers workers(1);
   FilmMirror mirror(film);
   const Viewport viewport(head_orientation({}), radians(90.0), radians(90.0));
-  const ViewSample behind{.direction = {0, 0, 1}, .image = {0.0F, 0.5F}};
-  NumberedBatch batch;
-  film.number(std::span(&behind, 1), batch, workers);
-  const std::vector<Rgb> radiance = {Rgb(1.0F)};
-  film.add(batch, radiance, workers);
+  test::add_samples(film, {Vec2(0.0F, 0.5F)}, {Rgb(1.0F)}, workers);
   EXPECT_TRUE(mirror.collect(film, std::span(&viewport, 1), 3).empty());
 }
 

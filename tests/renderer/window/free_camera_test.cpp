@@ -154,16 +154,6 @@ TEST_F(FreeCameraTest, AltMakesTheLeftButtonOrbitAndTurnNothingElse) {
   EXPECT_FALSE(at(4, MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = true}));
 }
 
-TEST_F(FreeCameraTest, ANewSizeWhileOrbitingIsHarmless) {
-  point(0, 500, 250);
-  button(1, GLFW_MOUSE_BUTTON_MIDDLE, true);
-  geometry_.parts.front().size = {100, 60};
-  camera_.show(geometry_, {100, 60}, 1.0);
-  point(2, 50, 30);
-  button(3, GLFW_MOUSE_BUTTON_MIDDLE, false);
-  EXPECT_TRUE(is_finite(position(4)));
-}
-
 TEST_F(FreeCameraTest, FitsWhatWasPickedOrAll) {
   camera_.fit(milliseconds(0));
   EXPECT_THAT(camera_.take_note(), HasSubstr("all fits"));

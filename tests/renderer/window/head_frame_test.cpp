@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/parallel.h"
+#include "tests/renderer/window/patterned_film.h"
 
 namespace foveola {
 namespace {
@@ -20,13 +21,8 @@ const WindowArea open_area{.framebuffer = {200, 80}};
 
 /// A sample in the middle of the image, straight ahead, and one at its left edge, behind.
 void sample_ahead_and_behind(EquirectFilm& film) {
-  const std::vector<ViewSample> samples = {
-      {.direction = {0.0F, 0.0F, -1.0F}, .image = {0.501F, 0.501F}},
-      {.direction = {0.0F, 0.0F, 1.0F}, .image = {0.001F, 0.501F}}};
-  const Workers workers(1);
-  NumberedBatch batch;
-  film.number(samples, batch, workers);
-  film.add(batch, std::vector<Rgb>(samples.size(), Rgb(1.0F)), workers);
+  test::add_samples(film, {Vec2(0.501F, 0.501F), Vec2(0.001F, 0.501F)}, {Rgb(1.0F), Rgb(1.0F)},
+                    Workers(1));
 }
 
 /// Whether the update has full-resolution cells of the film at this column.

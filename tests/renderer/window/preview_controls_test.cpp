@@ -36,14 +36,6 @@ TEST(PreviewControlsTest, EveryLetterDoesSomethingElse) {
   }
 }
 
-TEST(PreviewControlsTest, TheHelpFitsASmallWindow) {
-  // 800x450, in letters of 7x13 pixels.
-  EXPECT_LE(help_lines().size(), 31U);
-  for (const std::string& line : help_lines()) {
-    EXPECT_LE(line.size(), 108U) << line;
-  }
-}
-
 TEST(PreviewControlsTest, SamplesAreCutAtAMultipleOfWhite) {
   PreviewChoices choices = four_methods();
   EXPECT_TRUE(std::isinf(largest_radiance(choices)));
@@ -54,14 +46,6 @@ TEST(PreviewControlsTest, SamplesAreCutAtAMultipleOfWhite) {
   EXPECT_NEAR(largest_radiance(choices), 4.0, 1e-6);
   EXPECT_TRUE(follow(PreviewAction::cut_fireflies, choices));
   EXPECT_TRUE(std::isinf(largest_radiance(choices)));
-}
-
-TEST(PreviewControlsTest, TheToneCurveChanges) {
-  PreviewChoices choices = four_methods();
-  EXPECT_FALSE(follow(PreviewAction::next_curve, choices));
-  EXPECT_EQ(choices.look.curve, ToneCurve::filmic);
-  follow(PreviewAction::next_curve, choices);
-  EXPECT_EQ(choices.look.curve, ToneCurve::plain);
 }
 
 TEST(PreviewControlsTest, KeysActWhenTheyGoDown) {
@@ -95,15 +79,6 @@ TEST(PreviewControlsTest, SharesMatterToTheHybridOnly) {
     follow(PreviewAction::more_of_the_first, choices);
   }
   EXPECT_EQ(method_text(choices), "hybrid:0.90*fv+0.10*od");
-}
-
-TEST(PreviewControlsTest, OverlaysComeAndGo) {
-  PreviewChoices choices = four_methods();
-  EXPECT_FALSE(follow(PreviewAction::show_rings, choices));
-  EXPECT_TRUE(choices.shows_rings);
-  EXPECT_FALSE(choices.shows_gaze);
-  EXPECT_FALSE(follow(PreviewAction::show_rings, choices));
-  EXPECT_FALSE(choices.shows_rings);
 }
 
 TEST(PreviewControlsTest, ExposureGoesByHalfStops) {

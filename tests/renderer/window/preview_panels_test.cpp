@@ -36,35 +36,6 @@ ShownNow shown() {
           .largest_radiance = std::numeric_limits<float>::infinity()};
 }
 
-TEST(PreviewPanelsTest, LatenciesStandBelowTheirHeadings) {
-  const std::vector<std::string> lines =
-      latency_lines(frames(), {.rate_hz = 70.0}, {.refresh_rate_hz = 60.0});
-  ASSERT_GT(lines.size(), 2U);
-  EXPECT_THAT(lines[0], HasSubstr("  best  median   worst"));
-  const std::size_t unit = lines[1].find(" ms");
-  EXPECT_EQ(unit, lines[0].size()) << lines[1];
-}
-
-TEST(PreviewPanelsTest, DensitiesSayWhatTheyMean) {
-  const std::vector<std::string> lines = density_lines(frames());
-  ASSERT_THAT(lines, SizeIs(3));
-  EXPECT_EQ(lines[0].size(), lines[1].size()) << "the scale is as wide as the panel";
-  EXPECT_THAT(lines[2], HasSubstr("1: 10 a second and square degree"));
-  EXPECT_THAT(density_lines({}), SizeIs(2)) << "nothing is known yet";
-}
-
-TEST(PreviewPanelsTest, SaysWhatIsShownAndHow) {
-  ShownNow now = shown();
-  EXPECT_THAT(view_lines(now),
-              ElementsAre(now.view, "camera 1.5, 1.6, -3.25; moves 1.5 m a second",
-                          "head -30.0, 5.0 degrees", "exposure -0.5 stops, plain tone curve",
-                          "samples not cut"));
-  now.curve = ToneCurve::filmic;
-  now.largest_radiance = 5.66F;
-  EXPECT_THAT(view_lines(now)[3], HasSubstr("filmic"));
-  EXPECT_THAT(view_lines(now)[4], HasSubstr("cut at 5.66"));
-}
-
 TEST(PreviewPanelsTest, AViewIsOptionsOfTheCommandLine) {
   ShownNow now = shown();
   EXPECT_EQ(view_options(now), "--camera 1.5,1.6,-3.25 --head -30,5 --fov 60");

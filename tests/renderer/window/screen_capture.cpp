@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "renderer/base/parallel.h"
-#include "renderer/view/equirect.h"
 #include "renderer/window/live_preview.h"
+#include "tests/renderer/window/patterned_film.h"
 
 namespace foveola::test {
 namespace {
@@ -24,18 +24,13 @@ std::vector<ShownView> views_of(const WindowCase& window, const IVec2& framebuff
 }
 
 void fill_with_white(EquirectFilm& film) {
-  const Vec2 size(film.width(), film.height());
-  std::vector<ViewSample> samples;
+  std::vector<Vec2> images;
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
-      const Vec2 image = (Vec2(x, y) + 0.5F) / size;
-      samples.push_back({.direction = direction_from_equirect(image), .image = image});
+      images.push_back((Vec2(x, y) + 0.5F) / Vec2(film.width(), film.height()));
     }
   }
-  Workers workers(1);
-  NumberedBatch batch;
-  film.number(samples, batch, workers);
-  film.add(batch, std::vector<Rgb>(samples.size(), Rgb(1.0F)), workers);
+  add_samples(film, images, std::vector<Rgb>(images.size(), Rgb(1.0F)), Workers(1));
 }
 
 }  // namespace

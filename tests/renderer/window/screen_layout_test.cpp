@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <imgui.h>
 
-#include "renderer/base/error.h"
 #include "renderer/base/utf8.h"
+#include "tests/error_of.h"
 #include "tests/renderer/window/sample_screens.h"
 #include "tests/renderer/window/screen_letters.h"
 
@@ -227,13 +227,9 @@ TEST(ScreenTypeTest, AHeadsetsPageIsInTheMiddleOfTheView) {
 }
 
 TEST(ScreenTypeTest, SaysWhichPackageHasTheLetters) {
-  try {
-    const ScreenFonts fonts("/no/such/folder");
-    FAIL() << "letters from nowhere";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), ::testing::StartsWith("/no/such/folder/DejaVuSans.ttf: "));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("fonts-dejavu-core"));
-  }
+  EXPECT_THAT(test::error_of([] { const ScreenFonts fonts("/no/such/folder"); }),
+              ::testing::AllOf(::testing::StartsWith("/no/such/folder/DejaVuSans.ttf: "),
+                               ::testing::HasSubstr("fonts-dejavu-core")));
 }
 
 TEST(ScreenTypeTest, KnowsEuropesLetters) {

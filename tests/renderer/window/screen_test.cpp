@@ -58,17 +58,6 @@ TEST_P(ScreenTest, ABandLeavesThePictureAsItIs) {
   }
 }
 
-TEST_P(ScreenTest, TheFocusIsSeen) {
-  ScreenPage screen{.title = "One", .fields = {test::artifacts_scale()}};
-  const RgbImage with = capture(screen);
-  screen.fields.front().has_focus = false;
-  const RgbImage without = capture(screen);
-  const auto focus = [](const Rgb& color) { return is_ink(color, Ink::focus); };
-  const int width_px = GetParam().is_headset ? 500 : GetParam().size.x / 2;
-  EXPECT_GT(count_pixels(with, focus), 2 * 2 * width_px);  // two lines of two pixels at least
-  EXPECT_EQ(count_pixels(without, focus), 0);
-}
-
 TEST_P(ScreenTest, LettersFollowTheWindowsSize) {
   const ScreenPage screen{.title = "Large", .paragraphs = {"and small"}};
   const RgbImage large = capture(screen);

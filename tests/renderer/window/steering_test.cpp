@@ -75,14 +75,5 @@ TEST_F(SteeringTest, ASticksPushTurnsTheHead) {
   EXPECT_NEAR(turned, StickResponse{}.full_speed_rad_per_s, 1e-9);
 }
 
-TEST_F(SteeringTest, KeysAndSticksAddUp) {
-  at(0, KeyMoved{.key = GLFW_KEY_LEFT, .is_down = true});
-  at(0, GamepadMoved{.sticks = {.right = {1.0, 0.0}}});
-  at(500, GamepadMoved{});
-  at(500, KeyMoved{.key = GLFW_KEY_LEFT, .is_down = false});
-  EXPECT_NEAR(heading(500).azimuth_rad, 0.5 * StickResponse{}.full_speed_rad_per_s - radians(30.0),
-              1e-9);
-}
-
 }  // namespace
 }  // namespace foveola

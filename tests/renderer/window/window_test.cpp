@@ -9,7 +9,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "renderer/base/error.h"
+#include "tests/error_of.h"
 #include "tests/waiting.h"
 #include "tests/x_server.h"
 
@@ -250,17 +250,6 @@ TEST_F(WindowTest, SaysWhereItIsOnTheOnlyMonitor) {
   expect_place();
 }
 
-TEST_F(WindowTest, SizesCome) {
-  const auto is_the_new_one = [](const WindowEvent& event) {
-    const auto* size = std::get_if<WindowResized>(&event.what);
-    return size != nullptr && size->framebuffer == IVec2(640, 200);
-  };
-  const auto events =
-      events_while([](test::XUser& user) { user.resize(title, 640, 200); }, is_the_new_one);
-  EXPECT_TRUE(std::any_of(events.begin(), events.end(), is_the_new_one));
-  EXPECT_EQ(window_.framebuffer_size(), IVec2(640, 200));
-}
-
 TEST_F(WindowTest, AWishToCloseIsAnEvent) {
   const auto is_wish = [](const WindowEvent& event) {
     return std::holds_alternative<CloseWanted>(event.what);
@@ -279,12 +268,6 @@ TEST_F(WindowTest, ItSaysWhenItIsMinimised) {
   const auto away =
       events_while([](test::XUser& user) { user.say_minimised(title, true); }, hidden(true));
   EXPECT_TRUE(std::any_of(away.begin(), away.end(), hidden(true)));
-}
-
-TEST_F(WindowTest, FillsTheMonitorAndComesBack) {
-  const auto toggle = [&](test::XUser& /*user*/) { window_.toggle_full_screen(); };
-  const auto full = events_while(toggle, has_size({1280, 1024}));
-  EXPECT_TRUE(std::any_of(full.begin(), full.end(), has_size({1280, 1024})));
 }
 
 /// Whether it reports that a monitor was lost or found.
@@ -366,29 +349,16 @@ TEST_F(MonitorTest, AWindowStaysWhenAnotherMonitorIsLost) {
   EXPECT_EQ(window.framebuffer_size(), IVec2(1024, 768));
 }
 
-TEST(WindowErrors, NoDisplayIsSaid) {
+TEST(WindowErrors, NoDisplayAndNoMonitorAreSaid) {
   const test::XServer server;
+  WindowEvents events;
+  const SteadyClock clock;
+  const auto error_of_window = [&](const WindowSettings& settings) {
+    return test::error_of([&] { const Window window(settings, events, clock); });
+  };
+  EXPECT_THAT(error_of_window({.monitor = 3}), ::testing::HasSubstr("no monitor 3, only 1"));
   ::setenv("DISPLAY", ":9999", 1);
-  WindowEvents events;
-  const SteadyClock clock;
-  try {
-    const Window window({}, events, clock);
-    FAIL() << "a window on no display";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("there is no display"));
-  }
-}
-
-TEST(WindowErrors, AMonitorThatIsNotThereIsSaid) {
-  const test::XServer server;
-  WindowEvents events;
-  const SteadyClock clock;
-  try {
-    const Window window({.monitor = 3}, events, clock);
-    FAIL() << "a window on no monitor";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("no monitor 3, only 1"));
-  }
+  EXPECT_THAT(error_of_window({}), ::testing::HasSubstr("there is no display"));
 }
 
 }  // namespace
