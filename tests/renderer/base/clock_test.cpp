@@ -8,24 +8,6 @@
 namespace foveola {
 namespace {
 
-TEST(VirtualClock, MovesOnlyWhenAdvanced) {
-  VirtualClock clock;
-  EXPECT_EQ(clock.now(), Nanoseconds(0));
-  clock.advance(std::chrono::milliseconds(14));
-  EXPECT_DOUBLE_EQ(seconds(clock.now()), 0.014);
-}
-
-TEST(SteadyClock, NeverGoesBack) {
-  const SteadyClock clock;
-  const Nanoseconds first = clock.now();
-  EXPECT_GE(clock.now(), first);
-}
-
-TEST(Nanoseconds, ConvertToAndFromSeconds) {
-  EXPECT_EQ(nanoseconds_from_seconds(0.0143), Nanoseconds(14'300'000));
-  EXPECT_DOUBLE_EQ(seconds(Nanoseconds(1'500'000'000)), 1.5);
-}
-
 TEST(UtcNow, IsIso8601) {
   EXPECT_THAT(utc_now(), testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:"
                                                "[0-9]{2}\\.[0-9]{3}Z"));

@@ -165,11 +165,6 @@ TEST(LowerCaseExtension, ChangesNothingButAsciiLetters) {
   EXPECT_EQ(lower_case_extension(".GLB"), "") << "the name of a hidden file";
 }
 
-TEST(ErrorText, IsOneLine) {
-  const Error error("a\nb", "wrong\r\n", "mend it");
-  EXPECT_STREQ(error.what(), "a b: wrong  ; mend it");
-}
-
 // The examples of FIPS 180-4's validation suite.
 TEST(Sha256, MatchesTheStandard) {
   EXPECT_EQ(sha256(std::string_view("abc")),

@@ -82,17 +82,6 @@ TEST(Workers, OneThreadTakesBlocksFromFirstToLast) {
   EXPECT_TRUE(std::is_sorted(begins.begin(), begins.end()));
 }
 
-TEST(Workers, OneThreadIsOneThread) {
-  const Workers workers(1);
-  std::mutex mutex;
-  std::set<std::thread::id> ids;
-  workers.for_each_block(1000, 1, [&](std::size_t, std::size_t) {
-    const std::lock_guard lock(mutex);
-    ids.insert(std::this_thread::get_id());
-  });
-  EXPECT_EQ(ids.size(), 1U);
-}
-
 TEST(Workers, PassOnExceptions) {
   const Workers workers(2);
   EXPECT_THROW(workers.for_each_block(100, 1,
