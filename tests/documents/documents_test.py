@@ -72,6 +72,12 @@ FILES = {
 }
 
 
+def page_of(lines):
+    """A page of these lines, and [(number, words)] of those of which a fault with the words is wanted."""
+    return ("\n".join(line for line, _ in lines) + "\n",
+            [(number, words) for number, (_, words) in enumerate(lines, start=1) if words])
+
+
 class OnARepository(unittest.TestCase):
     def repository(self, **pages):
         """With what FILES has and `page` as docs/page.md; other names are files at the root."""
@@ -88,148 +94,95 @@ class OnARepository(unittest.TestCase):
         subprocess.run(["git", "add", "-A"], cwd=root, check=True)
         return repository.Repository(root)
 
+    def assert_faults(self, found, wanted):
+        found = [(line, what) for _, line, what in found]
+        self.assertEqual([line for line, _ in found], [line for line, _ in wanted], found)
+        for (_, what), (_, words) in zip(found, wanted):
+            self.assertIn(words, what)
+
 
 class Links(OnARepository):
-    def faults(self, page):
-        return [(line, what) for _, line, what in links.faults(self.repository(page=page))]
-
-    def assert_fault(self, page, line, words):
-        faults = self.faults(page)
-        self.assertEqual([number for number, _ in faults], [line], faults)
-        self.assertIn(words, faults[0][1])
-
     def test_those_that_lead_somewhere_are_none(self):
-        self.assertEqual(self.faults(
+        files = self.repository(page=(
             "# The page: `code`, *more* & all\n## Twice\n## Twice\n"
             "[a](../README.md) [b](../README.md#read-me) [c](#the-page-code-more--all)\n"
             "[d](#twice-1) [e](../tests) [f](../tests/a_test.cpp#L1)\n"
             "[g](https://example.org/a_(b).html)\n"
             "<https://example.org> https://example.org/x. `[no](link)` <a id='own'></a>[h](#own)\n"
-            "```\n[no](link either)\n```\n"), [])
+            "```\n[no](link either)\n```\n"))
+        self.assertEqual(list(links.faults(files)), [])
 
-    def test_a_missing_file(self):
-        self.assert_fault("\n[a](nothing.md)\n", 2, "no 'docs/nothing.md'")
-
-    def test_a_missing_picture(self):
-        self.assert_fault('<img src="x.png">\n', 1, "no 'docs/x.png'")
-        self.assert_fault("[![x](x.png)](../README.md)\n", 1, "no 'docs/x.png'")
-
-    def test_a_file_behind_a_name(self):
-        self.assert_fault("[a][b]\n\n[b]: nothing.md\n", 3, "no 'docs/nothing.md'")
-
-    def test_a_file_that_git_does_not_know(self):
-        files = self.repository(page="[a](new.md)\n")
+    def test_each_fault_is_found(self):
+        page, wanted = page_of([
+            ("[a](nothing.md)", "no 'docs/nothing.md'"),
+            ('<img src="x.png">', "no 'docs/x.png'"),
+            ("[![x](y.png)](../README.md)", "no 'docs/y.png'"),
+            ("[a]: unnamed.md", "no 'docs/unnamed.md'"),
+            ("[a](new.md)", "git does not know"),
+            ("[a](#nowhere)", "no heading with the anchor '#nowhere'"),
+            ("[a](../README.md#nowhere)", "README.md has no heading"),
+            ("[a](../tests/a_test.cpp#L9)", "has no line 9"),
+            ("[a](/home/somebody/x.md)", "a path on one machine"),
+            ("[a](file:///home/somebody/x.md)", "no https address"),
+            ("see http://example.org.", "'http://example.org'"),
+            ("[a](https://)", "names no host")])
+        files = self.repository(page=page)
         (files.root / "docs" / "new.md").write_text("# New\n", encoding="utf-8")
-        self.assertIn("git does not know", list(links.faults(files))[0][2])
-
-    def test_a_missing_heading(self):
-        self.assert_fault("[a](#nowhere)\n", 1, "no heading with the anchor '#nowhere'")
-        self.assert_fault("# Twice\n\n[a](#twice-1)\n", 3, "'#twice-1'")
-        self.assert_fault("[a](../README.md#nowhere)\n", 1, "README.md has no heading")
-
-    def test_a_missing_line(self):
-        self.assert_fault("[a](../tests/a_test.cpp#L9)\n", 1, "has no line 9")
-
-    def test_a_path_of_one_machine(self):
-        self.assert_fault("[a](/home/somebody/x.md)\n", 1, "a path on one machine")
-        self.assert_fault("[a](file:///home/somebody/x.md)\n", 1, "no https address")
-
-    def test_a_malformed_address(self):
-        self.assert_fault("[a](http://example.org)\n", 1, "no https address")
-        self.assert_fault("see http://example.org.\n", 1, "'http://example.org'")
-        self.assert_fault("[a](https://)\n", 1, "names no host")
+        self.assert_faults(links.faults(files), wanted)
 
 
 class Commands(OnARepository):
     def faults(self, page):
-        files = self.repository(page=page)
-        return [(line, what)
-                for _, line, what in commands.faults(files, program.read(MANUAL))]
-
-    def assert_fault(self, page, line, words):
-        faults = self.faults(page)
-        self.assertEqual([number for number, _ in faults], [line], faults)
-        self.assertIn(words, faults[0][1])
+        return list(commands.faults(self.repository(page=page), program.read(MANUAL)))
 
     def test_what_exists_is_no_fault(self):
         self.assertEqual(self.faults(
             "`foveola render SCENE -o x.png --tone TONE`, `foveola scene make …`, `foveola --help`,\n"
             "`foveola`, `tests/*.cpp`, `tests/{a_test.cpp,CMakeLists.txt}`, `out/report.html`,\n"
-            "`./foveola test --only view_test`, `.ci/long kills`, `tests/NAME.cpp`\n"
+            "`./foveola test --only view_test`, `.ci/long kills`, `tests/NAME.cpp`,\n"
+            "`--panorama`, `--tone plain -o x`, `--install`, `-90`,\n"
+            "`ViewSampler.FollowsItsDensity`, `Psych-DS`, `tests/my_test.cpp`, `tests/new.cpp`\n"
             "```sh\n"
             "foveola render arcade \\\n  --tone=plain -o a.png 2>&1 | tail -n 1  # foveola nothing\n"
             "A=1 timeout 9 foveola scene make arcade && $FOVEOLA_SOURCE/build/release/foveola --help\n"
             "cat >x <<'END'\nfoveola nothing\nEND\n"
             "./foveola test --case FollowsIts\ncmake --preset asan\n"
-            "cmake --build --preset asan --target view_test\n"
+            "cmake -G Ninja -B x\ncmake --build --preset asan --target view_test\n"
             "```\n"
-            "```text\nfoveola nothing\n```\n"), [])
+            "```cpp tests/new.cpp\n```\n```text\nfoveola nothing\n```\n"), [])
 
-    def test_an_unknown_command(self):
-        self.assert_fault("Type `foveola rendr x`.\n", 1, "no command 'rendr'")
-        self.assert_fault("```sh\ntrue\nfoveola scene mke\n```\n", 3,
-                          "'foveola scene' has no command")
-        self.assert_fault("```console\n$ ./foveola lin\n```\n", 2, "no command 'lin'")
-        self.assert_fault("```\nfoveola lint\n```\n", 2, "no command 'lint'")
-        self.assert_fault("Indented:\n\n    foveola rendr\n", 3, "no command 'rendr'")
+    def test_each_fault_in_the_text_is_found(self):
+        page, wanted = page_of([
+            ("`foveola rendr x`", "no command 'rendr'"),
+            ("`foveola render x --tune 3`", "no option --tune"),
+            ("`--panoramic`", "no command and no script has an option"),
+            ("`foveola render x --tone pastel`", "one of plain, filmic"),
+            ("`foveola scene make barn`", "one of arcade, studio-car"),
+            ("`foveola render x --panorama=yes`", "takes no value"),
+            ("`foveola render x y`", "at most 1"),
+            ("`./foveola test -R FollowsIts`", "no test's name matches"),
+            ("`./foveola test --only no_test`", "no target or test program 'no_test'"),
+            ("`ViewSampler.DoesNot`", "no test 'ViewSampler.DoesNot'"),
+            ("`FOVEOLA_SCENES_FOLDER`", "nothing reads FOVEOLA_SCENES_FOLDER"),
+            ("`cmake --preset clang`", "no 'clang' among its configurePresets"),
+            ("`ctest --preset asan`", "no 'asan' among its testPresets"),
+            ("`.ci/long kills nothing`", "no step 'nothing'"),
+            ("`tests/{a_test,none}.cpp:12`", "no 'tests/none.cpp'")])
+        self.assert_faults(self.faults(page), wanted)
 
-    def test_an_unknown_option(self):
-        self.assert_fault("`foveola render x --tune 3`\n", 1, "no option --tune")
-        self.assert_fault("```sh\nfoveola render x \\\n  --tune 3\n```\n", 2, "no option --tune")
-        self.assert_fault("```sh\ntrue && foveola scene make --panorama\n```\n", 2,
-                          "'foveola scene make' has no option --panorama")
-
-    def test_an_unknown_option_that_stands_alone(self):
-        self.assertEqual(self.faults("`--panorama`, `--tone plain -o x`, `--install`, `-90`\n"), [])
-        self.assert_fault("With `--panoramic`.\n", 1, "no command and no script has an option")
-
-    def test_a_value_that_there_is_not(self):
-        self.assert_fault("`foveola render x --tone pastel`\n", 1, "one of plain, filmic")
-        self.assert_fault("`foveola scene make barn`\n", 1, "one of arcade, studio-car")
-        self.assert_fault("`foveola render x --panorama=yes`\n", 1, "takes no value")
-
-    def test_too_many_arguments(self):
-        self.assert_fault("`foveola render x y`\n", 1, "at most 1")
-
-    def test_what_is_no_line_for_the_shell(self):
-        self.assert_fault("```sh\nfoveola render 'x\n```\n", 2, "no line for the shell")
-
-    def test_an_unknown_test(self):
-        self.assert_fault("`./foveola test -R NoSuchTest`\n", 1, "no test's name matches")
-        self.assert_fault("`./foveola test -R FollowsIts`\n", 1, "no test's name matches")
-        self.assert_fault("`./foveola test --only no_test`\n", 1,
-                          "no target or test program 'no_test'")
-
-    def test_an_unknown_name_of_a_test_or_a_variable(self):
-        self.assertEqual(self.faults("`ViewSampler.FollowsItsDensity`, `Psych-DS`\n"), [])
-        self.assert_fault("`ViewSampler.DoesNot`\n", 1, "no test 'ViewSampler.DoesNot'")
-        self.assert_fault("`FOVEOLA_SCENES_FOLDER`\n", 1, "nothing reads FOVEOLA_SCENES_FOLDER")
-        self.assert_fault("```sh\ncmake -G Ninja -B x -DFOVEOLA_NOTHING=ON\n```\n", 2,
-                          "nothing reads FOVEOLA_NOTHING")
-
-    def test_a_build_by_make(self):
-        self.assertEqual(self.faults("```sh\ncmake -G Ninja -B x\n```\n"), [])
-        self.assert_fault("```sh\ncmake -B x\n```\n", 2, "give -G Ninja")
-
-    def test_an_unknown_preset(self):
-        self.assert_fault("`cmake --preset nope`\n", 1, "no 'nope' among its configurePresets")
-        self.assert_fault("`cmake --preset clang`\n", 1, "no 'clang' among its configurePresets")
-        self.assert_fault("`ctest --preset asan`\n", 1, "no 'asan' among its testPresets")
-        self.assert_fault("```sh\ncmake --build --preset asan -t nothing\n```\n", 2, "'nothing'")
-
-    def test_an_unknown_step(self):
-        self.assert_fault("`.ci/long kills nothing`\n", 1, "no step 'nothing'")
-
-    def test_a_missing_path(self):
-        self.assert_fault("See `tests/none.cpp`.\n", 1, "no 'tests/none.cpp'")
-        self.assert_fault("See `tests/{a_test,none}.cpp:12`.\n", 1, "no 'tests/none.cpp'")
-        self.assert_fault("```sh\ncp $FOVEOLA_SOURCE/tests/none.cpp .\nfoveola --help\n```\n", 2,
-                          "no 'tests/none.cpp'")
-
-    def test_a_path_of_the_readers_own_is_not_missing(self):
-        self.assertEqual(self.faults("`tests/my_test.cpp`, `tests/new.cpp`\n"
-                                     "```cpp tests/new.cpp\n```\n"), [])
-        self.assertEqual(self.faults("```sh\nfoveola render x -o tests\ncat tests/x.csv\n```\n"), [])
+    def test_each_fault_in_a_block_is_found(self):
+        lines = [
+            ("foveola scene mke", "'foveola scene' has no command"),
+            ("$ ./foveola lin", "no command 'lin'"),
+            ("true && foveola scene make --panorama",
+             "'foveola scene make' has no option --panorama"),
+            ("foveola render 'x", "no line for the shell"),
+            ("cmake -B x", "give -G Ninja"),
+            ("cmake -G Ninja -B x -DFOVEOLA_NOTHING=ON", "nothing reads FOVEOLA_NOTHING"),
+            ("cmake --build --preset asan -t nothing", "'nothing'"),
+            ("cp $FOVEOLA_SOURCE/tests/none.cpp .", "no 'tests/none.cpp'")]
+        page, wanted = page_of([("```sh", None), *lines, ("```", None)])
+        self.assert_faults(self.faults(page), wanted)
 
     def test_a_manual_page_without_commands_is_refused(self):
         with self.assertRaises(ValueError):
