@@ -1,7 +1,6 @@
 #include "tests/openxr/scripted_headset.h"
 
 #include <fstream>
-#include <sstream>
 
 namespace foveola::test {
 
@@ -9,19 +8,13 @@ ScriptedHeadset::ScriptedHeadset(const std::string& script, Validation validatio
   const auto set = [this](const char* variable, const std::string& value) {
     environment_.emplace_back(variable, value);
   };
-  play(script);
+  folder_.write("script.json", script);
   set("XR_RUNTIME_JSON", OPENXR_MANIFEST);
   set("XR_ENABLE_API_LAYERS",
       validation == Validation::on ? "XR_APILAYER_LUNARG_core_validation" : "");
   set("XR_CORE_VALIDATION_EXPORT_TYPE", "text");
   set("XR_CORE_VALIDATION_FILE_NAME", folder_ / "invalid");
-  set("FOVEOLA_OPENXR_SCRIPT", folder_ / "script.json");
-  set("FOVEOLA_OPENXR_LOG", folder_ / "log");
-  set("FOVEOLA_OPENXR_PICTURES", pictures_.path());
-}
-
-void ScriptedHeadset::play(const std::string& script) const {
-  folder_.write("script.json", script);
+  set("FOVEOLA_OPENXR_FOLDER", folder_.path());
 }
 
 std::vector<std::string> ScriptedHeadset::log_lines(const std::string& kind) const {
@@ -37,32 +30,33 @@ std::vector<std::string> ScriptedHeadset::log_lines(const std::string& kind) con
   return lines;
 }
 
-std::vector<nlohmann::json> ScriptedHeadset::log(const std::string& kind) const {
-  std::vector<nlohmann::json> entries;
-  for (const std::string& line : log_lines(kind)) {
-    entries.push_back(nlohmann::json::parse(line));
+std::vector<nlohmann::json> ScriptedHeadset::frames() const {
+  std::vector<nlohmann::json> frames;
+  for (const std::string& line : log_lines("frame")) {
+    frames.push_back(nlohmann::json::parse(line));
   }
-  return entries;
+  return frames;
 }
 
-nlohmann::json ScriptedHeadset::newest_log(const std::string& kind) const {
-  return nlohmann::json::parse(log_lines(kind).back());
+std::int64_t ScriptedHeadset::newest_frame() const {
+  return nlohmann::json::parse(log_lines("frame").back()).at("frame");
 }
 
 std::string ScriptedHeadset::found_invalid() const {
-  std::istringstream said(folder_.content()["invalid"]);
+  std::ifstream said(folder_ / "invalid");
   std::string invalid;
   for (std::string line; std::getline(said, line);) {
     // A newer one says, too, that it is there.
     invalid += line.find("[VALID_DEBUG ") == std::string::npos ? line + "\n" : "";
   }
+  for (const std::string& refusal : log_lines("refusal")) {
+    invalid += refusal + "\n";
+  }
   return invalid;
 }
 
-std::map<std::string, std::string> ScriptedHeadset::pictures() const { return pictures_.content(); }
-
 std::filesystem::path ScriptedHeadset::picture_file(std::int64_t frame, int eye) const {
-  return pictures_ / (std::to_string(frame) + "-" + std::to_string(eye) + ".ppm");
+  return folder_ / (std::to_string(frame) + "-" + std::to_string(eye) + ".ppm");
 }
 
 }  // namespace foveola::test

@@ -1,99 +1,150 @@
-#include <algorithm>
-#include <string_view>
+#include <cmath>
 
-#include "tests/openxr/runtime/calls.h"
 #include "tests/openxr/runtime/state.h"
 
 namespace foveola::test::openxr {
 namespace {
 
-/// What is new, beside what there is: a name of small letters, and one to be read.
-template <typename Named>
-void check_names(const Named& made, const std::vector<std::shared_ptr<Named>>& others) {
-  require(!made.name.empty(), XR_ERROR_NAME_INVALID, "there is no name");
-  require(std::all_of(made.name.begin(), made.name.end(),
-                      [](char letter) {
-                        return (letter >= 'a' && letter <= 'z') ||
-                               (letter >= '0' && letter <= '9') ||
-                               std::string_view("-_.").find(letter) != std::string_view::npos;
-                      }),
-          XR_ERROR_PATH_FORMAT_INVALID, "the name could not be a level of a path");
-  require(!made.localized_name.empty(), XR_ERROR_LOCALIZED_NAME_INVALID,
-          "there is no name to be read");
-  for (const std::shared_ptr<Named>& other : others) {
-    require(other->name != made.name, XR_ERROR_NAME_DUPLICATED, "the name is taken");
-    require(other->localized_name != made.localized_name, XR_ERROR_LOCALIZED_NAME_DUPLICATED,
-            "the name to be read is taken");
-  }
+/// The sources of the devices that the runtime knows, by their interaction profiles, as OpenXR 1.0
+/// lists them (6.4, "Interaction Profile Paths").
+const std::map<std::string, std::map<std::string, XrActionType>>& known_sources() {
+  constexpr XrActionType button = XR_ACTION_TYPE_BOOLEAN_INPUT;
+  constexpr XrActionType stick = XR_ACTION_TYPE_VECTOR2F_INPUT;
+  static const std::map<std::string, std::map<std::string, XrActionType>> all = {
+      {"/interaction_profiles/khr/simple_controller",
+       {{"/user/hand/left/input/select/click", button},
+        {"/user/hand/left/input/menu/click", button},
+        {"/user/hand/right/input/select/click", button},
+        {"/user/hand/right/input/menu/click", button}}},
+      {"/interaction_profiles/microsoft/xbox_controller",
+       {{"/user/gamepad/input/menu/click", button},
+        {"/user/gamepad/input/view/click", button},
+        {"/user/gamepad/input/a/click", button},
+        {"/user/gamepad/input/b/click", button},
+        {"/user/gamepad/input/x/click", button},
+        {"/user/gamepad/input/y/click", button},
+        {"/user/gamepad/input/dpad_down/click", button},
+        {"/user/gamepad/input/dpad_right/click", button},
+        {"/user/gamepad/input/dpad_up/click", button},
+        {"/user/gamepad/input/dpad_left/click", button},
+        {"/user/gamepad/input/shoulder_left/click", button},
+        {"/user/gamepad/input/shoulder_right/click", button},
+        {"/user/gamepad/input/thumbstick_left", stick},
+        {"/user/gamepad/input/thumbstick_right", stick}}},
+      {"/interaction_profiles/ext/eye_gaze_interaction",
+       {{gaze_source, XR_ACTION_TYPE_POSE_INPUT}}}};
+  return all;
 }
 
-std::vector<std::string> subactions_of(const XrActionCreateInfo& info) {
-  std::vector<std::string> subactions;
-  for (std::uint32_t i = 0; i < info.countSubactionPaths; ++i) {
-    const std::string& path = text_of(info.subactionPaths[i]);
-    constexpr std::string_view known[] = {"/user/hand/left", "/user/hand/right", "/user/head",
-                                          "/user/gamepad", "/user/eyes_ext"};
-    require(std::find(std::begin(known), std::end(known), path) != std::end(known),
-            XR_ERROR_PATH_UNSUPPORTED, "a subaction path is not a top level user path");
-    require(std::find(subactions.begin(), subactions.end(), path) == subactions.end(),
-            XR_ERROR_PATH_UNSUPPORTED, "a subaction path is named twice");
-    subactions.push_back(path);
+float length_of(const XrVector2f& value) { return std::hypot(value.x, value.y); }
+
+struct Input {
+  bool is_active = false;
+  XrVector2f value{0.0F, 0.0F};
+};
+
+/// Of several sources, the one that is pushed furthest.
+Input input_of(XrSession handle, const XrActionStateGetInfo& info, XrActionType type) {
+  const auto& session = object_of<const Session>(handle);
+  const auto& action = object_of<const Action>(info.action);
+  require(session.are_actions_attached, XR_ERROR_ACTIONSET_NOT_ATTACHED,
+          "the action's set is not attached to the session");
+  require(action.type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
+  Input input;
+  for (const std::string& source : active_sources(session, action)) {
+    const XrVector2f value = runtime().script.input_at(source, session.synchronised_s);
+    input.is_active = true;
+    input.value = length_of(value) > length_of(input.value) ? value : input.value;
   }
-  return subactions;
+  return input;
 }
 
-bool is_known(XrActionType type) {
-  return (type >= XR_ACTION_TYPE_BOOLEAN_INPUT && type <= XR_ACTION_TYPE_POSE_INPUT) ||
-         type == XR_ACTION_TYPE_VIBRATION_OUTPUT;
-}
+XrBool32 xr_bool(bool value) { return value ? XR_TRUE : XR_FALSE; }
 
 }  // namespace
 
-XrResult create_action_set(XrInstance instance, const XrActionSetCreateInfo* create_info,
-                           XrActionSet* action_set) {
-  instance_of(instance);
-  const XrActionSetCreateInfo& info =
-      checked(create_info, XR_TYPE_ACTION_SET_CREATE_INFO, "the information for the action set");
-  XrActionSet& place = place_for(action_set, "the place for the action set");
-  auto made = std::make_shared<ActionSet>();
-  made->name = info.actionSetName;
-  made->localized_name = info.localizedActionSetName;
-  std::vector<std::shared_ptr<ActionSet>> others;
-  for (const auto& [number, other] : runtime().action_sets.all()) {
-    others.push_back(other);
+std::vector<std::string> active_sources(const Session& session, const Action& action) {
+  std::vector<std::string> connected = runtime().script.interaction_profiles;
+  connected.emplace_back("/interaction_profiles/ext/eye_gaze_interaction");
+  std::vector<std::string> sources;
+  for (const std::string& profile : connected) {
+    for (const Suggestion& suggestion : runtime().instance->suggestions[profile]) {
+      if (session.are_actions_active && suggestion.action == &action) {
+        sources.push_back(suggestion.source);
+      }
+    }
   }
-  check_names(*made, others);
-  place = runtime().action_sets.add(std::move(made));
+  return sources;
+}
+
+XrResult CreateActionSet(XrInstance /*instance*/, const XrActionSetCreateInfo* /*info*/,
+                         XrActionSet* action_set) {
+  *action_set = handle_of<XrActionSet>(runtime().instance->actions);
   return XR_SUCCESS;
 }
 
-XrResult destroy_action_set(XrActionSet action_set) {
-  runtime().action_sets.remove(action_set);
+XrResult CreateAction(XrActionSet /*action_set*/, const XrActionCreateInfo* info,
+                      XrAction* action) {
+  require(info->countSubactionPaths == 0, XR_ERROR_PATH_UNSUPPORTED, "there are no subactions");
+  *action = handle_of<XrAction>(runtime().instance->actions.emplace_back(info->actionType));
   return XR_SUCCESS;
 }
 
-XrResult create_action(XrActionSet action_set, const XrActionCreateInfo* create_info,
-                       XrAction* action) {
-  const std::shared_ptr<ActionSet> set = runtime().action_sets.at(action_set);
-  const XrActionCreateInfo& info =
-      checked(create_info, XR_TYPE_ACTION_CREATE_INFO, "the information for the action");
-  XrAction& place = place_for(action, "the place for the action");
-  require(!set->is_attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the set is attached already");
-  require(is_known(info.actionType), XR_ERROR_VALIDATION_FAILURE, "there is no such action type");
-  auto made = std::make_shared<Action>();
-  made->name = info.actionName;
-  made->localized_name = info.localizedActionName;
-  made->type = info.actionType;
-  made->subactions = subactions_of(info);
-  made->set = set;
-  check_names(*made, set->actions);
-  set->actions.push_back(made);
-  place = runtime().actions.add(std::move(made));
+XrResult SuggestInteractionProfileBindings(XrInstance /*instance*/,
+                                           const XrInteractionProfileSuggestedBinding* info) {
+  const std::string& profile = path_text(info->interactionProfile);
+  const auto device = known_sources().find(profile);
+  if (device == known_sources().end()) {
+    return XR_ERROR_PATH_UNSUPPORTED;
+  }
+  for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {
+    const auto& action = object_of<const Action>(info->suggestedBindings[i].action);
+    const std::string& path = path_text(info->suggestedBindings[i].binding);
+    const auto source = device->second.find(path);
+    require(source != device->second.end() && source->second == action.type,
+            XR_ERROR_PATH_UNSUPPORTED, path + " is not on this device, or is of another type");
+    runtime().instance->suggestions[profile].push_back({&action, path});
+  }
   return XR_SUCCESS;
 }
 
-XrResult destroy_action(XrAction action) {
-  runtime().actions.remove(action);
+XrResult AttachSessionActionSets(XrSession session, const XrSessionActionSetsAttachInfo* /*info*/) {
+  object_of<Session>(session).are_actions_attached = true;
+  return XR_SUCCESS;
+}
+
+XrResult SyncActions(XrSession session, const XrActionsSyncInfo* info) {
+  auto& synchronising = object_of<Session>(session);
+  require(synchronising.are_actions_attached && info->countActiveActionSets == 1,
+          XR_ERROR_ACTIONSET_NOT_ATTACHED, "the action set is not attached to the session");
+  synchronising.are_actions_active = synchronising.state == XR_SESSION_STATE_FOCUSED;
+  synchronising.synchronised_s =
+      synchronising.frames.empty() ? Frame().time_s : synchronising.frames.back().time_s;
+  return synchronising.are_actions_active ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
+}
+
+XrResult GetActionStateBoolean(XrSession session, const XrActionStateGetInfo* info,
+                               XrActionStateBoolean* state) {
+  const Input input = input_of(session, *info, XR_ACTION_TYPE_BOOLEAN_INPUT);
+  state->isActive = xr_bool(input.is_active);
+  state->currentState = xr_bool(input.value.x >= 0.5F);
+  return XR_SUCCESS;
+}
+
+XrResult GetActionStateVector2f(XrSession session, const XrActionStateGetInfo* info,
+                                XrActionStateVector2f* state) {
+  const Input input = input_of(session, *info, XR_ACTION_TYPE_VECTOR2F_INPUT);
+  state->isActive = xr_bool(input.is_active);
+  state->currentState = input.value;
+  return XR_SUCCESS;
+}
+
+XrResult GetActionStatePose(XrSession session, const XrActionStateGetInfo* info,
+                            XrActionStatePose* state) {
+  const Input input = input_of(session, *info, XR_ACTION_TYPE_POSE_INPUT);
+  const std::optional<GazeGap> gap =
+      runtime().script.gaze_gap_at(object_of<Session>(session).synchronised_s);
+  state->isActive = xr_bool(input.is_active && (!gap || gap->is_blink));
   return XR_SUCCESS;
 }
 

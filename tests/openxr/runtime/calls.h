@@ -1,89 +1,107 @@
-// OpenXR's functions, as this runtime carries them out. They throw a Refusal for whatever they do
-// not do; answer.h makes results of that.
+// Functions of OpenXR that this runtime has: those that Foveola calls. The loader's validation
+// layer checks handles, types of structures and null pointers; these functions check what it does
+// not see, and throw a Refusal for it.
 #pragma once
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "tests/openxr/runtime/interface.h"
 
 namespace foveola::test::openxr {
 
-/// What OpenXR declares a pointer to.
-template <typename Pointer>
-using Call = std::remove_pointer_t<Pointer>;
+/// Calls `DO` with each function's name without its "xr".
+#define FOVEOLA_FOR_EACH_CALL(DO)          \
+  DO(EnumerateInstanceExtensionProperties) \
+  DO(CreateInstance)                       \
+  DO(DestroyInstance)                      \
+  DO(GetInstanceProperties)                \
+  DO(PollEvent)                            \
+  DO(ResultToString)                       \
+  DO(StringToPath)                         \
+  DO(GetSystem)                            \
+  DO(GetSystemProperties)                  \
+  DO(EnumerateViewConfigurationViews)      \
+  DO(GetOpenGLGraphicsRequirementsKHR)     \
+  DO(ConvertTimespecTimeToTimeKHR)         \
+  DO(ConvertTimeToTimespecTimeKHR)         \
+  DO(GetVisibilityMaskKHR)                 \
+  DO(CreateSession)                        \
+  DO(DestroySession)                       \
+  DO(BeginSession)                         \
+  DO(EndSession)                           \
+  DO(CreateReferenceSpace)                 \
+  DO(CreateActionSpace)                    \
+  DO(LocateSpace)                          \
+  DO(LocateViews)                          \
+  DO(EnumerateSwapchainFormats)            \
+  DO(CreateSwapchain)                      \
+  DO(EnumerateSwapchainImages)             \
+  DO(AcquireSwapchainImage)                \
+  DO(WaitSwapchainImage)                   \
+  DO(ReleaseSwapchainImage)                \
+  DO(WaitFrame)                            \
+  DO(BeginFrame)                           \
+  DO(EndFrame)                             \
+  DO(CreateActionSet)                      \
+  DO(CreateAction)                         \
+  DO(SuggestInteractionProfileBindings)    \
+  DO(AttachSessionActionSets)              \
+  DO(SyncActions)                          \
+  DO(GetActionStateBoolean)                \
+  DO(GetActionStateVector2f)               \
+  DO(GetActionStatePose)
 
-// instance.cpp: what an application may have of this runtime.
-Call<PFN_xrEnumerateApiLayerProperties> enumerate_api_layer_properties;
-Call<PFN_xrEnumerateInstanceExtensionProperties> enumerate_instance_extension_properties;
-Call<PFN_xrCreateInstance> create_instance;
-Call<PFN_xrDestroyInstance> destroy_instance;
-Call<PFN_xrGetInstanceProperties> get_instance_properties;
-Call<PFN_xrPollEvent> poll_event;
-Call<PFN_xrResultToString> result_to_string;
-Call<PFN_xrStructureTypeToString> structure_type_to_string;
-Call<PFN_xrStringToPath> string_to_path;
-Call<PFN_xrPathToString> path_to_string;
+#define FOVEOLA_DECLARE_CALL(name) std::remove_pointer_t<PFN_xr##name> name;
+FOVEOLA_FOR_EACH_CALL(FOVEOLA_DECLARE_CALL)
+#undef FOVEOLA_DECLARE_CALL
 
-// system.cpp: the headset.
-Call<PFN_xrGetSystem> get_system;
-Call<PFN_xrGetSystemProperties> get_system_properties;
-Call<PFN_xrEnumerateEnvironmentBlendModes> enumerate_environment_blend_modes;
-Call<PFN_xrEnumerateViewConfigurations> enumerate_view_configurations;
-Call<PFN_xrGetViewConfigurationProperties> get_view_configuration_properties;
-Call<PFN_xrEnumerateViewConfigurationViews> enumerate_view_configuration_views;
-Call<PFN_xrGetOpenGLGraphicsRequirementsKHR> get_opengl_graphics_requirements;
-Call<PFN_xrGetVisibilityMaskKHR> get_visibility_mask;
+/// Ends a call with its result, and tells the test why.
+class Refusal : public std::runtime_error {
+ public:
+  Refusal(XrResult result, const std::string& why) : std::runtime_error(why), result_(result) {}
+  XrResult result() const { return result_; }
 
-// session.cpp: from its creation to its end.
-Call<PFN_xrCreateSession> create_session;
-Call<PFN_xrDestroySession> destroy_session;
-Call<PFN_xrBeginSession> begin_session;
-Call<PFN_xrEndSession> end_session;
-Call<PFN_xrRequestExitSession> request_exit_session;
+ private:
+  XrResult result_;
+};
 
-// spaces.cpp and views.cpp: where things are.
-Call<PFN_xrEnumerateReferenceSpaces> enumerate_reference_spaces;
-Call<PFN_xrCreateReferenceSpace> create_reference_space;
-Call<PFN_xrGetReferenceSpaceBoundsRect> get_reference_space_bounds_rect;
-Call<PFN_xrCreateActionSpace> create_action_space;
-Call<PFN_xrLocateSpace> locate_space;
-Call<PFN_xrDestroySpace> destroy_space;
-Call<PFN_xrLocateViews> locate_views;
+inline void require(bool holds, XrResult otherwise, const std::string& why) {
+  if (!holds) {
+    throw Refusal(otherwise, why);
+  }
+}
 
-// swapchains.cpp: the images that are drawn on.
-Call<PFN_xrEnumerateSwapchainFormats> enumerate_swapchain_formats;
-Call<PFN_xrCreateSwapchain> create_swapchain;
-Call<PFN_xrDestroySwapchain> destroy_swapchain;
-Call<PFN_xrEnumerateSwapchainImages> enumerate_swapchain_images;
-Call<PFN_xrAcquireSwapchainImage> acquire_swapchain_image;
-Call<PFN_xrWaitSwapchainImage> wait_swapchain_image;
-Call<PFN_xrReleaseSwapchainImage> release_swapchain_image;
+/// The structure of this type that is chained to another, or null.
+template <typename Structure>
+Structure* chained(const void* next, XrStructureType type) {
+  for (auto* link = static_cast<const XrBaseInStructure*>(next); link != nullptr;
+       link = link->next) {
+    if (link->type == type) {
+      return reinterpret_cast<Structure*>(const_cast<XrBaseInStructure*>(link));
+    }
+  }
+  return nullptr;
+}
 
-// frames.cpp: when they are shown.
-Call<PFN_xrWaitFrame> wait_frame;
-Call<PFN_xrBeginFrame> begin_frame;
-Call<PFN_xrEndFrame> end_frame;
+/// Answers a question that an application asks twice: first for the number of items, then for them.
+template <typename Item>
+void give_items(const std::vector<Item>& items, std::uint32_t capacity, std::uint32_t* count,
+                Item* out) {
+  *count = static_cast<std::uint32_t>(items.size());
+  if (capacity > 0) {
+    require(capacity >= items.size(), XR_ERROR_SIZE_INSUFFICIENT, "the array is too short");
+    std::ranges::copy(items, out);
+  }
+}
 
-// actions.cpp, bindings.cpp and action_states.cpp: what the user does.
-Call<PFN_xrCreateActionSet> create_action_set;
-Call<PFN_xrDestroyActionSet> destroy_action_set;
-Call<PFN_xrCreateAction> create_action;
-Call<PFN_xrDestroyAction> destroy_action;
-Call<PFN_xrSuggestInteractionProfileBindings> suggest_interaction_profile_bindings;
-Call<PFN_xrAttachSessionActionSets> attach_session_action_sets;
-Call<PFN_xrGetCurrentInteractionProfile> get_current_interaction_profile;
-Call<PFN_xrEnumerateBoundSourcesForAction> enumerate_bound_sources_for_action;
-Call<PFN_xrGetInputSourceLocalizedName> get_input_source_localized_name;
-Call<PFN_xrSyncActions> sync_actions;
-Call<PFN_xrGetActionStateBoolean> get_action_state_boolean;
-Call<PFN_xrGetActionStateFloat> get_action_state_float;
-Call<PFN_xrGetActionStateVector2f> get_action_state_vector2f;
-Call<PFN_xrGetActionStatePose> get_action_state_pose;
-Call<PFN_xrApplyHapticFeedback> apply_haptic_feedback;
-Call<PFN_xrStopHapticFeedback> stop_haptic_feedback;
-
-// times.cpp: the runtime's clock and the system's.
-Call<PFN_xrConvertTimespecTimeToTimeKHR> convert_timespec_time_to_time;
-Call<PFN_xrConvertTimeToTimespecTimeKHR> convert_time_to_timespec_time;
+/// Writes a text into an array of a structure, cut off where it does not fit.
+template <std::size_t size>
+void put_text(const std::string& text, char (&out)[size]) {
+  out[text.copy(out, size - 1)] = '\0';
+}
 
 }  // namespace foveola::test::openxr

@@ -3,35 +3,31 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
-
-#include "tests/openxr/runtime/interface.h"
+#include <openxr/openxr.h>
 
 namespace foveola::test::openxr {
 
 /// Where a thing is in a space, and how it is turned: forward is -z, up y.
 struct Pose {
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
-  glm::dvec3 position{0.0};  ///< m
+  glm::dvec3 position_m{0.0};
 };
 
-/// Of what `inner` tells in a space that `outer` places in another.
+/// The pose in the outer space of what `inner` is in the space that `outer` places.
 Pose operator*(const Pose& outer, const Pose& inner);
 Pose inverse(const Pose& pose);
 
-/// Turned to the left by the yaw, then up by the pitch, then tilted to the left by the roll.
+/// To the left by the yaw, then up by the pitch, then tilted to the left by the roll.
 struct Turn {
   double yaw_deg = 0.0;
   double pitch_deg = 0.0;
   double roll_deg = 0.0;
 };
-Pose turned(const Turn& turn, const glm::dvec3& position_m = glm::dvec3(0.0));
+glm::dquat rotation(const Turn& turn);
 
-Pose pose_of(const XrPosef& pose);
-XrPosef for_application(const Pose& pose);
-/// Finite, its quaternion of length 1 within 1%.
-bool is_valid(const XrPosef& pose);
+XrPosef to_xr(const Pose& pose);
 
-double metres_between(const Pose& a, const Pose& b);
-double degrees_between(const Pose& a, const Pose& b);
+/// Whether poses agree as closely as an application computes that uses float.
+bool is_same(const XrPosef& a, const XrPosef& b);
 
 }  // namespace foveola::test::openxr

@@ -1,197 +1,176 @@
-#include "tests/openxr/runtime/spaces.h"
+// Where things are, and when.
+#include <algorithm>
+#include <cmath>
 
-#include "tests/openxr/runtime/bindings.h"
-#include "tests/openxr/runtime/calls.h"
-#include "tests/openxr/runtime/times.h"
-#include "tests/openxr/runtime/two_calls.h"
+#include <fmt/format.h>
+
+#include "tests/openxr/runtime/state.h"
 
 namespace foveola::test::openxr {
 namespace {
 
-const Pose& local_origin(const Session& session, XrTime time) {
-  const Pose* origin = &session.local_origins.front().second;
-  for (const auto& [from, pose] : session.local_origins) {
-    origin = from <= time ? &pose : origin;
-  }
-  return *origin;
+constexpr XrDuration ahead_of_system = 3'600'000'000'000;
+
+XrTime system_time(const timespec& time) {
+  return static_cast<XrTime>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
+
+/// Linear between the frames' display times, and beyond them.
+double script_time_s(const Session& session, XrTime time) {
+  const std::vector<Frame>& frames = session.frames;
+  if (frames.empty()) {
+    return Frame().time_s;
+  }
+  const auto after = std::ranges::upper_bound(frames, time, {}, &Frame::display_time);
+  if (after == frames.begin()) {
+    return frames.front().time_s;
+  }
+  const Frame& before = *std::prev(after);
+  const auto since = static_cast<double>(time - before.display_time);
+  if (after == frames.end()) {
+    return before.time_s + since * 1e-9;
+  }
+  const auto whole = static_cast<double>(after->display_time - before.display_time);
+  return std::lerp(before.time_s, after->time_s, since / whole);
+}
+
+/// In the room, if it is known at all.
+struct Located {
+  Pose pose;
+  bool is_valid = true;
+  bool is_tracked = true;
+  XrTime sample_time = 0;  ///< of eyes, or 0
+};
 
 Located locate_head(const Session& session, XrTime time) {
-  const double time_s = script_time_s(session, time);
-  return {head_at(runtime().script, time_s), true, is_head_tracked(runtime().script, time_s)};
-}
-
-/// The latest frame with which eyes were sampled, at that time or before it.
-const Frame& frame_of_sample(const Session& session, XrTime time) {
-  const Frame* latest = &session.frames.front();
-  for (const Frame& frame : session.frames) {
-    latest = frame.sample_time <= time ? &frame : latest;
-  }
-  return *latest;
-}
-
-XrTime told_sample_time(const Session& session, const SampleTimeStep& step, XrTime sampled) {
-  switch (step.policy) {
-    case SampleTime::zero:
-      return 0;
-    case SampleTime::future:
-      return now() + nanoseconds(1.0);
-    case SampleTime::stuck:
-      return session.frames.front().sample_time;
-    case SampleTime::truthful:
-      break;
-  }
-  return sampled - nanoseconds(step.delay_ms * 1e-3);
+  return {runtime().script.head_at(script_time_s(session, time))};
 }
 
 Located locate_gaze(const Session& session, XrTime time) {
-  if (session.frames.empty()) {
-    return {Pose(), false, false};
-  }
   const Script& script = runtime().script;
-  const Frame& frame = frame_of_sample(session, time);
-  const SampleTimeStep step = sample_time_at(script, frame.time_s);
-  const double seen_s = frame.time_s - step.delay_ms * 1e-3;
-  const std::optional<GazeGap> gap = gaze_gap_at(script, seen_s);
-  if (gap && *gap != GazeGap::blink) {
+  const auto after = std::ranges::upper_bound(session.frames, time, {}, &Frame::sample_time);
+  if (after == session.frames.begin()) {
     return {Pose(), false, false};
   }
-  const Located head = locate_head(session, time);
-  return {head.pose * gaze_at(script, seen_s), true, head.is_tracked && !gap,
-          told_sample_time(session, step, frame.sample_time)};
-}
-
-/// Hands are held still in front of the body, as the script does not move them.
-Located locate_hand(const std::string& source) {
-  const bool is_left = source.rfind("/user/hand/left/", 0) == 0;
-  return {turned({}, {is_left ? -0.2 : 0.2, -0.4, -0.3})};
-}
-
-Located locate_action(const Session& session, const Space& space, XrTime time) {
-  const std::vector<std::string> sources = bound_sources(*space.action, space.subaction);
-  if (sources.empty() || !is_synchronised(session.synchronised, *space.action, space.subaction)) {
+  const Frame& frame = *std::prev(after);
+  const SampleTimeStep step = script.sample_time_at(frame.time_s);
+  const double seen_s = frame.time_s - step.delay_s;
+  const std::optional<GazeGap> gap = script.gaze_gap_at(seen_s);
+  if (gap && !gap->is_blink) {
     return {Pose(), false, false};
   }
-  return sources.front() == gaze_source ? locate_gaze(session, time) : locate_hand(sources.front());
+  const XrTime delay = std::llround(1e9 * step.delay_s);
+  return {locate_head(session, time).pose * script.gaze_at(seen_s), true, !gap,
+          step.is_true ? frame.sample_time - delay : 0};
 }
 
-Located locate_reference(const Session& session, XrReferenceSpaceType type, XrTime time) {
-  switch (type) {
-    case XR_REFERENCE_SPACE_TYPE_VIEW:
-      return locate_head(session, time);
-    case XR_REFERENCE_SPACE_TYPE_STAGE:
-      return {turned({}, {0.0, -runtime().script.eye_height_m, 0.0})};
-    default:
-      return {local_origin(session, time)};
+Located locate(const Session& session, const Space& space, XrTime time) {
+  if (space.action != nullptr) {
+    const bool is_active = !active_sources(session, *space.action).empty();
+    return is_active ? locate_gaze(session, time) : Located{Pose(), false, false};
   }
+  return space.reference == XR_REFERENCE_SPACE_TYPE_VIEW
+             ? locate_head(session, time)
+             : Located{{rotation({.yaw_deg = session.local_yaw_deg})}};
 }
 
-XrSpaceLocationFlags flags_of(const Located& space, const Located& base) {
-  XrSpaceLocationFlags flags = 0;
-  if (space.is_valid && base.is_valid) {
-    flags |= XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
-    if (space.is_tracked && base.is_tracked) {
-      flags |= XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-    }
-  }
-  return flags;
-}
-
-const std::vector<XrReferenceSpaceType>& reference_spaces() {
-  static const std::vector<XrReferenceSpaceType> all = {
-      XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_STAGE};
-  return all;
-}
-
-void require_reference(XrReferenceSpaceType type) {
-  const std::vector<XrReferenceSpaceType>& all = reference_spaces();
-  require(std::find(all.begin(), all.end(), type) != all.end(),
-          XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, "there is no such reference space");
-}
-
-void require_pose(const XrPosef& pose) {
-  require(is_valid(pose), XR_ERROR_POSE_INVALID,
-          "the pose is not finite, or its quaternion's length is not 1");
+XrResult add_space(XrSession session, const Space& space, const XrPosef& pose, XrSpace* made) {
+  require(is_same(pose, to_xr(Pose())), XR_ERROR_POSE_INVALID, "spaces have no offset here");
+  *made = handle_of<XrSpace>(object_of<Session>(session).spaces.emplace_back(space));
+  return XR_SUCCESS;
 }
 
 }  // namespace
 
-Located locate(const Session& session, const Space& space, XrTime time) {
-  Located located = space.action ? locate_action(session, space, time)
-                                 : locate_reference(session, space.reference, time);
-  located.pose = located.pose * space.offset;
-  return located;
+XrTime now() {
+  timespec time{};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  return system_time(time) + ahead_of_system;
 }
 
-XrResult enumerate_reference_spaces(XrSession session, std::uint32_t capacity, std::uint32_t* count,
-                                    XrReferenceSpaceType* spaces) {
-  session_of(session);
-  give_items(reference_spaces(), capacity, count, spaces);
-  return XR_SUCCESS;
+void require_time(const Session& session, XrTime time) {
+  const XrTime latest = session.frames.empty() ? now() : session.frames.back().display_time;
+  const double distance_s = 1e-9 * static_cast<double>(time - latest);
+  require(std::abs(distance_s) <= 60.0, XR_ERROR_TIME_INVALID,
+          fmt::format("the time is {:.3f} s from the latest frame's, as another clock's would be",
+                      distance_s));
 }
 
-XrResult create_reference_space(XrSession session, const XrReferenceSpaceCreateInfo* create_info,
-                                XrSpace* space) {
-  session_of(session);
-  const XrReferenceSpaceCreateInfo& info =
-      checked(create_info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO, "the information for the space");
-  XrSpace& place = place_for(space, "the place for the space");
-  require_reference(info.referenceSpaceType);
-  require_pose(info.poseInReferenceSpace);
-  auto made = std::make_shared<Space>();
-  made->reference = info.referenceSpaceType;
-  made->offset = pose_of(info.poseInReferenceSpace);
-  place = runtime().spaces.add(std::move(made));
-  return XR_SUCCESS;
-}
-
-XrResult get_reference_space_bounds_rect(XrSession session, XrReferenceSpaceType type,
-                                         XrExtent2Df* bounds) {
-  session_of(session);
-  require_reference(type);
-  place_for(bounds, "the place for the bounds") = {0.0F, 0.0F};
-  return XR_SPACE_BOUNDS_UNAVAILABLE;
-}
-
-XrResult create_action_space(XrSession session, const XrActionSpaceCreateInfo* create_info,
-                             XrSpace* space) {
-  session_of(session);
-  const XrActionSpaceCreateInfo& info =
-      checked(create_info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "the information for the space");
-  XrSpace& place = place_for(space, "the place for the space");
-  auto made = std::make_shared<Space>();
-  made->action = runtime().actions.at(info.action);
-  require(made->action->type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
-          "the action is not of poses");
-  made->subaction = subaction_of(*made->action, info.subactionPath);
-  require_pose(info.poseInActionSpace);
-  made->offset = pose_of(info.poseInActionSpace);
-  place = runtime().spaces.add(std::move(made));
-  return XR_SUCCESS;
-}
-
-XrResult locate_space(XrSpace space, XrSpace base_space, XrTime time, XrSpaceLocation* location) {
-  const Session& session = current_session();
-  const std::shared_ptr<Space> wanted = runtime().spaces.at(space);
-  const std::shared_ptr<Space> base = runtime().spaces.at(base_space);
-  XrSpaceLocation& place = checked(location, XR_TYPE_SPACE_LOCATION, "the place for the location");
-  require_time(session, time);
-  const Located there = locate(session, *wanted, time);
-  const Located here = locate(session, *base, time);
-  place.locationFlags = flags_of(there, here);
-  place.pose = for_application(place.locationFlags == 0 ? Pose() : inverse(here.pose) * there.pose);
-  if (auto* const velocity = chained_result<XrSpaceVelocity>(place.next, XR_TYPE_SPACE_VELOCITY)) {
-    velocity->velocityFlags = 0;
+std::vector<XrView> views_at(const Session& session, const Space& space, XrTime time) {
+  const Pose head_in_space =
+      inverse(locate(session, space, time).pose) * locate_head(session, time).pose;
+  std::vector<XrView> views;
+  for (const ScriptedEye& eye : runtime().script.eyes) {
+    const Pose eye_in_head{rotation({.yaw_deg = eye.cant_deg}), eye.offset_m};
+    views.push_back({XR_TYPE_VIEW, nullptr, to_xr(head_in_space * eye_in_head), eye.fov});
   }
+  return views;
+}
+
+XrResult ConvertTimespecTimeToTimeKHR(XrInstance /*instance*/, const timespec* given,
+                                      XrTime* time) {
+  require(given->tv_sec >= 0 && given->tv_nsec >= 0 && given->tv_nsec < 1'000'000'000,
+          XR_ERROR_TIME_INVALID, "the system's time is not one");
+  *time = system_time(*given) + ahead_of_system;
+  return XR_SUCCESS;
+}
+
+XrResult ConvertTimeToTimespecTimeKHR(XrInstance /*instance*/, XrTime time, timespec* converted) {
+  require(time > ahead_of_system, XR_ERROR_TIME_INVALID,
+          "the time is before the system's clock began");
+  converted->tv_sec = (time - ahead_of_system) / 1'000'000'000;
+  converted->tv_nsec = (time - ahead_of_system) % 1'000'000'000;
+  return XR_SUCCESS;
+}
+
+XrResult CreateReferenceSpace(XrSession session, const XrReferenceSpaceCreateInfo* info,
+                              XrSpace* space) {
+  require(info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW ||
+              info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL,
+          XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, "there are VIEW and LOCAL");
+  return add_space(session, {.reference = info->referenceSpaceType}, info->poseInReferenceSpace,
+                   space);
+}
+
+XrResult CreateActionSpace(XrSession session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
+  const auto& action = object_of<const Action>(info->action);
+  require(action.type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
+          "the action is not of poses");
+  return add_space(session, {.action = &action}, info->poseInActionSpace, space);
+}
+
+XrResult LocateSpace(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation* location) {
+  const Session& session = *runtime().session;
+  require_time(session, time);
+  const Located there = locate(session, object_of<Space>(space), time);
+  const Located here = locate(session, object_of<Space>(base), time);
+  location->locationFlags = 0;
+  if (there.is_valid && here.is_valid) {
+    location->locationFlags =
+        XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+    if (there.is_tracked && here.is_tracked) {
+      location->locationFlags |=
+          XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+    }
+  }
+  location->pose = to_xr(inverse(here.pose) * there.pose);
   if (auto* const sample =
-          chained_result<XrEyeGazeSampleTimeEXT>(place.next, XR_TYPE_EYE_GAZE_SAMPLE_TIME_EXT)) {
+          chained<XrEyeGazeSampleTimeEXT>(location->next, XR_TYPE_EYE_GAZE_SAMPLE_TIME_EXT)) {
     sample->time = there.sample_time;
   }
   return XR_SUCCESS;
 }
 
-XrResult destroy_space(XrSpace space) {
-  runtime().spaces.remove(space);
+XrResult LocateViews(XrSession session, const XrViewLocateInfo* info, XrViewState* state,
+                     std::uint32_t capacity, std::uint32_t* count, XrView* views) {
+  auto& located = object_of<Session>(session);
+  require_time(located, info->displayTime);
+  state->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
+                          XR_VIEW_STATE_ORIENTATION_TRACKED_BIT |
+                          XR_VIEW_STATE_POSITION_TRACKED_BIT;
+  give_items(views_at(located, object_of<Space>(info->space), info->displayTime), capacity, count,
+             views);
+  located.times_of_views.insert(info->displayTime);
   return XR_SUCCESS;
 }
 

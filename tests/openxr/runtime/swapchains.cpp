@@ -1,132 +1,122 @@
-#include <algorithm>
+#include <fstream>
 
-#include "tests/openxr/runtime/calls.h"
-#include "tests/openxr/runtime/gl_context.h"
-#include "tests/openxr/runtime/two_calls.h"
+#include <fmt/format.h>
+
+#include "tests/openxr/runtime/state.h"
 
 namespace foveola::test::openxr {
 namespace {
 
-constexpr std::size_t images_of_a_swapchain = 3;
+const std::vector<std::int64_t> formats = {GL_SRGB8_ALPHA8, GL_RGBA8, GL_RGBA16F};
 
-void check_format(const XrSwapchainCreateInfo& info) {
-  const std::vector<std::int64_t>& formats = runtime().script.swapchain_formats;
-  require(std::find(formats.begin(), formats.end(), info.format) != formats.end(),
-          XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "the format is not offered");
-  const bool is_depth = info.format == GL_DEPTH_COMPONENT24;
-  require(is_depth || (info.usageFlags & XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) == 0,
-          XR_ERROR_VALIDATION_FAILURE, "a colour cannot be used as a depth");
+/// Textures whose content is for the application to say.
+std::vector<GLuint> make_textures(const XrSwapchainCreateInfo& info) {
+  std::vector<GLuint> textures(3);
+  glCreateTextures(GL_TEXTURE_2D, static_cast<GLsizei>(textures.size()), textures.data());
+  for (const GLuint texture : textures) {
+    glTextureStorage2D(texture, 1, static_cast<GLenum>(info.format),
+                       static_cast<GLsizei>(info.width), static_cast<GLsizei>(info.height));
+  }
+  return textures;
 }
 
-void check_size(const XrSwapchainCreateInfo& info) {
-  const SizePx& max = runtime().script.max_swapchain_px;
-  require(info.width > 0 && info.width <= max.width && info.height > 0 && info.height <= max.height,
-          XR_ERROR_VALIDATION_FAILURE, "the images are empty, or larger than the system's largest");
-  require(info.sampleCount == 1, XR_ERROR_FEATURE_UNSUPPORTED, "there is one sample a pixel");
-  require(info.faceCount == 1, XR_ERROR_FEATURE_UNSUPPORTED, "there are no cubes");
-  require(info.arraySize > 0 && info.mipCount > 0, XR_ERROR_VALIDATION_FAILURE,
-          "there are no layers, or no levels");
-  constexpr XrSwapchainCreateFlags supported = XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT;
-  require((info.createFlags & ~supported) == 0, XR_ERROR_FEATURE_UNSUPPORTED,
-          "images can be static, but not protected");
-}
-
-void log_swapchain(const Swapchain& made) {
-  runtime().log.write({{"kind", "swapchain"},
-                       {"swapchain", made.number},
-                       {"width", made.info.width},
-                       {"height", made.info.height},
-                       {"format", made.info.format},
-                       {"array_size", made.info.arraySize},
-                       {"images", made.textures.size()}});
+/// Its lowest row first, 4 bytes a pixel. sRGB values are not converted.
+std::vector<unsigned char> pixels_of(const Swapchain& swapchain) {
+  std::vector<unsigned char> pixels(std::size_t{4} * swapchain.info.width * swapchain.info.height);
+  GLint buffer = 0;
+  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glGetTextureImage(swapchain.textures.at(*swapchain.released), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    static_cast<GLsizei>(pixels.size()), pixels.data());
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(buffer));
+  return pixels;
 }
 
 }  // namespace
 
-XrResult enumerate_swapchain_formats(XrSession session, std::uint32_t capacity,
-                                     std::uint32_t* count, std::int64_t* formats) {
-  session_of(session);
-  give_items(runtime().script.swapchain_formats, capacity, count, formats);
-  return XR_SUCCESS;
+void check_image(const XrSwapchainSubImage& image) {
+  const auto& swapchain = object_of<Swapchain>(image.swapchain);
+  require(swapchain.released && !swapchain.acquired, XR_ERROR_LAYER_INVALID,
+          "no image was released, or one is still being drawn on");
+  const auto& [offset, extent] = image.imageRect;
+  const auto is_inside = [](std::int64_t from, std::int64_t length, std::int64_t size) {
+    return from >= 0 && length > 0 && from + length <= size;
+  };
+  require(image.imageArrayIndex == 0 && is_inside(offset.x, extent.width, swapchain.info.width) &&
+              is_inside(offset.y, extent.height, swapchain.info.height),
+          XR_ERROR_SWAPCHAIN_RECT_INVALID, "the rectangle is empty, or not inside of the image");
 }
 
-XrResult create_swapchain(XrSession session, const XrSwapchainCreateInfo* create_info,
-                          XrSwapchain* swapchain) {
-  const Session& owner = session_of(session);
-  const XrSwapchainCreateInfo& info =
-      checked(create_info, XR_TYPE_SWAPCHAIN_CREATE_INFO, "the information for the swapchain");
-  XrSwapchain& place = place_for(swapchain, "the place for the swapchain");
-  check_format(info);
-  check_size(info);
-  const bool is_static = (info.createFlags & XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) != 0;
-  auto made = std::make_shared<Swapchain>();
-  made->info = info;
-  {
-    const CurrentContext current(owner.gl);
-    made->textures = make_textures(info, is_static ? 1 : images_of_a_swapchain);
+void save_image(const XrSwapchainSubImage& image, const std::filesystem::path& file) {
+  const auto& swapchain = object_of<Swapchain>(image.swapchain);
+  const auto& [offset, extent] = image.imageRect;
+  const std::vector<unsigned char> pixels = pixels_of(swapchain);
+  std::string pixmap = fmt::format("P6\n{} {}\n255\n", extent.width, extent.height);
+  // A pixmap's first row is the highest, OpenGL's is the lowest.
+  for (int y = offset.y + extent.height - 1; y >= offset.y; --y) {
+    for (int x = offset.x; x < offset.x + extent.width; ++x) {
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * swapchain.info.width + static_cast<std::size_t>(x);
+      pixmap.append(reinterpret_cast<const char*>(&pixels[4 * pixel]), 3);
+    }
   }
-  place = runtime().swapchains.add(made);
-  made->number = runtime().swapchains.number_of(place);
-  log_swapchain(*made);
+  std::ofstream(file, std::ios::binary) << pixmap;
+}
+
+XrResult EnumerateSwapchainFormats(XrSession /*session*/, std::uint32_t capacity,
+                                   std::uint32_t* count, std::int64_t* given) {
+  give_items(formats, capacity, count, given);
   return XR_SUCCESS;
 }
 
-XrResult destroy_swapchain(XrSwapchain swapchain) {
-  const std::shared_ptr<Swapchain> removed = runtime().swapchains.remove(swapchain);
-  const CurrentContext current(current_session().gl);
-  remove_textures(removed->textures);
+XrResult CreateSwapchain(XrSession session, const XrSwapchainCreateInfo* info,
+                         XrSwapchain* swapchain) {
+  auto& owner = object_of<Session>(session);
+  require(std::ranges::find(formats, info->format) != formats.end(),
+          XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "the format is not offered");
+  require(info->sampleCount == 1 && info->faceCount == 1 && info->arraySize == 1 &&
+              info->mipCount == 1 && info->createFlags == 0,
+          XR_ERROR_FEATURE_UNSUPPORTED, "images are plain");
+  require(glXGetCurrentContext() == owner.gl, XR_ERROR_RUNTIME_FAILURE,
+          "the session's OpenGL context is not current");
+  *swapchain = handle_of<XrSwapchain>(
+      owner.swapchains.emplace_back(Swapchain{.info = *info, .textures = make_textures(*info)}));
   return XR_SUCCESS;
 }
 
-XrResult enumerate_swapchain_images(XrSwapchain swapchain, std::uint32_t capacity,
-                                    std::uint32_t* count, XrSwapchainImageBaseHeader* images) {
-  const std::shared_ptr<Swapchain> listed = runtime().swapchains.at(swapchain);
+XrResult EnumerateSwapchainImages(XrSwapchain swapchain, std::uint32_t capacity,
+                                  std::uint32_t* count, XrSwapchainImageBaseHeader* images) {
   std::vector<XrSwapchainImageOpenGLKHR> all;
-  for (const GLuint texture : listed->textures) {
+  for (const GLuint texture : object_of<Swapchain>(swapchain).textures) {
     all.push_back({XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, texture});
   }
-  give_structures(all, XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, capacity, count,
-                  reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images));
+  give_items(all, capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images));
   return XR_SUCCESS;
 }
 
-XrResult acquire_swapchain_image(XrSwapchain swapchain,
-                                 const XrSwapchainImageAcquireInfo* acquire_info,
-                                 std::uint32_t* index) {
-  const std::shared_ptr<Swapchain> acquired = runtime().swapchains.at(swapchain);
-  check_if_given(acquire_info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO, "the way to acquire");
-  std::uint32_t& place = place_for(index, "the place for the index");
-  const bool is_static = (acquired->info.createFlags & XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) != 0;
-  require(!is_static || !acquired->last_released, XR_ERROR_CALL_ORDER_INVALID,
-          "a static image is acquired only once");
-  require(acquired->acquired.size() < acquired->textures.size(), XR_ERROR_CALL_ORDER_INVALID,
-          "all images are acquired, and none was released");
-  place = acquired->next_image;
-  acquired->acquired.push_back(place);
-  acquired->next_image =
-      (acquired->next_image + 1) % static_cast<std::uint32_t>(acquired->textures.size());
+XrResult AcquireSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageAcquireInfo* /*info*/,
+                               std::uint32_t* index) {
+  auto& acquiring = object_of<Swapchain>(swapchain);
+  require(!acquiring.acquired, XR_ERROR_CALL_ORDER_INVALID, "the last image was not released");
+  *index = acquiring.next_image;
+  acquiring.acquired = acquiring.next_image;
+  acquiring.next_image =
+      (acquiring.next_image + 1) % static_cast<std::uint32_t>(acquiring.textures.size());
   return XR_SUCCESS;
 }
 
-XrResult wait_swapchain_image(XrSwapchain swapchain, const XrSwapchainImageWaitInfo* wait_info) {
-  const std::shared_ptr<Swapchain> waited = runtime().swapchains.at(swapchain);
-  checked(wait_info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, "how to wait");
-  require(!waited->acquired.empty(), XR_ERROR_CALL_ORDER_INVALID, "no image is acquired");
-  require(!waited->is_oldest_waited_for, XR_ERROR_CALL_ORDER_INVALID,
-          "the image that was waited for was not released");
-  waited->is_oldest_waited_for = true;
+XrResult WaitSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageWaitInfo* /*info*/) {
+  auto& waiting = object_of<Swapchain>(swapchain);
+  require(waiting.acquired && !std::exchange(waiting.is_waited_for, true),
+          XR_ERROR_CALL_ORDER_INVALID, "no image is acquired, or it was waited for");
   return XR_SUCCESS;
 }
 
-XrResult release_swapchain_image(XrSwapchain swapchain,
-                                 const XrSwapchainImageReleaseInfo* release_info) {
-  const std::shared_ptr<Swapchain> released = runtime().swapchains.at(swapchain);
-  check_if_given(release_info, XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO, "the way to release");
-  require(released->is_oldest_waited_for, XR_ERROR_CALL_ORDER_INVALID,
+XrResult ReleaseSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageReleaseInfo* /*info*/) {
+  auto& releasing = object_of<Swapchain>(swapchain);
+  require(std::exchange(releasing.is_waited_for, false), XR_ERROR_CALL_ORDER_INVALID,
           "no image was acquired and waited for");
-  released->last_released = released->acquired.front();
-  released->acquired.pop_front();
-  released->is_oldest_waited_for = false;
+  releasing.released = std::exchange(releasing.acquired, std::nullopt);
   return XR_SUCCESS;
 }
 

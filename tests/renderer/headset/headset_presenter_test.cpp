@@ -17,11 +17,9 @@
 namespace foveola {
 namespace {
 
-using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 using testing::ThrowsMessage;
 
@@ -49,7 +47,7 @@ class HeadsetPresenterTest : public ::testing::Test {
 
   HeadsetPresenter& presenter() { return worn_->presenter(); }
 
-  std::int64_t newest_frame() const { return test::newest_frame(*headset_); }
+  std::int64_t newest_frame() const { return headset_->newest_frame(); }
   void wait_for_frame(std::int64_t number) const { test::wait_for_frame(*headset_, number); }
 
   test::XServer server_;
@@ -77,8 +75,7 @@ TEST_F(HeadsetPresenterTest, TellsWhatTheRuntimeTells) {
 
 TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
   wear(R"(, "head": [{"time": 0, "yaw_deg": 30, "pitch_deg": 12, "roll_deg": -20}],
-          "save_frames": )" +
-       test::all_frames());
+          "save_pictures": true)");
   presenter().motion().face({.azimuth_rad = radians(100.0)});
   worn_->show();
   const std::int64_t shown = newest_frame();
@@ -99,7 +96,7 @@ TEST_F(HeadsetPresenterTest, ShowsEachEyeWhatTheProcessorDraws) {
 
 TEST_F(HeadsetPresenterTest, ResamplesNothingThatTheLensesNeverShow) {
   // The right half of what each eye sees up to 45 degrees.
-  headset_.emplace(R"({"refresh_hz": 60, "save_frames": )" + test::all_frames() + R"(, "eyes": [
+  headset_.emplace(R"({"refresh_hz": 60, "save_pictures": true, "eyes": [
       {"recommended_px": [120, 100], "fov_deg": {"left": -45, "right": 45, "up": 45, "down": -45},
        "mask": {"vertices": [[0, -2], [2, -2], [2, 2], [0, 2]], "indices": [0, 1, 2, 0, 2, 3]}},
       {"recommended_px": [120, 100]}]})");
@@ -155,9 +152,9 @@ TEST_F(HeadsetPresenterTest, FollowsTheHeadWithoutNewFrames) {
   const std::int64_t shown = newest_frame();
   wait_for_frame(shown + 10);
   std::optional<double> before;
-  for (const nlohmann::json& frame : headset_->log("frame")) {
-    if (frame.at("frame") > shown && !frame.at("layers").empty()) {
-      const nlohmann::json& q = frame.at("layers")[0].at("views")[0].at("orientation");
+  for (const nlohmann::json& frame : headset_->frames()) {
+    if (frame.at("frame") > shown && !frame.at("orientations").empty()) {
+      const nlohmann::json& q = frame.at("orientations")[0];
       const double yaw_deg = degrees(2.0 * std::atan2(q[1].get<double>(), q[3].get<double>()));
       if (before) {
         EXPECT_NEAR(std::remainder(yaw_deg - *before, 360.0), 0.5, 0.1) << "30 degrees a second";

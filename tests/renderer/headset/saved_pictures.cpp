@@ -7,21 +7,8 @@
 
 namespace foveola::test {
 
-std::string all_frames() {
-  constexpr int more_than_a_test_has = 2000;
-  std::string numbers = "[0";
-  for (int i = 1; i < more_than_a_test_has; ++i) {
-    numbers += "," + std::to_string(i);
-  }
-  return numbers + "]";
-}
-
-std::int64_t newest_frame(const ScriptedHeadset& headset) {
-  return headset.newest_log("frame").at("frame");
-}
-
 void wait_for_frame(const ScriptedHeadset& headset, std::int64_t number) {
-  wait_until("a frame", [&] { return newest_frame(headset) >= number; });
+  wait_until("a frame", [&] { return headset.newest_frame() >= number; });
 }
 
 RgbImage saved_picture(const ScriptedHeadset& headset, std::int64_t frame, int eye) {

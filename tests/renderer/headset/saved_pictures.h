@@ -2,18 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "renderer/image/image.h"
 #include "tests/openxr/scripted_headset.h"
 
 namespace foveola::test {
 
-/// For a script's "save_frames": more of them than a test has.
-std::string all_frames();
-
-/// The newest frame that was ended, by its number.
-std::int64_t newest_frame(const ScriptedHeadset& headset);
 void wait_for_frame(const ScriptedHeadset& headset, std::int64_t number);
 
 /// The picture of a frame that was saved, for eye 0 or 1: sRGB in [0, 1].

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/headset/headset_motion.h"
-#include "tests/renderer/headset/saved_pictures.h"
+#include "tests/openxr/scripted_headset.h"
 #include "tests/renderer/headset/worn_headset.h"
 #include "tests/x_server.h"
 
@@ -67,16 +67,16 @@ class HeadsetAllocations : public ::testing::Test {
     HeadsetEyes eyes(worn_.presenter().motion(), true);
     std::vector<GazeSample> samples;
     const auto watch = [&](std::int64_t until) {
-      while (test::newest_frame(headset_) < until) {
+      while (headset_.newest_frame() < until) {
         eyes.poll(worn_.now(), samples);
         act();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
     };
-    watch(test::newest_frame(headset_) + frames);
+    watch(headset_.newest_frame() + frames);
     allocations = 0;
     is_counting = true;
-    watch(test::newest_frame(headset_) + frames);
+    watch(headset_.newest_frame() + frames);
     is_counting = false;
     EXPECT_GT(samples.size(), frames);
     return allocations;
