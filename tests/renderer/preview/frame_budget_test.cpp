@@ -213,15 +213,6 @@ TEST(FrameBudget, HalfOfTheFrameIsForTracingWhereDrawingIsTooSlow) {
   }
 }
 
-TEST(FrameBudget, KnowsWhatDrawingTakes) {
-  FrameBudget budget;
-  Machine machine;
-  machine.rest_s = 0.04;
-  EXPECT_EQ(budget.drawing_time(), Nanoseconds(0));
-  show_frames(100, budget, machine);
-  EXPECT_NEAR(seconds(budget.drawing_time()), 0.04, 0.004);
-}
-
 TEST(FrameBudget, AnotherPreviewKnowsThatDrawingIsTooSlowButNotWhatSamplesCost) {
   FrameBudget budget;
   Machine machine;

@@ -129,21 +129,6 @@ TEST_F(PreviewTest, ARestartClearsTheFilmAndCountsAnew) {
   EXPECT_EQ(preview.film().resolve().color.pixels, first.color.pixels);
 }
 
-TEST_F(PreviewTest, ASamplerMayBeMadeBefore) {
-  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
-  preview.restart("fv", 7);
-  preview.render_frame(preview_frame_time, 4096);
-  const FilmImage by_name = preview.film().resolve();
-  preview.restart(make_view_sampler("fv"), 7);
-  preview.render_frame(preview_frame_time, 4096);
-  EXPECT_EQ(preview.film().resolve().color.pixels, by_name.color.pixels);
-}
-
-TEST_F(PreviewTest, AnUnknownMethodIsRefused) {
-  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
-  EXPECT_THROW(preview.restart("sharp", 1), Error);
-}
-
 // Two frames of half an image each make one sample in every pixel: the second goes on where the
 // first ended.
 TEST_F(PreviewTest, FramesContinueOneSequence) {
