@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/error.h"
+#include "tests/error_of.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
 
@@ -38,12 +38,7 @@ class Mask : public testing::Test {
         path_, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds_));
   }
   std::string complaint() const {
-    try {
-      const MaskSampler sampler(path_, 0.0);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return {};
+    return test::error_of([&] { const MaskSampler sampler(path_, 0.0); });
   }
 
   test::TemporaryFolder folder_;
