@@ -128,11 +128,6 @@ TEST_F(Description, TellsWhichOptionsGoTogether) {
   EXPECT_TRUE(size.is_required);
 }
 
-TEST_F(Description, LeavesOutWhatHelpLeavesOut) {
-  command_.add_option("--former", text_)->group("");
-  EXPECT_THAT(last_names_of(describe(app_).commands.at(0).options), ElementsAre("--help"));
-}
-
 TEST_F(Description, KeepsGroupsTogetherUnderTheirTitles) {
   command_.add_option("--view", text_)->group("Image");
   command_.add_option("--size", text_);
@@ -148,19 +143,6 @@ TEST_F(Description, KeepsGroupsTogetherUnderTheirTitles) {
   EXPECT_EQ(options[1].group, "");
   EXPECT_EQ(options[3].group, "Image");
   EXPECT_EQ(options[4].group, "How much (at most 1)");
-}
-
-TEST_F(Description, TellsHowManyOfAGroupAreAllowed) {
-  const auto title = [this](std::size_t least, std::size_t most) {
-    CLI::App app("", "program");
-    CLI::App* group = app.add_option_group("group", "How much");
-    group->add_option("--samples", number_);
-    group->require_option(least, most);
-    return describe(app).options.back().group;
-  };
-  EXPECT_EQ(title(0, 0), "How much");
-  EXPECT_EQ(title(1, 0), "How much (at least 1)");
-  EXPECT_EQ(title(1, 1), "How much (exactly 1)");
 }
 
 }  // namespace

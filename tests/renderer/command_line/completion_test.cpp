@@ -44,33 +44,6 @@ CommandDescription program() {
           .commands = {{.name = "study", .description = "Studies", .commands = {run}}, shell}};
 }
 
-TEST(BashCompletion, KnowsWhatFollowsACommand) {
-  const std::string script = bash_completion(program());
-  EXPECT_THAT(script, HasSubstr("    'lab')\n"
-                                "      commands=(study shell) words=() files=\n"
-                                "      options=(--version) ;;\n"));
-  EXPECT_THAT(script, HasSubstr("    'lab study run')\n"
-                                "      commands=() words=() files=yes\n"
-                                "      options=(-o --output --tone --show --threads --json) ;;\n"));
-  EXPECT_THAT(script, HasSubstr("    'lab shell')\n"
-                                "      commands=() words=(bash zsh) files=\n"));
-}
-
-TEST(BashCompletion, KnowsWhatFollowsAnOption) {
-  const std::string script = bash_completion(program());
-  EXPECT_THAT(script, HasSubstr("    'lab study run -o' | 'lab study run --output') words=() "
-                                "files=yes ;;\n"));
-  EXPECT_THAT(script, HasSubstr("    'lab study run --tone') words=(plain filmic) files= ;;\n"));
-  EXPECT_THAT(script, HasSubstr("    'lab study run --threads') words=() files= ;;\n"));
-  EXPECT_THAT(script, Not(HasSubstr("'lab study run --json'")));
-}
-
-TEST(BashCompletion, IsOfTheProgramsName) {
-  EXPECT_THAT(bash_completion(program()),
-              AllOf(HasSubstr("\n_lab() {\n"), HasSubstr("\ncomplete -F _lab lab\n"),
-                    Not(HasSubstr("PROGRAM"))));
-}
-
 TEST(ZshCompletion, DescribesOptionsAndValues) {
   const std::string script = zsh_completion(program());
   EXPECT_THAT(script, HasSubstr("\n_lab_study_run() {\n"

@@ -11,7 +11,6 @@ namespace foveola {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 const OptionDescription help{.names = {"-h", "--help"}, .description = "Print help"};
 
@@ -107,25 +106,6 @@ TEST(ManualPage, TellsWhatAnOptionAccepts) {
               HasSubstr("(from 1 to 9; only with \\-\\-all; not with \\-\\-one or \\-\\-two)\n"));
 }
 
-TEST(ManualPage, HasATitleAboveEachGroup) {
-  const std::string page =
-      page_with(CommandDescription{.name = "go",
-                                   .options = {{.names = {"--a"}, .description = "A"},
-                                               {.names = {"--b"}, .group = "Much"},
-                                               {.names = {"--c"}, .group = "Much"}}});
-  EXPECT_THAT(page, HasSubstr(".TP\n\\fB\\-\\-a\\fR\nA.\n.PP\n\\fBMuch\\fR:\n.TP\n"
-                              "\\fB\\-\\-b\\fR\n.TP\n\\fB\\-\\-c\\fR\n"));
-}
-
-TEST(ManualPage, NamesCommandsWithThoseAboveThem) {
-  const CommandDescription merge{
-      .name = "merge",
-      .positionals = {{.names = {"DB"}, .value_name = "TEXT", .takes_many = true}}};
-  const std::string page = page_with(CommandDescription{.name = "study", .commands = {merge}});
-  EXPECT_THAT(page, HasSubstr(".SS \\fBprogram study\\fR \\fICOMMAND\\fR\n"
-                              ".SS \\fBprogram study merge\\fR [\\fIDB\\fR...]\n"));
-}
-
 TEST(ManualPage, FillsLinesOfUpToEightyCharacters) {
   std::string description = "Formats";
   for (int i = 0; i < 30; ++i) {
@@ -147,13 +127,6 @@ TEST(ManualPage, FillsLinesOfUpToEightyCharacters) {
   EXPECT_EQ(words, 30);
   EXPECT_LE(longest, 80);
   EXPECT_GT(longest, 60);
-}
-
-TEST(ManualPage, KeepsTheLinesOfExamples) {
-  EXPECT_THAT(
-      page_with(CommandDescription{.name = "go", .footer = "Examples: go a\n          go  b"}),
-      HasSubstr(".EX\nExamples: go a\n          go  b\n.EE\n"));
-  EXPECT_THAT(page_with(CommandDescription{.name = "go"}), Not(HasSubstr(".EX")));
 }
 
 }  // namespace
