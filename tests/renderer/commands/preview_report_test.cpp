@@ -11,7 +11,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using testing::HasSubstr;
-using testing::Not;
 
 /// Frames at 100 Hz that trace 1, 2, ... 8 ms, of gaze that is 15, 16, ... 22 ms old: seen for 4
 /// ms, and older than 20 in two of them.
@@ -107,19 +106,6 @@ TEST(PreviewReport, MayHaveNoFrameThatFollowsTheEye) {
   }
   EXPECT_TRUE(preview_json(run).at("latency").empty());
   EXPECT_THAT(preview_text(run), HasSubstr("in the 0 frames that follow it"));
-}
-
-TEST(PreviewReport, ReadsAsTables) {
-  PreviewRun run = eight_frames();
-  const std::string text = preview_text(run);
-  EXPECT_THAT(text, HasSubstr("8 frames of 10.00 ms on 3 threads: 0 late, 100.00 % in time\n"));
-  EXPECT_THAT(text, HasSubstr("tracing                     4.000      8.000      8.000 ms\n"));
-  EXPECT_THAT(text,
-              HasSubstr("processing                 2.00     2.00     2.00     2.00 measured\n"));
-  EXPECT_THAT(text, HasSubstr("at most 16.00 ms old in 2 of them, 25.00 %"));
-  EXPECT_THAT(text, HasSubstr("not resampled"));
-  run.is_resampled = true;
-  EXPECT_THAT(preview_text(run), Not(HasSubstr("not resampled")));
 }
 
 }  // namespace
