@@ -1,8 +1,6 @@
 // What the film costs: numbering and adding a batch, and what the display shows of it.
-#include <chrono>
 #include <cmath>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -72,31 +70,6 @@ void film_batch(benchmark::State& state, const char* method) {
 BENCHMARK_CAPTURE(film_batch, od, "od")->Arg(1024)->Arg(8192);
 BENCHMARK_CAPTURE(film_batch, fv, "fv")->Arg(1024)->Arg(8192);
 
-/// The first batches of a film, where most pixels are new to it. Argument: how many begin in a
-/// second, as a preview's frames do; 0 for as many as can.
-void first_batches(benchmark::State& state) {
-  FilmFeed feed("fv", 4096, 10'000, 2);
-  const auto rate = state.range(0);
-  auto next = std::chrono::steady_clock::now();
-  for (auto _ : state) {
-    state.PauseTiming();
-    feed.draw();
-    if (rate > 0) {
-      next += std::chrono::nanoseconds(std::chrono::seconds(1)) / rate;
-      std::this_thread::sleep_until(next);
-    }
-    state.ResumeTiming();
-    feed.add();
-  }
-}
-BENCHMARK(first_batches)
-    ->ArgName("rate")
-    ->Arg(0)
-    ->Arg(70)
-    ->UseRealTime()
-    ->Iterations(31)
-    ->Unit(benchmark::kMillisecond);
-
 constexpr int view_side = 640;
 
 /// A preview's frames: each has 6100 samples around the gaze.
@@ -161,21 +134,9 @@ void frames_shown(benchmark::State& state, const ViewImage& settings) {
 void black_frames_shown(benchmark::State& state) {
   frames_shown(state, {.width = view_side, .height = view_side, .exposure_stops = 0.0});
 }
-void filled_frames_shown(benchmark::State& state) {
-  frames_shown(state, {.width = view_side,
-                       .height = view_side,
-                       .unsampled = UnsampledPixels::filled,
-                       .exposure_stops = 0.0});
-}
 BENCHMARK(black_frames_shown)
     ->ArgNames({"threads", "turn", "film"})
     ->ArgsProduct({{1, 2}, {0, 50}, {0, 1}})
-    ->MeasureProcessCPUTime()
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(filled_frames_shown)
-    ->ArgNames({"threads", "turn", "film"})
-    ->ArgsProduct({{2}, {0, 50}, {0}})
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
@@ -216,32 +177,6 @@ BENCHMARK(window_shown)
     ->Args({2, 0, 1})
     ->MeasureProcessCPUTime()
     ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-
-/// The first frame after a restart, with its film. Argument: threads.
-void restart_shown(benchmark::State& state) {
-  PreviewFeed feed(static_cast<int>(state.range(0)));
-  ViewportResampler resampler(feed.film,
-                              {.width = view_side, .height = view_side, .exposure_stops = 0.0});
-  const Viewport viewport(head_orientation({}), fov_rad, fov_rad);
-  for (auto _ : state) {
-    state.PauseTiming();
-    feed.run(70);
-    resampler.show(viewport, feed.workers);
-    feed.draw();
-    state.ResumeTiming();
-    feed.film.clear();
-    feed.add();
-    auto image = resampler.show(viewport, feed.workers);
-    benchmark::DoNotOptimize(image);
-  }
-}
-BENCHMARK(restart_shown)
-    ->ArgName("threads")
-    ->Arg(1)
-    ->Arg(2)
-    ->UseRealTime()
-    ->Iterations(20)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
