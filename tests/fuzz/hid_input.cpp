@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 
 #include "renderer/base/error.h"
 #include "renderer/gaze/hid_eye_reports.h"
@@ -16,12 +15,6 @@ namespace {
 
 constexpr Nanoseconds period = std::chrono::milliseconds(8);
 constexpr double latency_s = 0.014;
-
-void check_that(bool holds, const char* what) {
-  if (!holds) {
-    throw std::logic_error(what);
-  }
-}
 
 void check(const HidReportDescriptor& descriptor) {
   std::size_t fields = 0;

@@ -1,23 +1,31 @@
-// Takes numbers and bytes off the front of a fuzzer's input.
+// What the fuzzers' inputs have in common.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 
 namespace foveola::test {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Up to `size` bytes: fewer where the input ends.
+/// Ends the fuzzer with what was found wrong.
+inline void check_that(bool holds, const char* what) {
+  if (!holds) {
+    throw std::logic_error(what);
+  }
+}
+
+/// Takes up to `size` bytes off the input's front: fewer where the input ends.
 inline Bytes take(Bytes& input, std::size_t size) {
   const Bytes taken = input.first(std::min(size, input.size()));
   input = input.subspan(taken.size());
   return taken;
 }
 
-/// A number of up to `digits` bytes, the lowest first.
+/// Takes a number off it, of up to `digits` bytes, the lowest first.
 inline std::uint64_t take_number(Bytes& input, std::size_t digits) {
   std::uint64_t number = 0;
   int bits = 0;

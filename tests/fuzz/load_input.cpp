@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <fstream>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 #include "renderer/base/error.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/fuzz/input_bytes.h"
 
 namespace foveola::test {
 namespace fs = std::filesystem;
@@ -41,43 +41,37 @@ std::string_view next_part(std::string_view& input) {
   return part;
 }
 
-void require(bool holds, const char* what) {
-  if (!holds) {
-    throw std::logic_error(what);
-  }
-}
-
 void check(const Scene& scene, const TextureUse& use, const Mesh& mesh) {
   if (!use.exists()) {
     return;
   }
   const auto texture = static_cast<std::size_t>(use.texture);
-  require(texture < scene.textures.size(), "a texture is out of range");
-  require(mesh.uv_sets.empty() || static_cast<std::size_t>(use.uv_set) < mesh.uv_sets.size(),
-          "a UV set is out of range");
+  check_that(texture < scene.textures.size(), "a texture is out of range");
+  check_that(mesh.uv_sets.empty() || static_cast<std::size_t>(use.uv_set) < mesh.uv_sets.size(),
+             "a UV set is out of range");
   const Vec2 uv = mesh.uv_sets.empty()
                       ? Vec2(0.0F)
                       : use.texture_from_mesh *
                             Vec3(mesh.uv_sets[static_cast<std::size_t>(use.uv_set)].front(), 1.0F);
   const Vec4 value = scene.textures[texture].sample(uv, 0.3F);
-  require(value.r >= 0.0F && value.r <= 1.0F && value.a >= 0.0F && value.a <= 1.0F,
-          "a texture's value is out of range");
+  check_that(value.r >= 0.0F && value.r <= 1.0F && value.a >= 0.0F && value.a <= 1.0F,
+             "a texture's value is out of range");
 }
 
 void check(const Scene& scene, const Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
-  require(static_cast<std::size_t>(mesh.material) < scene.materials.size(),
-          "a material is out of range");
-  require(mesh.normals.empty() || mesh.normals.size() == vertices, "normals are missing");
-  require(mesh.tangents.empty() || mesh.tangents.size() == vertices, "tangents are missing");
-  require(mesh.colors.empty() || mesh.colors.size() == vertices, "colours are missing");
+  check_that(static_cast<std::size_t>(mesh.material) < scene.materials.size(),
+             "a material is out of range");
+  check_that(mesh.normals.empty() || mesh.normals.size() == vertices, "normals are missing");
+  check_that(mesh.tangents.empty() || mesh.tangents.size() == vertices, "tangents are missing");
+  check_that(mesh.colors.empty() || mesh.colors.size() == vertices, "colours are missing");
   for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
-    require(uvs.size() == vertices, "texture coordinates are missing");
+    check_that(uvs.size() == vertices, "texture coordinates are missing");
   }
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t vertex : triangle) {
-      require(vertex < vertices, "a vertex is out of range");
-      require(is_finite(mesh.positions[vertex]), "a vertex is not finite");
+      check_that(vertex < vertices, "a vertex is out of range");
+      check_that(is_finite(mesh.positions[vertex]), "a vertex is not finite");
     }
   }
   if (mesh.triangles.empty()) {
@@ -97,17 +91,17 @@ void check(const Scene& scene) {
     check(scene, mesh);
   }
   for (const Instance& instance : scene.instances) {
-    require(instance.prototype < scene.prototypes.size(), "a prototype is out of range");
+    check_that(instance.prototype < scene.prototypes.size(), "a prototype is out of range");
   }
 }
 
 void check(const Environment& environment) {
   const auto width = static_cast<std::size_t>(environment.map_width);
-  require(environment.map.size() == width * static_cast<std::size_t>(environment.map_height),
-          "pixels are missing");
+  check_that(environment.map.size() == width * static_cast<std::size_t>(environment.map_height),
+             "pixels are missing");
   for (const Rgb& pixel : environment.map) {
-    require(is_finite(pixel) && pixel.r >= 0.0F && pixel.g >= 0.0F && pixel.b >= 0.0F,
-            "a pixel is no light");
+    check_that(is_finite(pixel) && pixel.r >= 0.0F && pixel.g >= 0.0F && pixel.b >= 0.0F,
+               "a pixel is no light");
   }
 }
 
