@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -13,8 +14,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/gaze/hid_eye_tracker.h"
 #include "tests/kernel_hid/uhid_device.h"
-#include "tests/kernel_hid/watched_tracker.h"
 #include "tests/renderer/gaze/hid_reference.h"
 #include "tests/waiting.h"
 
@@ -27,7 +28,6 @@ using test::from_hex;
 using test::operator+;
 using test::UhidDevice;
 using test::UhidSettings;
-using test::WatchedTracker;
 using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -69,7 +69,39 @@ HidTrackerSettings quick_settings() {
           .retry = milliseconds(20)};
 }
 
-WatchedTracker watched(std::uint16_t product_id) { return {product_id, quick_settings()}; }
+/// Reads the attached eye tracker of a product, and keeps each of its samples.
+class WatchedTracker {
+ public:
+  explicit WatchedTracker(std::uint16_t product_id)
+      : tracker_([product_id] { return open_hid_eye_tracker({.product_id = product_id}); }, clock_,
+                 quick_settings()) {}
+
+  HidTrackerState state() const { return tracker_.state(); }
+
+  HidTrackerState wait_for(const std::string& what,
+                           const std::function<bool(const HidTrackerState&)>& is_reached) const {
+    HidTrackerState reached;
+    test::wait_until(what, [&] {
+      reached = state();
+      return is_reached(reached);
+    });
+    return reached;
+  }
+
+  /// All samples so far, once there are so many.
+  const std::vector<GazeSample>& wait_for_samples(std::size_t count) {
+    test::wait_until(std::to_string(count) + " samples", [&] {
+      tracker_.poll(clock_.now(), samples_);
+      return samples_.size() >= count;
+    });
+    return samples_;
+  }
+
+ private:
+  SteadyClock clock_;
+  std::vector<GazeSample> samples_;
+  HidEyeTracker tracker_;
+};
 
 /// Sends a step after the other and returns when it sent each. One that is late delays the others,
 /// so that a machine which stands still for a while does not make them crowd.
@@ -123,7 +155,13 @@ void print_latency(const std::vector<Nanoseconds>& sent, const std::vector<GazeS
       latencies_ms[latencies_ms.size() / 2], latencies_ms.back(), count, rate_hz));
 }
 
+// Beside a mouse, in which there is a pointer, usage 1 on another page.
 TEST(KernelHid, ListsTheDeviceOnceWithWhatItSaysOfItself) {
+  const UhidDevice mouse({.vendor_id = 0x1234,
+                          .product_id = hostile_product,
+                          .name = "Mouse",
+                          .report_descriptor = from_hex("05 01 09 02 a1 01 09 01 a1 00 09 30 09 31 "
+                                                        "75 08 95 02 81 06 c0 c0")});
   const UhidDevice device(reference_device());
   const HidDeviceInfo info = wait_until_listed(reference_product);
   EXPECT_EQ(list_hid_eye_trackers().size(), 1U);
@@ -141,7 +179,7 @@ TEST(KernelHid, ListsTheDeviceOnceWithWhatItSaysOfItself) {
 
 TEST(KernelHid, ReadsTheConfigurationBeforeItRequestsGaze) {
   const UhidDevice device(reference_device());
-  const WatchedTracker tracker = watched(reference_product);
+  const WatchedTracker tracker(reference_product);
   const HidTrackerState state = tracker.wait_for(
       "a connection", [](const HidTrackerState& reached) { return reached.is_connected; });
   EXPECT_THAT(device.requests(), ElementsAre("get 12", "get 13", gaze_request));
@@ -156,7 +194,7 @@ TEST(KernelHid, ReadsTheConfigurationBeforeItRequestsGaze) {
 TEST(KernelHid, DeliversEveryReportInOrder) {
   constexpr int reports = 240;  // two seconds
   const UhidDevice device(reference_device());
-  const WatchedTracker tracker = watched(reference_product);
+  WatchedTracker tracker(reference_product);
   device.wait_for_request(gaze_request);
   const std::vector<Nanoseconds> sent = send_at_120_hz(device, 0, reports);
   const std::vector<GazeSample> samples = tracker.wait_for_samples(reports);
@@ -173,7 +211,7 @@ TEST(KernelHid, DeliversEveryReportInOrder) {
 TEST(KernelHid, DeliversWhatCameAllAtOnce) {
   constexpr int reports = 60;
   const UhidDevice device(reference_device());
-  const WatchedTracker tracker = watched(reference_product);
+  WatchedTracker tracker(reference_product);
   device.wait_for_request(gaze_request);
   for (int step = 0; step < reports; ++step) {
     device.send(report(step));
@@ -186,7 +224,7 @@ TEST(KernelHid, DeliversWhatCameAllAtOnce) {
 
 TEST(KernelHid, ComesBackWhenItIsPluggedInAgain) {
   std::optional<UhidDevice> device(std::in_place, reference_device());
-  const WatchedTracker tracker = watched(reference_product);
+  WatchedTracker tracker(reference_product);
   device->wait_for_request(gaze_request);
   send_at_120_hz(*device, 0, 20);
   tracker.wait_for_samples(20);
@@ -213,7 +251,7 @@ TEST(KernelHid, ComesBackIfItWasUnpluggedWhileItWasAsked) {
   UhidSettings silent = reference_device();
   silent.features[0x12] = {};
   std::optional<UhidDevice> device(std::in_place, silent);
-  const WatchedTracker tracker = watched(reference_product);
+  WatchedTracker tracker(reference_product);
   device->wait_for_request("get 12");
   device.reset();
   device.emplace(reference_device());
@@ -228,7 +266,7 @@ TEST(KernelHid, ReadsADeviceThatAnswersBadly) {
   UhidSettings rude = reference_device();
   rude.features = {{0x12, from_hex("12 11 11")}, {0x13, Bytes{}}};
   const UhidDevice device(rude);
-  const WatchedTracker tracker = watched(reference_product);
+  WatchedTracker tracker(reference_product);
   device.wait_for_request(gaze_request);
   device.send(test::tracking_report(0, 500'000, 500'000));
   const GazeSample sample = tracker.wait_for_samples(1).front();
@@ -242,7 +280,7 @@ TEST(KernelHid, ReadsADeviceThatAnswersBadly) {
 // passes on reports that are too short depends on the kernel.
 TEST(KernelHid, SurvivesMergedShortAndForeignReports) {
   const UhidDevice device(reference_device());
-  const WatchedTracker tracker = watched(reference_product);
+  WatchedTracker tracker(reference_product);
   device.wait_for_request(gaze_request);
   const Bytes whole = report(1);
   device.send(whole);
@@ -337,12 +375,12 @@ TEST(KernelHid, HostileDescriptorsHarmNothing) {
                                .name = "Hostile",
                                .report_descriptor = hostile.bytes});
     const UhidDevice device(reference_device());
-    const WatchedTracker tracker = watched(reference_product);
+    WatchedTracker tracker(reference_product);
     device.wait_for_request(gaze_request);
     if (hostile.reaches_the_reader) {
       wait_until_listed(hostile_product);
     }
-    const WatchedTracker victim = watched(hostile_product);
+    const WatchedTracker victim(hostile_product);
     const std::string verdict = verdict_of(victim);
     EXPECT_THAT(verdict, HasSubstr(hostile.verdict));
     EXPECT_EQ(verdict.empty(), hostile.verdict.empty()) << verdict;
