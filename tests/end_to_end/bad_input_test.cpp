@@ -159,14 +159,14 @@ TEST_F(BadInput, PipesDevicesAndFoldersEndACommandAtOnce) {
       expect_one_line(run_foveola(command), 1, name + ": is no file");
     }
     expect_one_line(run_foveola({"study", "simulate", "demo", "--participants", "1", "--db", name}),
-                    1, name == folder ? "is a folder, not a file" : "is no file");
+                    1, name == folder ? "is a folder, not a file" : "is not a regular file");
   }
   for (const char* const name : {"pipe", "pipe.glb"}) {
     expect_one_line(run_foveola({"scene", "info", path(name)}), 1, "is not a regular file");
     expect_one_line(run_foveola({"render", path("room.gltf"), "-o", path("x.exr"), "--environment",
                                  path(name)}),
                     1, "is not a regular file");
-    expect_one_line(run_foveola({"compare", path(name), path(name)}), 1, "is no file");
+    expect_one_line(run_foveola({"compare", path(name), path(name)}), 1, "is not a regular file");
   }
   EXPECT_THAT(folder_.entries(), ElementsAre("pipe", "pipe.glb", "pipe.toml", "room.gltf"));
 }
