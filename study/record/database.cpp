@@ -126,7 +126,7 @@ void require_regular_file(const fs::path& path) {
     throw Error(path.string(), "no such file", "check the path");
   }
   if (!fs::is_regular_file(status)) {
-    throw Error(path.string(), "is no file", "name a study that foveola has written");
+    throw Error(path.string(), "is not a regular file", "name a study that foveola has written");
   }
   require_single_name(path);
 }

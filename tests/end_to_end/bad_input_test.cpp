@@ -156,7 +156,7 @@ TEST_F(BadInput, PipesDevicesAndFoldersEndACommandAtOnce) {
          std::initializer_list<Command>{{"study", "status", name},
                                         {"study", "verify", name},
                                         {"analyze", name, "-o", new_file}}) {
-      expect_one_line(run_foveola(command), 1, name + ": is no file");
+      expect_one_line(run_foveola(command), 1, name + ": is not a regular file");
     }
     expect_one_line(run_foveola({"study", "simulate", "demo", "--participants", "1", "--db", name}),
                     1, name == folder ? "is a folder, not a file" : "is not a regular file");

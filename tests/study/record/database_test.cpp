@@ -83,7 +83,7 @@ std::vector<BadFile> bad_files() {
       {"ShortText", [](const fs::path& path) { write_bytes(path, "x"); }, "is no study of Foveola"},
       {"Empty", [](const fs::path& path) { write_bytes(path, ""); }, "is no study of Foveola"},
       {"Folder", [](const fs::path& path) { fs::create_directory(path); }, "is "},
-      {"Pipe", [](const fs::path& path) { ::mkfifo(path.c_str(), 0600); }, "is no file"},
+      {"Pipe", [](const fs::path& path) { ::mkfifo(path.c_str(), 0600); }, "is not a regular file"},
       {"OtherDatabase", [](const fs::path& path) { run_sql(path, "CREATE TABLE t (x)"); },
        "is no study of Foveola"},
       {"OtherApplication",
