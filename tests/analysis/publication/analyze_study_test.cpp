@@ -114,7 +114,7 @@ TEST_F(AnalyzeStudy, EveryFileSaysWhoseDataItShows) {
         EXPECT_THAT(text, HasSubstr(mark)) << file;
       }
     }
-    EXPECT_THAT(unmarked, ElementsAre("codebook.csv", "model_versions.csv"));
+    EXPECT_THAT(unmarked, ElementsAre("codebook.csv", "models_plan.csv"));
     EXPECT_THAT(read_file(root / kind / "report.html"),
                 AllOf(HasSubstr(fmt::format("({}) – ", mark)),
                       HasSubstr(fmt::format("<p class=\"notice\" role=\"note\">{}", mark))));
