@@ -59,8 +59,8 @@ TEST_F(PreviewCommand, StandsAndIsLitAsRenderIs) {
 TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
   write_file(scene_, R"({"asset":{"version":"2.0"}})");
   const std::string file = folder_ / "last.png";
-  const ProgramResult empty = succeeded(
-      preview({"--frames", "5", "--screenshot", file, "--fill-unsampled", "--exposure", "fixed:0"}));
+  const ProgramResult empty = succeeded(preview(
+      {"--frames", "5", "--screenshot", file, "--fill-unsampled", "--exposure", "fixed:0"}));
   EXPECT_THAT(empty.errors, HasSubstr("the scene has no triangles"));
   EXPECT_THAT(empty.errors, HasSubstr("it is shown in a studio light"));
   EXPECT_GT(mean_green(file), 0.3);
