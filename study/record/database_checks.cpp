@@ -112,11 +112,17 @@ std::vector<SchemaObject> objects_of(SQLite::Database& database) {
   return objects;
 }
 
-/// What the schema of this study has.
-std::vector<SchemaObject> known_objects(SQLite::Database& study) {
+std::vector<SchemaObject> objects_of_schema(int version) {
   SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
-  known.exec(study_schema(schema_version_of(study)));
+  known.exec(study_schema(version));
   return objects_of(known);
+}
+
+/// What the schema of this study has. SQLite takes longer to make a schema than to open a study.
+const std::vector<SchemaObject>& known_objects(SQLite::Database& study) {
+  static const std::vector<SchemaObject> current = objects_of_schema(study_schema_version);
+  static const std::vector<SchemaObject> oldest = objects_of_schema(oldest_schema_version);
+  return schema_version_of(study) == study_schema_version ? current : oldest;
 }
 
 /// What is only in the first.
@@ -136,7 +142,7 @@ bool is_of_analyze(const SchemaObject& object) {
 
 /// What the file has beside its schema.
 std::vector<SchemaObject> foreign_parts(SQLite::Database& study) {
-  const std::vector<SchemaObject> known = known_objects(study);
+  const std::vector<SchemaObject>& known = known_objects(study);
   std::vector<SchemaObject> foreign = difference(objects_of(study), known);
   std::erase_if(foreign, [&](const SchemaObject& object) {
     const bool is_of_part = object.type == "table" && object.sql == simulated_part_sql;
