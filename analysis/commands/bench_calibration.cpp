@@ -1,5 +1,3 @@
-#include "analysis/commands/bench_calibration.h"
-
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -11,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/commands/commands.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/machine_speed.h"
 #include "analysis/koskela2018/published_study.h"

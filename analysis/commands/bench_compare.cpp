@@ -1,5 +1,3 @@
-#include "analysis/commands/bench_compare.h"
-
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -12,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/bench_ratios.h"
+#include "analysis/commands/commands.h"
 #include "renderer/base/print.h"
 
 namespace foveola::analysis {

@@ -1,5 +1,3 @@
-#include "analysis/commands/bench_convergence.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/commands/commands.h"
 #include "analysis/commands/convergence_run.h"
 #include "analysis/convergence/convergence_figures.h"
 #include "analysis/convergence/convergence_files.h"

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/statistics/normal.h"
+#include "analysis/statistics/distributions.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 

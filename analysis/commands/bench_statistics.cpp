@@ -1,5 +1,3 @@
-#include "analysis/commands/bench_statistics.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -12,19 +10,84 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "analysis/commands/coverage_report.h"
+#include "analysis/commands/commands.h"
 #include "analysis/monte_carlo/censored_coverage.h"
 #include "analysis/monte_carlo/coverage.h"
-#include "analysis/monte_carlo/crossed_coverage.h"
-#include "analysis/monte_carlo/fitted_studies.h"
 #include "analysis/monte_carlo/model_coverage.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/bench_facts.h"
 
 namespace foveola::analysis {
 namespace {
+
+/// A line on standard output; its name takes `width` letters.
+void print_figure(const CoverageFigure& figure, std::size_t width) {
+  const std::string required =
+      figure.required
+          ? fmt::format("required: {} to {} %", figure.required->low, figure.required->high)
+          : "reported only";
+  const std::string mean =
+      figure.mean_ratio ? fmt::format("; mean {:.1f} %", 100.0 * *figure.mean_ratio) : "";
+  print_text("{:<{}}  {:<27} {:6.2f} % [{:.2f}, {:.2f}] of {}; {}{}\n", figure.name, width,
+             figure.claim, figure.percent, figure.interval.low, figure.interval.high,
+             figure.studies, required, mean);
+}
+
+/// All figures as lines on standard output, below one that says what the studies are.
+void print_table(const CoverageSettings& settings, const std::vector<CoverageFigure>& figures) {
+  print_text(
+      "Studies of {} simulated participants whose times are drawn from a model; in brackets, "
+      "95 % intervals of the shares\n",
+      settings.participants);
+  std::size_t width = 0;
+  for (const CoverageFigure& figure : figures) {
+    width = std::max(width, figure.name.size());
+  }
+  for (const CoverageFigure& figure : figures) {
+    print_figure(figure, width);
+  }
+}
+
+/// One object on standard output: what is in `about`, then the figures.
+void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageFigure>& figures) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const CoverageFigure& figure : figures) {
+    nlohmann::ordered_json row = {{"name", figure.name},          {"claim", figure.claim},
+                                  {"percent", figure.percent},    {"low", figure.interval.low},
+                                  {"high", figure.interval.high}, {"studies", figure.studies},
+                                  {"hits", figure.hits},          {"asked", nullptr},
+                                  {"met", figure.is_met()}};
+    if (figure.mean_ratio) {
+      row["mean_ratio"] = *figure.mean_ratio;
+    }
+    if (figure.required) {
+      row["asked"] = {figure.required->low, figure.required->high};
+    }
+    rows.push_back(std::move(row));
+  }
+  nlohmann::ordered_json json = bench_facts();
+  json.update(about);
+  json["participant_kind"] = "simulated";
+  json["figures"] = std::move(rows);
+  print_text("{}\n", json.dump(2));
+}
+
+/// Throws Error for the first figure that lies outside its required range.
+void require_all(const std::vector<CoverageFigure>& figures) {
+  for (const CoverageFigure& figure : figures) {
+    if (!figure.is_met()) {
+      throw Error(
+          figure.name,
+          fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim, figure.percent,
+                      figure.required->low, figure.required->high),
+          "with fewer than 4000 studies this may be chance; otherwise the analysis is wrong");
+    }
+  }
+}
 
 struct StatisticsArguments {
   CoverageSettings settings;

@@ -10,7 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
-#include "renderer/commands/warnings.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "study/stage/scene_stage.h"
 

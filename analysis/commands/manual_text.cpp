@@ -1,4 +1,4 @@
-#include "analysis/commands/manual_text.h"
+#include "analysis/commands/commands.h"
 
 namespace foveola::analysis {
 namespace {

@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/figure_palette.h"
-#include "analysis/publication/gnuplot.h"
+#include "analysis/publication/figure_drawing.h"
 
 namespace foveola::analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/csv.h"
-#include "renderer/measure/error_metrics.h"
+#include "renderer/measure/region_error.h"
 
 namespace foveola::analysis {
 namespace {

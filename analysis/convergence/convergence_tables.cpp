@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/convergence/jackknife.h"
+#include "analysis/convergence/error_curve.h"
 
 namespace foveola::analysis {
 namespace {

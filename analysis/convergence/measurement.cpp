@@ -1,18 +1,66 @@
 #include "analysis/convergence/measurement.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "analysis/convergence/prediction.h"
-#include "analysis/convergence/progressive_run.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/view/density_around.h"
+#include "renderer/view/equirect.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
 namespace {
+
+const PathTracer& tracer_for(const Configuration& configuration, const Subject& subject) {
+  const PathTracer* tracer = subject.tracer_for(configuration.light_sampling);
+  assert(tracer != nullptr);
+  return *tracer;
+}
+
+ProgressiveSettings settings_for(const Configuration& configuration, const ConvergencePlan& plan,
+                                 const SceneSource& source, std::uint32_t seed) {
+  const auto white = static_cast<float>(std::exp2(-source.exposure_stops.value_or(0.0)));
+  ProgressiveSettings settings;
+  settings.film_size = plan.size;
+  settings.trace = {.max_depth = plan.max_depth,
+                    .seed = seed,
+                    .largest_radiance = configuration.largest_radiance,
+                    .largest_light_sample = white * configuration.largest_light_sample,
+                    .vertices_before_roulette = configuration.vertices_before_roulette,
+                    .light_samples_alone = configuration.light_samples_alone,
+                    .uses_general_path = configuration.uses_general_path};
+  settings.numbers = configuration.numbers;
+  if (configuration.adaptive_contrast) {
+    settings.adaptive = VisibleNoise{.contrast = *configuration.adaptive_contrast};
+  }
+  return settings;
+}
+
+/// Weighted mean of a pixel's variance after one sample on the film, relative to that of a sample;
+/// infinite where a pixel is never reached.
+double mean_inverse_probability(const ViewSampler& sampler, const PixelRegion& region,
+                                const IVec2& size) {
+  const double pixel_area = 2.0 * std::numbers::pi * std::numbers::pi / size.x / size.y;
+  double sum = 0.0;
+  double total_weight = 0.0;
+  for (const auto& [index, weight] : region.pixels) {
+    const int y = static_cast<int>(index) / size.x;
+    const int x = static_cast<int>(index) % size.x;
+    const double v = (y + 0.5) / size.y;
+    const double sr = pixel_area * std::sin(std::numbers::pi * v);
+    const Vec3 middle = direction_from_equirect(Vec2((x + 0.5) / size.x, v));
+    sum += weight / (density_around(sampler, middle) * sr);
+    total_weight += weight;
+  }
+  return sum / total_weight;
+}
 
 /// Samples after which it is the next configuration's turn: a batch of a progressive render.
 constexpr std::uint64_t turn_samples = 1 << 17;
@@ -187,6 +235,38 @@ RgbImage GazeBench::crops() const {
   }
   images.push_back(viewport_image(scorer_.reference(), view, size, size));
   return side_by_side(images);
+}
+
+std::optional<double> predicted_speed_up(const ViewSampler& method, const ViewSampler& baseline,
+                                         const PixelRegion& region, const IVec2& size) {
+  const double speed_up = mean_inverse_probability(baseline, region, size) /
+                          mean_inverse_probability(method, region, size);
+  return speed_up > 0.0 && std::isfinite(speed_up) ? std::optional(speed_up) : std::nullopt;
+}
+
+ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,
+                               const Configuration& configuration, const Aim& aim,
+                               std::uint32_t seed, const Workers& workers)
+    : gaze_(aim.gaze),
+      is_adaptive_(configuration.adaptive_contrast.has_value()),
+      sampler_(make_view_sampler(configuration.method)),
+      render_(tracer_for(configuration, subject),
+              subject.loaded.rendered_with(
+                  settings_for(configuration, plan, subject.loaded.source, seed)),
+              workers) {
+  sampler_->aim(aim);
+}
+
+void ProgressiveRun::advance(std::uint64_t samples) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  const std::uint64_t end = render_.points_drawn() + samples;
+  while (render_.points_drawn() < end) {
+    const std::uint64_t left = end - render_.points_drawn();
+    render_.look_at(gaze_);
+    render_.advance(*sampler_, is_adaptive_ ? std::min(left, adaptive_pass) : left);
+  }
+  seconds_ += foveola::seconds(clock.now() - start);
 }
 
 }  // namespace foveola::analysis

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -11,6 +12,10 @@
 
 #include "analysis/convergence/plan.h"
 #include "analysis/convergence/scorer.h"
+#include "renderer/film/equirect_film.h"
+#include "renderer/measure/region_error.h"
+#include "renderer/progressive/progressive_render.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
 
@@ -80,6 +85,41 @@ class GazeBench {
   Aim aim_;
   std::vector<Region> regions_;
   Scorer scorer_;
+};
+
+/// How many times fewer samples `method` needs than `baseline` for the same mean squared error in a
+/// region of a film of `size`, if all of its pixels are equally noisy and noise falls with their
+/// samples: with p the probability that a sample falls into a pixel of weight w,
+/// (sum of w / p of the baseline) / (sum of w / p of the method). Both are aimed alike. Empty where
+/// one of them never reaches some pixel.
+std::optional<double> predicted_speed_up(const ViewSampler& method, const ViewSampler& baseline,
+                                         const PixelRegion& region, const IVec2& size);
+
+/// Looks at one gaze with the head behind it. It refers to its subject, which must have a tracer
+/// for the configuration, and to the workers; both must outlive it.
+class ProgressiveRun {
+ public:
+  ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,
+                 const Configuration& configuration, const Aim& aim, std::uint32_t seed,
+                 const Workers& workers);
+
+  /// Takes so many samples more.
+  void advance(std::uint64_t samples);
+
+  /// Those left out by adaptive sampling count as taken.
+  std::uint64_t samples() const { return render_.points_drawn(); }
+  /// The time that advance() has taken in all.
+  double seconds() const { return seconds_; }
+  /// Samples dropped because they were not finite.
+  std::uint64_t dropped() const { return render_.dropped().size(); }
+  const EquirectFilm& film() const { return render_.film(); }
+
+ private:
+  Vec3 gaze_;
+  bool is_adaptive_;
+  std::unique_ptr<ViewSampler> sampler_;
+  ProgressiveRender render_;
+  double seconds_ = 0.0;
 };
 
 }  // namespace foveola::analysis

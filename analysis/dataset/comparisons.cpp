@@ -11,10 +11,10 @@
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/statistics/bootstrap.h"
-#include "analysis/statistics/influence.h"
+#include "analysis/statistics/correlation.h"
+#include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/multiplicity.h"
-#include "analysis/statistics/order_effect.h"
-#include "analysis/statistics/ranks.h"
+#include "analysis/statistics/order_balance.h"
 #include "renderer/base/cores.h"
 #include "renderer/base/ordered_jobs.h"
 

@@ -10,12 +10,10 @@
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/fitted_model.h"
 #include "analysis/dataset/primary_analysis.h"
-#include "analysis/statistics/equivalence.h"
-#include "analysis/statistics/friedman.h"
+#include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/paired_t.h"
-#include "analysis/statistics/pseudo_median.h"
+#include "analysis/statistics/rank_tests.h"
 #include "analysis/statistics/repeated_measures.h"
-#include "analysis/statistics/wilcoxon.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::analysis {

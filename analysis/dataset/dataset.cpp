@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/dataset/amended_labels.h"
+#include "analysis/dataset/wording.h"
 #include "renderer/base/error.h"
 
 namespace foveola::analysis {

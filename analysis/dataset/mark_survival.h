@@ -1,4 +1,4 @@
-// Times to a mark with those trials in which it was never reached.
+// Times to a mark: trials that never reached it, and times that stand out.
 #pragma once
 
 #include <optional>
@@ -27,5 +27,19 @@ std::vector<MarkSurvival> mark_survival(const Dataset& set);
 /// "od did not reach the mark outline within 180 s in 23 of 80 trials." for each that has
 /// right-censored times.
 std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& survival);
+
+struct OutlyingTime {
+  std::string mark;  ///< Its id.
+  std::string participant;
+  std::string scene;
+  std::string method;
+  double seconds = 0.0;
+  double times_expected = 1.0;  ///< How many times the time that was expected.
+  double studentized = 0.0;     ///< Its studentized residual when it was taken out.
+};
+
+/// The residual_outliers of log times, mark by mark, the farthest first. They stay in all results:
+/// whoever leaves one out needs a reason that is not its value.
+std::vector<OutlyingTime> outlying_times(const Dataset& set);
 
 }  // namespace foveola::analysis

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
-#include "analysis/statistics/order_effect.h"
+#include "analysis/statistics/order_balance.h"
 
 namespace foveola::analysis {
 

@@ -5,12 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "analysis/dataset/effect_scale.h"
 #include "analysis/dataset/fitted_model.h"
 #include "analysis/dataset/participant_values.h"
 #include "analysis/statistics/paired_t.h"
-#include "analysis/statistics/pseudo_median.h"
-#include "analysis/statistics/wilcoxon.h"
+#include "analysis/statistics/rank_tests.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::analysis {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/dataset/dataset.h"
 #include "analysis/dataset/study_tables.h"
 
 namespace foveola::analysis {
@@ -54,5 +55,17 @@ std::string data_notice(const StudyTables& tables);
 
 /// data_notice as a sentence of its own for the top of a report.
 std::string data_warning(const StudyTables& tables);
+
+/// Of each rating of `records`, the labels that differ from the study's in sessions of
+/// `participants`. Throws Error with its place for a text that is no protocol.
+std::vector<AmendedLabels> amended_labels(const study::StudyRecords& records,
+                                          const std::vector<std::string>& participants);
+
+/// The scale in words, with the labels that amended sessions had: "1 (none) to 5 (all over). In 2
+/// analysed sessions, by an amended protocol, the points were …".
+std::string scale_with_amendments(const Dataset& set, std::size_t measure);
+
+/// The sentence on other labels alone, with a space before it; usually empty.
+std::string amendments_of_scale(const Dataset& set, std::size_t measure);
 
 }  // namespace foveola::analysis

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/statistics/rank_correlation.h"
+#include "analysis/statistics/correlation.h"
 #include "renderer/base/error.h"
 
 namespace foveola::analysis {

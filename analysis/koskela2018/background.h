@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
-#include "analysis/statistics/inference.h"
+#include "analysis/statistics/correlation.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {

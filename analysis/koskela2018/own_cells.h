@@ -1,4 +1,4 @@
-// What a study has in the place of a cell of the published Table 2.
+// A study's cells beside the published Table 2, and how many published means they meet.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/published_comparison.h"
 #include "analysis/koskela2018/published_study.h"
-#include "analysis/statistics/log_of_means.h"
+#include "analysis/statistics/logarithms.h"
 
 namespace foveola::analysis {
 
@@ -50,5 +51,25 @@ struct MeanAndDeviation {
 
 /// Over participants, in seconds, or in per cent and percentage points.
 MeanAndDeviation mean_in(const StudyTables& tables, const OwnCell& cell, Reading reading);
+
+/// A study's mean is near a published one if neither is more than this many times the other.
+inline constexpr double near_factor = 1.5;
+
+/// How many of a part of the paper's means this study meets.
+struct MetMeans {
+  std::string means;  ///< Which: "Table 1", "Table 2, OD", "Table 2, VP and FV, own ratios", ...
+  std::size_t published = 0;
+  std::size_t compared = 0;  ///< Those of which the study has its own.
+  std::size_t study_in_published_interval = 0;
+  std::size_t published_in_study_interval = 0;
+  std::size_t in_both_intervals = 0;
+  std::optional<std::size_t> near;  ///< Within near_factor; not counted in Table 1.
+};
+
+/// Of Table 1; of Table 2's OD; of its VP and FV in each reading.
+std::vector<MetMeans> count_met_means(const std::vector<ComparedNumber>& numbers);
+
+/// A sentence, as "Table 2, VP and FV, own ratios: of 20 published means, ...".
+std::string in_words(const MetMeans& met);
 
 }  // namespace foveola::analysis

@@ -8,7 +8,7 @@
 #include "analysis/koskela2018/background.h"
 #include "analysis/koskela2018/own_cells.h"
 #include "analysis/koskela2018/profile.h"
-#include "analysis/statistics/log_of_means.h"
+#include "analysis/statistics/logarithms.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,5 +1,6 @@
 #include "analysis/monte_carlo/coverage.h"
 
+#include <cassert>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -7,16 +8,13 @@
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/study_tables.h"
+#include "analysis/monte_carlo/censored_coverage.h"
 #include "analysis/monte_carlo/expected_study.h"
-#include "analysis/monte_carlo/gain_study.h"
 #include "analysis/statistics/bootstrap.h"
-#include "analysis/statistics/friedman.h"
+#include "analysis/statistics/distributions.h"
 #include "analysis/statistics/paired_t.h"
-#include "analysis/statistics/proportion.h"
-#include "analysis/statistics/pseudo_median.h"
+#include "analysis/statistics/rank_tests.h"
 #include "analysis/statistics/repeated_measures.h"
-#include "analysis/statistics/wilcoxon.h"
-#include "renderer/base/parallel.h"
 
 namespace foveola::analysis {
 namespace {
@@ -253,6 +251,47 @@ std::vector<CoverageFigure> measure_injected_coverage(
     on_progress(static_cast<double>(i + 1) / static_cast<double>(criteria.size()));
   }
   return figures;
+}
+
+void StudyCount::add(std::optional<bool> holds) {
+  studies += holds ? 1 : 0;
+  hits += holds.value_or(false) ? 1 : 0;
+}
+
+void StudyCount::add(const PrimaryResult& result, double truth) {
+  add(result.interval->low <= truth && truth <= result.interval->high);
+  estimates.add(result.estimate);
+}
+
+void StudyCount::add(const StudyCount& other) {
+  studies += other.studies;
+  hits += other.hits;
+  estimates.add(other.estimates);
+}
+
+double StudyCount::mean_ratio() const {
+  return std::exp(estimates.rounded() / static_cast<double>(studies));
+}
+
+void add(const StudyCounts& counts, StudyCounts& sums) {
+  assert(counts.size() == sums.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    sums[i].add(counts[i]);
+  }
+}
+
+StudyCounts sum_of_blocks(
+    std::size_t figures, std::size_t studies, std::size_t block, const Workers& workers,
+    const std::function<StudyCounts(std::size_t first, std::size_t last)>& count) {
+  std::vector<StudyCounts> parts((studies + block - 1) / block, StudyCounts(figures));
+  workers.for_each_block(studies, block, [&](std::size_t first, std::size_t last) {
+    parts[first / block] = count(first, last);
+  });
+  StudyCounts sums(figures);
+  for (const StudyCounts& part : parts) {
+    add(part, sums);
+  }
+  return sums;
 }
 
 }  // namespace foveola::analysis

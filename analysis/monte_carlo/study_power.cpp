@@ -7,7 +7,7 @@
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/dataset.h"
-#include "analysis/statistics/proportion.h"
+#include "analysis/statistics/distributions.h"
 #include "renderer/base/parallel.h"
 
 namespace foveola::analysis {

@@ -19,7 +19,6 @@
 #include "analysis/publication/printed_results.h"
 #include "analysis/publication/report.h"
 #include "analysis/publication/result_tables.h"
-#include "analysis/publication/row_file.h"
 #include "analysis/publication/summary.h"
 #include "analysis/publication/survival_output.h"
 #include "analysis/r_models/fit_models.h"

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/bids.h"
+#include "analysis/publication/data_files.h"
 #include "analysis/publication/gaze_source.h"
-#include "analysis/publication/gzip.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
 #include "renderer/gaze/gaze_marker.h"

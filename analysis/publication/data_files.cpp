@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <limits>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/tables/table_formats.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
 
 namespace foveola::analysis {
 namespace {
@@ -71,6 +78,60 @@ PsychDs psych_ds(const StudyTables& tables, const TrialColumns& trials,
   return {{"psych-ds/dataset_description.json", dataset_description(tables, trials, participants)},
           data + "_type-trials_data.csv",
           data + "_type-participants_data.csv"};
+}
+
+RowFile::RowFile(std::filesystem::path path, const std::vector<Column>& columns, CsvTexts texts)
+    : path_(std::move(path)), texts_(texts), text_(csv_heading(columns)) {
+  std::filesystem::create_directories(path_.parent_path());
+  stream_.open(path_, std::ios::binary);
+}
+
+void RowFile::add(const Row& row) {
+  constexpr std::size_t most_bytes = 1 << 20;
+  text_ += csv_row(row, texts_);
+  if (text_.size() > most_bytes) {
+    flush();
+  }
+}
+
+void RowFile::close() {
+  flush();
+  stream_.close();
+  if (!stream_) {
+    throw Error(path_.string(), "cannot be written", "make room on the disk, or choose another");
+  }
+  sync_to_disk(path_);
+}
+
+void RowFile::flush() {
+  stream_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+  text_.clear();
+}
+
+std::string gzip(std::string_view text) {
+  if (text.size() > std::numeric_limits<uInt>::max()) {
+    throw std::length_error("a text of 4 GiB and more");
+  }
+  constexpr int largest_window_with_gzip_header = 15 + 16;
+  constexpr int usual_memory = 8;
+  z_stream stream{};
+  if (::deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, largest_window_with_gzip_header,
+                     usual_memory, Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::runtime_error("zlib could not start");
+  }
+  std::string bytes(::deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
+  // zlib's interface is older than const, and does not write there.
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  const int result = ::deflate(&stream, Z_FINISH);
+  bytes.resize(stream.total_out);
+  ::deflateEnd(&stream);
+  if (result != Z_STREAM_END) {
+    throw std::runtime_error("zlib could not compress");
+  }
+  return bytes;
 }
 
 }  // namespace foveola::analysis

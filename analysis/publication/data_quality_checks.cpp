@@ -8,14 +8,23 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
-#include "analysis/publication/frame_checks.h"
-#include "analysis/publication/gaze_checks.h"
 #include "analysis/publication/gaze_source.h"
 #include "analysis/publication/session_checks.h"
 #include "analysis/statistics/order_balance.h"
 
 namespace foveola::analysis {
 namespace {
+
+/// Each participant once, in the findings' order.
+std::vector<std::string> participants_of(std::span<const Finding> findings) {
+  std::vector<std::string> participants;
+  for (const Finding& finding : findings) {
+    if (std::ranges::find(participants, finding.participant) == participants.end()) {
+      participants.push_back(finding.participant);
+    }
+  }
+  return participants;
+}
 
 // These limits are Foveola's own, for want of published ones.
 constexpr double least_balance_p = 0.01;
@@ -266,6 +275,38 @@ DataQualityReport check_data_quality(const StudyTables& tables,
        check_early_marks(tables.set), check_outliers(report.outliers)});
   report.reactions = reaction_floors(tables, quality);
   return report;
+}
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::passed:
+      return "passed";
+    case Verdict::flagged:
+      return "flagged";
+    case Verdict::unknown:
+      break;
+  }
+  return "not recorded";
+}
+
+Verdict within(bool good) { return good ? Verdict::passed : Verdict::flagged; }
+
+std::string findings_in_words(const std::vector<Finding>& findings) {
+  constexpr std::size_t most_told = 5;
+  const std::span<const Finding> all(findings);
+  const std::size_t told = std::min(most_told, all.size());
+  std::string text;
+  for (const Finding& finding : all.first(told)) {
+    text += (text.empty() ? "" : "; ") + finding.words;
+  }
+  const std::span<const Finding> others = all.subspan(told);
+  return others.empty() ? text
+                        : fmt::format("{}; and {} of {}", text, counted(others.size(), "other"),
+                                      listed(participants_of(others)));
+}
+
+std::string colon_and_findings(const std::vector<Finding>& findings) {
+  return findings.empty() ? "" : ": " + findings_in_words(findings);
 }
 
 }  // namespace foveola::analysis

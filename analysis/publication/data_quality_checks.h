@@ -4,17 +4,45 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "analysis/dataset/outlying_times.h"
+#include "analysis/dataset/mark_survival.h"
 #include "analysis/dataset/study_tables.h"
-#include "analysis/publication/data_quality_check.h"
 #include "analysis/publication/gaze_by_trial.h"
 #include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {
+
+enum class Verdict { passed, flagged, unknown };
+
+/// "passed", "flagged", "not recorded".
+std::string_view name_of(Verdict verdict);
+
+/// Passed if it is good, else flagged.
+Verdict within(bool good);
+
+struct DataQualityCheck {
+  std::string name;
+  std::string found;  ///< The value found, in words, with its unit.
+  std::string limit;  ///< The limit, and its source.
+  Verdict verdict = Verdict::unknown;
+};
+
+/// Something that a check found of one participant.
+struct Finding {
+  std::string participant;
+  std::string words;  ///< Begins with the participant's code.
+};
+
+/// The first few of them, then how many others there are, and of whom: nobody goes unnamed. Empty
+/// if there are none.
+std::string findings_in_words(const std::vector<Finding>& findings);
+
+/// ": " and findings_in_words; empty if there are none.
+std::string colon_and_findings(const std::vector<Finding>& findings);
 
 /// One participant's catch trials, in which nothing is rendered: a mark is a false alarm.
 struct CatchFigures {

@@ -1,16 +1,72 @@
 #include "analysis/publication/figure_drawing.h"
 
-#include <array>
-#include <string_view>
+#include <memory>
+#include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <qpdf/qpdf-c.h>
 
 #include "analysis/dataset/wording.h"
-#include "analysis/publication/dateless_pdf.h"
-#include "analysis/publication/gnuplot.h"
+#include "renderer/base/error.h"
+#include "renderer/base/programs.h"
 
+// By its interface in C: the headers of that in C++ do not compile with Clang in C++20.
 namespace foveola::analysis {
 namespace {
+
+struct Cleanup {
+  void operator()(qpdf_data document) const { qpdf_cleanup(&document); }
+};
+using Document = std::unique_ptr<_qpdf_data, Cleanup>;
+
+// Throws Error for what went wrong since it was asked last.
+void check(const Document& document) {
+  if (qpdf_has_error(document.get()) == QPDF_TRUE) {
+    const char* why = qpdf_get_error_full_text(document.get(), qpdf_get_error(document.get()));
+    throw Error("gnuplot", std::string("gave no PDF: ") + why,
+                "check that gnuplot 5.4 or newer is installed");
+  }
+}
+
+Document read(const std::string& pdf) {
+  Document document(qpdf_init());
+  qpdf_silence_errors(document.get());
+  qpdf_set_suppress_warnings(document.get(), QPDF_TRUE);
+  qpdf_read_memory(document.get(), "PDF", pdf.data(), pdf.size(), nullptr);
+  check(document);
+  return document;
+}
+
+void forget_date(const Document& document) {
+  const qpdf_oh trailer = qpdf_get_trailer(document.get());
+  qpdf_oh_remove_key(document.get(), trailer, "/ID");  // which may follow from the date
+  const qpdf_oh information = qpdf_oh_get_key(document.get(), trailer, "/Info");
+  if (qpdf_oh_is_dictionary(document.get(), information) == QPDF_TRUE) {
+    qpdf_oh_remove_key(document.get(), information, "/CreationDate");
+  }
+  check(document);
+}
+
+std::string written(const Document& document) {
+  qpdf_init_write_memory(document.get());
+  qpdf_set_deterministic_ID(document.get(), QPDF_TRUE);
+  qpdf_write(document.get());
+  check(document);
+  const unsigned char* bytes = qpdf_get_buffer(document.get());
+  return {bytes, bytes + qpdf_get_buffer_length(document.get())};
+}
+
+ProgramEnd end_of_gnuplot(const std::string& script) {
+  const std::string without_user_settings = "-d";
+  try {
+    // By its name, gnuplot reads it in large pieces; what it takes as its input, byte by byte.
+    return run_to_end({.words = {"gnuplot", without_user_settings, "/dev/stdin"}, .input = script});
+  } catch (const std::system_error&) {
+    throw Error("gnuplot", "cannot be started, and it draws the figures",
+                "install it: apt-get install gnuplot-nox");
+  }
+}
 
 constexpr double interval_width = 2.5;
 
@@ -135,6 +191,76 @@ Figure drawn_figure(const std::string& name, int width, int height, const std::s
       name, script,
       run_gnuplot(fmt::format("{0}{3}reset\n{1}{3}reset\n{2}{3}", svg_terminal(width, height),
                               png_terminal(width, height), pdf_terminal(width, height), script)));
+}
+
+std::string run_gnuplot(const std::string& script) {
+  const ProgramEnd end = end_of_gnuplot(script);
+  if (end.status != 0) {
+    throw Error("gnuplot", "stopped with an error: " + end.errors,
+                "check that gnuplot 5.4 or newer is installed");
+  }
+  return end.output;
+}
+
+bool has_font() {
+  try {
+    // Of fontconfig, which gnuplot asks for fonts through Pango.
+    return !run_to_end({.words = {"fc-match", "--format=%{file}", "sans-serif"}}).output.empty();
+  } catch (const std::system_error&) {
+    return true;  // Nobody knows.
+  }
+}
+
+std::string gnuplot_quoted(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      quoted += "''";
+    } else {
+      quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    }
+  }
+  return quoted + "'";
+}
+
+std::string gnuplot_tick_label(std::string_view text) {
+  std::string format;
+  for (const char c : text) {
+    format += c == '%' ? "%%" : std::string(1, c);
+  }
+  return gnuplot_quoted(format);
+}
+
+std::string dateless_pdf(const std::string& pdf) {
+  const Document document = read(pdf);
+  forget_date(document);
+  return written(document);
+}
+
+std::string horizontal_rule(double y, const FigureColor& color) {
+  return fmt::format(
+      "set arrow from graph 0, first {0} to graph 1, first {0} nohead linewidth 1 linecolor rgb "
+      "'{1}'\n",
+      y, color.rgb);
+}
+
+std::string row_axis(const GroupedRows& rows) {
+  std::vector<std::string> names;
+  std::string headings;
+  for (std::size_t group = 0; group < rows.headings.size(); ++group) {
+    const double top = rows.group_height() * static_cast<double>(group);
+    headings += fmt::format(
+        "set label {} at graph 0, first {} offset 0.4,0 left front textcolor rgb '{}'\n",
+        gnuplot_quoted(rows.headings[group]), top + 0.5 * rows.heading_height, palette::ink.rgb);
+    if (group > 0) {
+      headings += horizontal_rule(top, palette::ink);
+    }
+    for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+      names.push_back(fmt::format("{} {}", gnuplot_tick_label(rows.rows[row]), rows.y(group, row)));
+    }
+  }
+  return fmt::format("set ytics ({})\nset yrange [{}:0]\n", fmt::join(names, ", "), rows.height()) +
+         headings;
 }
 
 }  // namespace foveola::analysis

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/publication/gnuplot.h"
+#include "analysis/publication/figure_drawing.h"
 #include "analysis/publication/rating_figures.h"
 #include "analysis/publication/scene_figure.h"
 #include "analysis/publication/survival_output.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
-#include "analysis/publication/data_quality_check.h"
+#include "analysis/publication/data_quality_checks.h"
 #include "study/record/data_quality_records.h"
 
 namespace foveola::analysis {

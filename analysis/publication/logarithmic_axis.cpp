@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/publication/figure_palette.h"
-#include "analysis/publication/gnuplot.h"
+#include "analysis/publication/figure_drawing.h"
 
 namespace foveola::analysis {
 namespace {

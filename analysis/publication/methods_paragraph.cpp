@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/dataset/amended_labels.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
 #include "analysis/publication/gaze_source.h"

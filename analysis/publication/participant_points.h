@@ -32,4 +32,10 @@ std::string participant_data(const std::vector<JoinedPoints>& groups);
 /// are, below hollow points.
 std::vector<std::string> participant_layers(const StudyTables& tables, std::size_t first_method);
 
+/// The lane of each point: 0 in the middle of the row, then 1, -1, 2, -2 and so on up to `lanes`
+/// lanes, an odd number. Points of one lane lie at least `width` apart, and as near to the middle
+/// as that allows; where all lanes are taken, a point goes to where it overlaps least. The same
+/// positions give the same lanes.
+std::vector<int> point_lanes(const std::vector<double>& positions, double width, std::size_t lanes);
+
 }  // namespace foveola::analysis

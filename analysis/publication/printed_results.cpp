@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/dataset/amended_labels.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
-#include "analysis/publication/beside_published.h"
+#include "analysis/publication/published_comparison_report.h"
 
 namespace foveola::analysis {
 namespace {

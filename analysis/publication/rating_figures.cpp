@@ -12,8 +12,6 @@
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/figure_drawing.h"
-#include "analysis/publication/figure_palette.h"
-#include "analysis/publication/gnuplot.h"
 #include "analysis/publication/participant_points.h"
 #include "renderer/base/utf8.h"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/headline.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
+#include "analysis/publication/summary.h"
 #include "analysis/tables/html.h"
 
 namespace foveola::analysis {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,55 @@
 
 namespace foveola::analysis {
 namespace {
+
+constexpr std::size_t most_faults_listed = 100;
+
+std::string in_words(const study::RecordFault& fault) {
+  return fault.participant.empty() ? fault.what
+                                   : fmt::format("{}: {}", fault.participant, fault.what);
+}
+
+std::string fault_list(const std::vector<study::RecordFault>& faults) {
+  std::string items = "<ul>\n";
+  for (std::size_t i = 0; i < std::min(most_faults_listed, faults.size()); ++i) {
+    items += fmt::format("<li>{}</li>\n", escape_html(in_words(faults[i])));
+  }
+  if (faults.size() > most_faults_listed) {
+    items += fmt::format("<li>and {} more, which <code>foveola study verify</code> lists</li>\n",
+                         faults.size() - most_faults_listed);
+  }
+  return items + "</ul>\n";
+}
+
+std::string finding(const study::Verification& record) {
+  return record.faults.empty() ? "<p>It is unchanged since it was written.</p>\n"
+                               : "<p>It was changed or damaged since it was written, and was "
+                                 "analysed all the same, as was asked for with "
+                                 "<code>--unverified</code>:</p>\n" +
+                                     fault_list(record.faults);
+}
+
+std::string gaps(const study::Verification& record) {
+  return record.gaps.empty()
+             ? "<p>Nothing is missing in it.</p>\n"
+             : "<p>What is missing in it, which is no damage:</p>\n" + fault_list(record.gaps);
+}
+
+std::string warnings_of(const study::Verification& record) {
+  return record.warnings.empty()
+             ? ""
+             : "<p>What is no damage, and is to be known before its dates or times are "
+               "compared:</p>\n" +
+                   fault_list(record.warnings);
+}
+
+constexpr std::size_t most_listed = 100;
+
+std::string rest_in_words(std::size_t rows, const char* file) {
+  return rows > most_listed
+             ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - most_listed, file)
+             : "";
+}
 
 std::string checks_table(const StudyTables& tables, const DataQualityReport& report) {
   PrintedTable table;
@@ -144,6 +194,90 @@ std::string data_quality_section(const StudyTables& tables, const DataQualityRep
                           fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(tables.set))) +
                           latency_html(tables, quality, published) + gaze_html(tables, report) +
                           reactions_table(tables, report) + catches_html(tables, report));
+}
+
+std::string amended_section(const StudyTables& tables) {
+  if (tables.amended.empty()) {
+    return html_section("Amended sessions",
+                        "<p>None: every session followed the protocol of the study.</p>\n");
+  }
+  PrintedTable table;
+  table.is_numeric = false;
+  table.title = "Sessions by an amended protocol.";
+  table.note =
+      "Words or time-outs were changed after the study had begun; the design was "
+      "not. They are analysed with the others where a session is.";
+  table.columns = {"Participant", "Changed keys", "SHA-256 of the text", "Analysed"};
+  for (std::size_t i = 0; i < std::min(most_listed, tables.amended.size()); ++i) {
+    const AmendedSession& row = tables.amended[i];
+    table.rows.push_back(
+        {row.participant,
+         row.changed_keys.empty() ? "none: comments or spaces only" : listed(row.changed_keys),
+         row.protocol_sha256, row.is_analysed ? "yes" : "no"});
+  }
+  return html_section("Amended sessions",
+                      html_of(table, data_notice(tables)) +
+                          rest_in_words(tables.amended.size(), "amended_sessions.csv"));
+}
+
+std::string exclusions_section(const StudyTables& tables) {
+  const std::vector<Exclusion>& exclusions = tables.set.exclusions;
+  if (exclusions.empty()) {
+    return html_section("Exclusions",
+                        "<p>Nothing: every session was completed and every value is there.</p>\n");
+  }
+  std::map<std::string, std::size_t> counts;
+  for (const Exclusion& exclusion : exclusions) {
+    ++counts[exclusion.reason];
+  }
+  std::string html = "<ul>\n";
+  for (const auto& [reason, count] : counts) {
+    html += fmt::format("<li>{} × {}</li>\n", count, escape_html(reason));
+  }
+  html += "</ul>\n";
+  PrintedTable table;
+  table.is_numeric = false;
+  table.title = "Excluded sessions and values.";
+  table.note =
+      "A dash means all. The trials of sessions that are not analysed are in trials_long.csv, with "
+      "their status; those of withdrawn sessions only if the analysis was run with --withdrawn.";
+  table.columns = {"Participant", "Scene", "Method", "Measure", "Reason"};
+  const auto or_all = [](const std::string& text) { return text.empty() ? "–" : text; };
+  for (std::size_t i = 0; i < std::min(most_listed, exclusions.size()); ++i) {
+    const Exclusion& row = exclusions[i];
+    table.rows.push_back({row.participant, or_all(row.scene),
+                          or_all(row.method.empty() ? "" : method_label(row.method)),
+                          or_all(row.measure), row.reason});
+  }
+  return html_section("Exclusions", html + html_of(table, data_notice(tables)) +
+                                        rest_in_words(exclusions.size(), "exclusions.csv"));
+}
+
+std::string record_flags(const std::optional<study::Verification>& record) {
+  if (!record || record->faults.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "<div class=\"flags\" role=\"note\"><p>⚑ The study’s file is not what was written ({}): any "
+      "number here may be wrong.</p></div>\n",
+      counted(record->faults.size(), "fault"));
+}
+
+std::string record_section(const std::optional<study::Verification>& record) {
+  if (!record) {
+    return html_section("The record",
+                        "<p>These data do not come from a study’s file: there is no record to "
+                        "verify.</p>\n");
+  }
+  return html_section(
+      "The record",
+      fmt::format("<p>The study’s file was verified before it was read, as <code>foveola study "
+                  "verify</code> does: by SQLite’s own checks, the hash chains over {} of {}, the "
+                  "checksums of {} of frames and gaze, and whether every table follows from the "
+                  "events.</p>\n",
+                  counted(record->events, "event"), counted(record->sessions, "session"),
+                  counted(record->chunks, "chunk")) +
+          finding(*record) + gaps(*record) + warnings_of(*record));
 }
 
 }  // namespace foveola::analysis

@@ -16,6 +16,86 @@
 namespace foveola::analysis {
 namespace {
 
+std::string plan_in_words(const Comparisons& comparisons, std::size_t participants) {
+  const study::AnalysisPlan& plan = comparisons.plan;
+  std::string text =
+      plan.primary.empty()
+          ? "The protocol plans no comparison: all of these are exploratory, and their P-values "
+            "are not adjusted for their number."
+          : fmt::format(
+                "The protocol planned {} before there were data, at a level of {:g} for all "
+                "of them together (Holm); everything else is exploratory, and not adjusted.",
+                counted(plan.primary.size(), "primary comparison"), plan.alpha);
+  if (plan.participants && static_cast<std::size_t>(*plan.participants) != participants) {
+    text += fmt::format(" It planned {}; {} analysed.",
+                        counted(static_cast<std::size_t>(*plan.participants), "participant"),
+                        participants == 1 ? "1 is" : fmt::format("{} are", participants));
+  }
+  return text;
+}
+
+std::string models_in_words(const FittedModels& models) {
+  if (models.versions.empty()) {
+    return fmt::format("No model was fitted by R{}{}.", models.missing.empty() ? "" : ": ",
+                       models.missing);
+  }
+  std::vector<std::string> versions;
+  for (const auto& [name, version] : models.versions) {
+    versions.push_back(fmt::format("{} {}", name, version));
+  }
+  return fmt::format("Models were fitted by {}; models.R has the formulas.", listed(versions));
+}
+
+std::string tables_html(const StudyTables& tables, const std::vector<PrintedTable>& printed) {
+  std::string html;
+  for (const PrintedTable& table : printed) {
+    if (!table.rows.empty()) {
+      html += html_of(table, data_notice(tables));
+    }
+  }
+  return html;
+}
+
+std::string bars_explained(const Measure& measure) {
+  return fmt::format(
+      "Bars are the shares of the answers, {}, with their counts where these fit. At the right: "
+      "mean ± standard deviation, and n, the number of answers.",
+      study::scale_in_words(measure));
+}
+
+std::string means_explained(const StudyTables& tables, const Measure& measure) {
+  const std::string participants =
+      draws_participants(tables)
+          ? fmt::format(
+                "Hollow points are participants: each one’s mean, {}, over the scenes rated with "
+                "every method, joined by thin lines from method to method.",
+                study::scale_in_words(measure))
+          : points_left_out();
+  return fmt::format(
+      "{} Filled points are the means over n participants, with 95 % intervals over participants, "
+      "{}, which may run off the axis.",
+      participants, in_these_scenes(tables));
+}
+
+std::string figure_explained(const StudyTables& tables, const Measure& measure) {
+  return measure.points().empty() ? means_explained(tables, measure) : bars_explained(measure);
+}
+
+std::string background_in_words(const Background& background) {
+  if (background.scale.empty()) {
+    return "The protocol states no scale of background ([analysis] background), so nothing is "
+           "correlated with it.";
+  }
+  if (!background.correlation) {
+    return "The protocol plans no comparison of times with the baseline, with which background "
+           "could be correlated.";
+  }
+  return fmt::format(
+      "Background is the mean of the answers to {}, as the protocol states. Its correlation with "
+      "the speed-up in the first planned comparison of times is the only one that is tested.",
+      listed(background.scale));
+}
+
 /// What the points and lines of participants are in a figure of so many methods.
 std::string participants_explained(const StudyTables& tables, std::size_t methods) {
   return !draws_participants(tables)
@@ -161,6 +241,69 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
         tables.set.participants.size() * tables.set.scenes.size() * tables.set.times().size());
   }
   return html_section("Time over all scenes", html);
+}
+
+std::string background_section(const StudyTables& tables, const Background& background,
+                               const std::optional<PublishedStudy>& published) {
+  std::string text = background_in_words(background);
+  std::string table;
+  if (background.correlation) {
+    text = joined(text, paper_notes(tables, published).background);
+    table = html_of(printed_background(tables, background), data_notice(tables));
+  }
+  return html_section(
+      "Background and speed-up",
+      html_of(printed_background_answers(background, published), data_notice(tables)) +
+          fmt::format("<p>{}</p>\n", escape_html(text)) + table);
+}
+
+std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures,
+                            const std::optional<PublishedStudy>& published) {
+  const PaperNotes paper = paper_notes(tables, published);
+  std::string html =
+      paragraph_html(paper.ratings) +
+      paragraph_html(joined("Means treat the steps of a scale as equal; the distribution, or each "
+                            "participant’s mean, is given too, because they need not be.",
+                            paper.means_of_ratings));
+  for (const std::size_t rating : tables.set.ratings()) {
+    const Measure& measure = tables.set.measures[rating];
+    html += figure_html(tables, figures, rating_figure_name(measure),
+                        fmt::format("Ratings, {}, of all scenes and participants.", measure.id()),
+                        figure_explained(tables, measure));
+    html += html_of(printed_ratings(tables, rating), data_notice(tables));
+  }
+  return tables.set.ratings().empty() ? "" : html_section("Ratings", html);
+}
+
+std::string answers_section(const StudyTables& tables, const Table& answers, const Table& scores) {
+  if (answers.rows.empty() && scores.rows.empty()) {
+    return "";
+  }
+  return html_section("Questionnaires", html_of(printed_answers(answers), data_notice(tables)) +
+                                            html_of(printed_scores(scores), data_notice(tables)));
+}
+
+std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons) {
+  if (tables.set.methods.size() < 2) {
+    return "";
+  }
+  return html_section("Comparisons of methods",
+                      paragraph_html(plan_in_words(comparisons, tables.set.participants.size())) +
+                          tables_html(tables, {printed_primary(comparisons, true),
+                                               printed_primary(comparisons, false)}));
+}
+
+std::string sensitivity_section(const StudyTables& tables, const Comparisons& comparisons) {
+  if (tables.set.methods.size() < 2) {
+    return "";
+  }
+  return html_section(
+      "Appendix: sensitivity analyses",
+      paragraph_html(
+          "The same comparisons by other means. Conclusions rest on the primary analyses; "
+          "here they are seen to depend, or not, on how the data are analysed.") +
+          paragraph_html(models_in_words(comparisons.models)) +
+          tables_html(tables, sensitivity_tables(comparisons)));
 }
 
 }  // namespace foveola::analysis

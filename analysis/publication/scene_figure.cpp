@@ -8,7 +8,6 @@
 
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/figure_drawing.h"
-#include "analysis/publication/grouped_rows.h"
 #include "analysis/publication/logarithmic_axis.h"
 
 namespace foveola::analysis {

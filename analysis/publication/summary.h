@@ -1,8 +1,9 @@
-// The study's main numbers for the terminal.
+// The study's main results: the top of its report, and what the terminal prints.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/study_tables.h"
@@ -16,5 +17,18 @@ namespace foveola::analysis {
 std::string terminal_summary(const StudyTables& tables, const Comparisons& comparisons,
                              const Background& background,
                              const std::optional<PublishedStudy>& published);
+
+/// A sentence in three parts, of which `value` is set apart in print.
+struct Headline {
+  std::string before;  ///< "FV took"
+  std::string value;   ///< "59.4 [52.1, 67.7] %"
+  std::string after;   ///< What it is of, the analysis, its scenes and its right-censored times.
+
+  std::string sentence() const { return before + " " + value + " " + after; }
+};
+
+/// For each method but the baseline and each mark: the primary estimate of the ratio to the
+/// baseline, by whatever analysis the plan has, or why there is none.
+std::vector<Headline> headlines(const StudyTables& tables, const Comparisons& comparisons);
 
 }  // namespace foveola::analysis

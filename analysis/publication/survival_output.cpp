@@ -7,8 +7,6 @@
 
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/figure_drawing.h"
-#include "analysis/publication/figure_palette.h"
-#include "analysis/publication/gnuplot.h"
 #include "analysis/publication/logarithmic_axis.h"
 #include "analysis/publication/result_tables.h"
 

@@ -10,9 +10,6 @@
 
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/figure_drawing.h"
-#include "analysis/publication/figure_palette.h"
-#include "analysis/publication/gnuplot.h"
-#include "analysis/publication/grouped_rows.h"
 #include "analysis/publication/logarithmic_axis.h"
 #include "analysis/publication/participant_points.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/dataset/amended_labels.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/result_tables.h"
 
 namespace foveola::analysis {

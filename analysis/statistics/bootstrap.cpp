@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/descriptive.h"
+#include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
-#include "analysis/statistics/normal.h"
 #include "renderer/base/random.h"
 
 namespace foveola::analysis {

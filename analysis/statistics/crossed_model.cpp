@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
-#include "analysis/statistics/student_t.h"
 
 namespace foveola::analysis {
 namespace {
@@ -168,6 +167,31 @@ std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, do
     return std::nullopt;
   }
   return model_of(analyse_variance(log_ratios), confidence);
+}
+
+std::optional<LeaveOneOut> leave_one_out(
+    std::span<const double> values,
+    const std::function<double(std::span<const double>)>& estimate) {
+  if (values.size() < 2) {
+    return std::nullopt;
+  }
+  // The first value is left out first; then each takes the place of the next.
+  std::vector<double> others(values.begin() + 1, values.end());
+  const double first = estimate(others);
+  LeaveOneOut range{.estimates = {first, first}};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    others[i - 1] = values[i - 1];
+    const double without = estimate(others);
+    if (without < range.estimates.low) {
+      range.estimates.low = without;
+      range.without_low = i;
+    }
+    if (without > range.estimates.high) {
+      range.estimates.high = without;
+      range.without_high = i;
+    }
+  }
+  return range;
 }
 
 }  // namespace foveola::analysis

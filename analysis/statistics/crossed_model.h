@@ -1,9 +1,11 @@
-// The mixed model of paired log times with participants and scenes crossed: the ratio of two
-// methods' times for people and scenes beyond those of the study.
+// The mixed model of paired log times with participants and scenes crossed, and the influence of each
+// participant on an estimate.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 
 #include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/repeated_measures.h"
@@ -56,5 +58,17 @@ struct CrossedModel {
 /// Empty with fewer than two participants or two scenes.
 std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios,
                                           double confidence = default_confidence);
+
+/// What an estimate becomes when each participant in turn is left out. Participants are indices
+/// into the values given.
+struct LeaveOneOut {
+  Interval estimates;            ///< The smallest and the largest estimate.
+  std::size_t without_low = 0;   ///< Without this participant the estimate is the smallest.
+  std::size_t without_high = 0;  ///< Without this participant the estimate is the largest.
+};
+
+/// Of `estimate`, which takes the values of the others. Empty with fewer than two values.
+std::optional<LeaveOneOut> leave_one_out(
+    std::span<const double> values, const std::function<double(std::span<const double>)>& estimate);
 
 }  // namespace foveola::analysis

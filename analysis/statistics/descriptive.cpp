@@ -6,9 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
-#include "analysis/statistics/student_t.h"
 
 namespace foveola::analysis {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -65,5 +66,17 @@ std::optional<Estimate> geometric_mean(std::span<const double> values,
 /// The geometric mean of what these are the logarithms of, as ratios of times.
 std::optional<Estimate> geometric_mean_of_logs(std::span<const double> logs,
                                                double confidence = default_confidence);
+
+/// The mean of a sample that is not empty. The second pass takes out the rounding of the first, and
+/// the range of long double keeps sums and squares of the largest doubles finite.
+inline long double extended_mean(std::span<const double> values) {
+  const auto n = static_cast<long double>(values.size());
+  const long double first = std::accumulate(values.begin(), values.end(), 0.0L) / n;
+  long double remainder = 0.0L;
+  for (const double value : values) {
+    remainder += value - first;
+  }
+  return first + remainder / n;
+}
 
 }  // namespace foveola::analysis

@@ -7,9 +7,8 @@
 
 #include <boost/math/distributions/non_central_t.hpp>
 
+#include "analysis/statistics/distributions.h"
 #include "analysis/statistics/paired_t.h"
-#include "analysis/statistics/proportion.h"
-#include "analysis/statistics/student_t.h"
 #include "renderer/base/random.h"
 
 namespace foveola::analysis {

@@ -6,7 +6,7 @@
 
 #include <boost/math/distributions/fisher_f.hpp>
 
-#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/descriptive.h"
 
 namespace foveola::analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "analysis/statistics/normal.h"
+#include "analysis/statistics/distributions.h"
 
 namespace foveola::analysis {
 namespace {

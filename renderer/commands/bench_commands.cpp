@@ -2,11 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "renderer/commands/bench_preview.h"
-#include "renderer/commands/bench_sampling.h"
-#include "renderer/commands/bench_stability.h"
-#include "renderer/commands/bench_tracing.h"
-
 namespace foveola {
 
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,

@@ -19,4 +19,17 @@ namespace foveola {
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
                              const SceneFinder& find_scene, const std::stop_token& stop);
 
+/// Adds `preview` to the command `bench`.
+void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene, const std::stop_token& stop);
+
+/// Adds `sampling` to the command `bench`; see add_bench_commands.
+void add_bench_sampling(CLI::App& bench);
+
+/// Adds `stability` to the command `bench`, over `scenes`. It throws Error where a figure is not
+/// met; `stop` ends it with the figures there are.
+void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes,
+                         const SceneFinder& find_scene, const std::stop_token& stop);
+
+void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene);
+
 }  // namespace foveola

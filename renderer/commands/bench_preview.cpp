@@ -1,5 +1,3 @@
-#include "renderer/commands/bench_preview.h"
-
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -14,10 +12,10 @@
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/scene_file_options.h"
-#include "renderer/commands/warnings.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/progressive/headless_render.h"

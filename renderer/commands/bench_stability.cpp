@@ -1,5 +1,3 @@
-#include "renderer/commands/bench_stability.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -15,8 +13,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
-#include "renderer/stability/stability.h"
+#include "renderer/stability/checks.h"
 
 namespace foveola {
 namespace {

@@ -1,5 +1,3 @@
-#include "renderer/commands/bench_tracing.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -15,12 +13,11 @@
 #include "renderer/base/cores.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/former_option.h"
-#include "renderer/commands/medians.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/tracing_figures.h"
-#include "renderer/commands/warnings.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/trace/embree_alone.h"
 

@@ -7,10 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/print.h"
-#include "renderer/commands/merge_images.h"
-#include "renderer/commands/render_command.h"
 #include "renderer/image/image_file.h"
-#include "renderer/measure/error_metrics.h"
+#include "renderer/measure/region_error.h"
 
 namespace foveola {
 namespace {

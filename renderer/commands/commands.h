@@ -1,7 +1,9 @@
-// The renderer's part of the command line: render and compare.
+// The renderer's commands beside `foveola bench`: render, compare, merge-images, scene and tracker.
 #pragma once
 
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "renderer/base/scene_source.h"
 
@@ -15,5 +17,24 @@ namespace foveola {
 /// their result to standard output and throw Error for whatever the user can mend. Work ends early,
 /// with what there is, when `stop` is requested.
 void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop);
+
+/// Adds the command, which makes an image of the films of a render's parts.
+void add_merge_images(CLI::App& app);
+
+void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
+
+/// Adds `info` to the command `scene`; see add_renderer_commands.
+void add_scene_info(CLI::App& scene, const SceneFinder& find_scene);
+
+/// Adds `pick` to the command `scene`; see add_renderer_commands.
+void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene);
+
+/// Adds `sheet` to the command `scene`; see add_renderer_commands. It shows `scenes` unless others
+/// are named.
+void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
+                     const SceneFinder& find_scene, const std::stop_token& stop);
+
+/// Adds `tracker list` and `tracker watch` to `app`.
+void add_tracker_commands(CLI::App& app, const std::stop_token& stop);
 
 }  // namespace foveola

@@ -1,5 +1,3 @@
-#include "renderer/commands/merge_images.h"
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +8,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/film_parts.h"
 #include "renderer/image/image_file.h"
 

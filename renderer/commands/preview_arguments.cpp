@@ -9,7 +9,7 @@
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
-#include "renderer/gaze/recorded_head.h"
+#include "renderer/gaze/recording_file.h"
 #include "renderer/image/image_file.h"
 
 namespace foveola {

@@ -15,13 +15,11 @@
 #include "renderer/base/freed_memory.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/commands/live_preview_json.h"
-#include "renderer/commands/live_window.h"
+#include "renderer/commands/live_display.h"
 #include "renderer/commands/preview_arguments.h"
 #include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"
-#include "renderer/commands/preview_surroundings.h"
-#include "renderer/commands/warnings.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
@@ -31,6 +29,71 @@
 
 namespace foveola {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Frames that were late, by their number from the first, and by how many refreshes.
+Json late_frames(const LivePreviewReport& report) {
+  Json late = Json::array();
+  const std::uint64_t first = report.frame_count - report.frames.size();
+  for (std::size_t i = 0; i < report.frames.size(); ++i) {
+    if (report.frames[i].is_late()) {
+      late.push_back({{"frame", first + i}, {"refreshes", report.frames[i].missed_refreshes}});
+    }
+  }
+  return late;
+}
+
+/// What each check of the tracker found, and what is corrected since.
+Json gaze_checks(const LivePreviewReport& report) {
+  Json checks = Json::array();
+  const auto row = [](const DVec3& weights) { return Json{weights.x, weights.y, weights.z}; };
+  for (const GazeCheck& check : report.gaze_checks) {
+    Json json = {{"data_loss", check.quality.data_loss}};
+    if (const auto& figures = check.quality.figures) {
+      json["accuracy_deg"] = figures->accuracy_deg;
+      json["precision_rms_deg"] = figures->precision_rms_deg;
+      json["precision_sd_deg"] = figures->precision_sd_deg;
+    }
+    if (check.correction) {
+      json["correction"] = {{"azimuth", row(check.correction->azimuth)},
+                            {"elevation", row(check.correction->elevation)}};
+    }
+    checks.push_back(std::move(json));
+  }
+  return checks;
+}
+
+/// Changes of the scene that were shown or refused, in their order.
+Json shown_changes(const LivePreviewReport& report) {
+  Json changes = Json::array();
+  for (const ShownChange& change : report.changes) {
+    changes.push_back(
+        {{"is_refused", change.is_refused}, {"seconds_to_first_frame", seconds(change.after)}});
+  }
+  return changes;
+}
+
+/// Null unless drawing was found too slow for the window.
+Json slow_drawing(const LivePreviewReport& report) {
+  if (!report.slow_drawing) {
+    return nullptr;
+  }
+  constexpr double ms_per_s = 1e3;
+  const SlowDrawing& slow = *report.slow_drawing;
+  return {{"drawing_ms", ms_per_s * seconds(slow.drawing)},
+          {"refresh_interval_ms", ms_per_s * seconds(slow.interval)},
+          {"window", {slow.framebuffer.x, slow.framebuffer.y}}};
+}
+
+/// What became of the headset, in words and in order.
+Json headset_changes(const LivePreviewReport& report) {
+  Json changes = Json::array();
+  for (const HeadsetChange change : report.headset_changes) {
+    changes.push_back(words_for(change));
+  }
+  return changes;
+}
 
 using Json = nlohmann::ordered_json;
 

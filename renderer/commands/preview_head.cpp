@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "renderer/gaze/recorded_head.h"
+#include "renderer/base/utf8.h"
+#include "renderer/gaze/recording_file.h"
 
 namespace foveola {
 
@@ -32,6 +33,25 @@ FreeCamera PreviewHead::camera_in(CameraSurroundings surroundings) {
     return {std::move(surroundings), *worn_, "the headset"};
   }
   return {std::move(surroundings), steered_};
+}
+
+CameraSurroundings surroundings_of(const LoadedScene& loaded) {
+  const auto look = [&loaded](const Vec3& from, const Vec3& direction) {
+    const std::optional<Picked> picked = loaded.tracer.pick(from, direction);
+    if (!picked) {
+      return std::optional<Sighted>();
+    }
+    const auto material = static_cast<std::size_t>(picked->material);
+    return std::optional(Sighted{.object = printable(loaded.scene.object_name(picked->object)),
+                                 .material = printable(loaded.scene.materials[material].name),
+                                 .position = picked->position,
+                                 .distance_m = picked->distance_m,
+                                 .bounds = loaded.scene.bounds_of(picked->object)});
+  };
+  return {.bounds = loaded.scene.bounds(),
+          .origin = loaded.scene.origin,
+          .start = {.position = loaded.camera.position, .heading = loaded.camera.heading},
+          .look = look};
 }
 
 }  // namespace foveola

@@ -1,11 +1,12 @@
-// The head whose view a preview shows: that of a recording, the one in a headset, or one that keys
-// turn.
+// The head whose view a preview shows, of a recording, a headset or keys, and the scene in which it
+// moves.
 #pragma once
 
 #include <optional>
 
 #include "renderer/commands/live_display.h"
 #include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/progressive/loaded_scene.h"
 #include "renderer/window/free_camera.h"
 
 namespace foveola {
@@ -28,5 +29,8 @@ class PreviewHead {
   std::optional<ScriptedHeadTracker> replayed_;
   std::optional<HeadsetHead> worn_;
 };
+
+/// They refer to the scene, which must outlive them.
+CameraSurroundings surroundings_of(const LoadedScene& loaded);
 
 }  // namespace foveola

@@ -9,7 +9,6 @@
 
 #include "renderer/base/quantile.h"
 #include "renderer/commands/bench_facts.h"
-#include "renderer/commands/medians.h"
 #include "renderer/gaze/latency.h"
 #include "renderer/preview/frame_latency.h"
 

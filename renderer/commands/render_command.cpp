@@ -1,5 +1,3 @@
-#include "renderer/commands/render_command.h"
-
 #include <algorithm>
 #include <memory>
 
@@ -9,8 +7,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/film_parts.h"
-#include "renderer/commands/picture_faults.h"
 #include "renderer/commands/render_arguments.h"
 #include "renderer/commands/render_report.h"
 #include "renderer/image/image_file.h"

@@ -1,5 +1,3 @@
-#include "renderer/commands/scene_info.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/scene/load_scene.h"

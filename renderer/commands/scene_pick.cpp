@@ -1,5 +1,3 @@
-#include "renderer/commands/scene_pick.h"
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,9 +8,9 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/scene_file_options.h"
-#include "renderer/commands/warnings.h"
 #include "renderer/progressive/headless_render.h"
 
 namespace foveola {

@@ -1,5 +1,3 @@
-#include "renderer/commands/scene_sheet.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -11,8 +9,9 @@
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
-#include "renderer/commands/warnings.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"

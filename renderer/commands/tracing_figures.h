@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/commands/medians.h"
+#include "renderer/commands/bench_facts.h"
 #include "renderer/trace/embree_alone.h"
 #include "renderer/trace/path_tracer.h"
 

@@ -1,5 +1,3 @@
-#include "renderer/commands/tracker_commands.h"
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -16,6 +14,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
+#include "renderer/commands/commands.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/hid_device.h"
 #include "renderer/gaze/inter_sample_intervals.h"

@@ -1,9 +1,9 @@
-// What a film holds, apart from it, bit for bit: to go on with it elsewhere, and to put together
-// the parts of one.
+// What a film holds, apart from it, bit for bit: to continue it elsewhere, and as one short text.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "renderer/base/exact_sum.h"
@@ -33,5 +33,16 @@ class PixelSum {
   ExactSum blue_;
   ExactSum squares_;
 };
+
+/// The SHA-256, as 64 lower-case hexadecimal digits, of what fell on the film since it was cleared.
+///
+/// The bytes are the film's width and height, 4 bytes each, and then 32 bytes for each pixel with
+/// samples, in the order of their numbers: the number, y * width + x, and the count of its samples,
+/// 4 bytes each, and the sums of their red, green and blue, 8 bytes each. Integers are without
+/// sign, sums are IEEE 754's double precision, all of them little-endian.
+///
+/// Neither the number of threads nor how samples were cut into batches changes it, nor whether the
+/// film keeps variances.
+std::string film_sha256(const EquirectFilm& film);
 
 }  // namespace foveola

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/gaze/hid_number.h"
+#include "renderer/gaze/hid_items.h"
 #include "renderer/gaze/hid_report_descriptor.h"
 
 namespace foveola {

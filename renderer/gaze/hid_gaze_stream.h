@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/hid_eye_reports.h"
-#include "renderer/gaze/hid_sensor_clock.h"
 #include "renderer/gaze/screen.h"
 
 namespace foveola {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "renderer/gaze/hid_report_items.h"
+#include "renderer/gaze/hid_items.h"
 
 namespace foveola {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/gaze/clock_alignment.h"
+#include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/open_gaze_records.h"
 #include "renderer/gaze/sample_queue.h"

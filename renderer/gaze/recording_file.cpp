@@ -3,9 +3,9 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +15,23 @@
 
 namespace foveola {
 namespace {
+
+constexpr RecordingFormat head_format{
+    .name = "head recording",
+    .header = "time_ns,azimuth_rad,elevation_rad",
+    .longer_header = "time_ns,azimuth_rad,elevation_rad,roll_rad"};
+constexpr double largest_azimuth_rad = 1000.0;
+constexpr double largest_elevation_rad = 0.5 * std::numbers::pi;
+
+HeadPose pose_from(const RecordedLine& line) {
+  HeadPose pose{.time = line.time(), .heading = {}};
+  pose.heading.azimuth_rad = line.value(1, -largest_azimuth_rad, largest_azimuth_rad);
+  pose.heading.elevation_rad = line.value(2, -largest_elevation_rad, largest_elevation_rad);
+  if (line.field_count() > 3) {
+    pose.roll_rad = line.value(3, -std::numbers::pi, std::numbers::pi);
+  }
+  return pose;
+}
 
 std::size_t count_fields(std::string_view header) {
   return static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
@@ -82,6 +99,20 @@ void read_recording(const std::filesystem::path& file, const RecordingFormat& fo
   if (!last_time) {
     throw Error(file.string(), "has no samples", "record some");
   }
+}
+
+std::vector<HeadPose> read_head_file(const std::filesystem::path& file) {
+  std::vector<HeadPose> poses;
+  read_recording(file, head_format,
+                 [&](const RecordedLine& line) { poses.push_back(pose_from(line)); });
+  return poses;
+}
+
+ScriptedHeadTracker replayed_head(std::vector<HeadPose> poses, Nanoseconds start) {
+  for (HeadPose& pose : poses) {
+    pose.time += start;
+  }
+  return ScriptedHeadTracker(std::move(poses));
 }
 
 }  // namespace foveola

@@ -1,7 +1,4 @@
-// What the files of recordings have in common: comma-separated values, the first line names the
-// fields, and each further line is a moment whose first field is its time.
-//
-// Times are whole nanoseconds from 0 on, each later than the one before.
+// Files of recordings as comma-separated values, and the head poses among them.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +7,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/csv.h"
+#include "renderer/gaze/head_tracker.h"
 
 namespace foveola {
 
@@ -69,5 +68,14 @@ bool has_recordable_times(std::span<const Moment> moments) {
   return !moments.empty() && times_ascend(moments) && moments.front().time >= Nanoseconds::zero() &&
          moments.back().time <= longest_recording;
 }
+
+/// At least one pose, bit for bit as written; azimuths of at most 1000 either way, and no roll
+/// where the file has none. Throws Error with file:line for anything else than the above; lines may
+/// end with CR LF.
+std::vector<HeadPose> read_head_file(const std::filesystem::path& file);
+
+/// Replays poses: one of time t is taken at start + t. poses: at least one, times ascending. Throws
+/// Error otherwise.
+ScriptedHeadTracker replayed_head(std::vector<HeadPose> poses, Nanoseconds start);
 
 }  // namespace foveola

@@ -8,6 +8,16 @@
 namespace foveola {
 namespace {
 
+/// What a stick asks for, rightwards and downwards, as a part of full speed: at most 1 long.
+DVec2 part_asked_for(const DVec2& stick, const StickResponse& response) {
+  const double push = glm::length(stick);
+  const double travel = (push - response.dead_zone) / (response.full_push - response.dead_zone);
+  if (!(travel > 0.0)) {
+    return DVec2(0.0);
+  }
+  return std::pow(std::min(travel, 1.0), response.exponent) / push * stick;
+}
+
 constexpr double zenith_rad = 0.5 * std::numbers::pi;
 
 AzimuthElevation turned(const AzimuthElevation& heading, const Turn& turn) {
@@ -48,6 +58,15 @@ AzimuthElevation SteeredHeadTracker::heading_at(Nanoseconds time) const {
 void SteeredHeadTracker::go_on_to(Nanoseconds time) {
   heading_ = heading_at(time);
   since_ = std::max(since_, time);
+}
+
+TurnSpeed turn_speed(const GamepadSticks& sticks, const StickResponse& response) {
+  assert(response.dead_zone >= 0.0 && response.dead_zone < response.full_push);
+  const DVec2 asked =
+      part_asked_for(sticks.left, response) + part_asked_for(sticks.right, response);
+  const DVec2 part = asked / std::max(1.0, glm::length(asked));
+  return {.right_rad_per_s = response.full_speed_rad_per_s * part.x,
+          .up_rad_per_s = -response.full_speed_rad_per_s * part.y};
 }
 
 }  // namespace foveola

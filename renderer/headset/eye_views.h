@@ -1,11 +1,15 @@
-// What the eyes of a headset see, as its runtime tells it, in the terms of the renderer.
+// What the eyes of a headset see, and the part of their pictures that the lenses hide.
 #pragma once
 
 #include <array>
+#include <memory>
+#include <vector>
 
 #include <openxr/openxr.h>
 
+#include "renderer/headset/xr_instance.h"
 #include "renderer/view/viewport.h"
+#include "renderer/window/gl_objects.h"
 
 namespace foveola {
 
@@ -32,5 +36,34 @@ Mat3 part_from_canvas(const std::array<XrView, 2>& eyes, std::size_t eye, const 
 /// The field of view in the head's axes that holds both eyes', which may point outwards: at most
 /// 80 degrees to each side. head: in the same space as the eyes.
 FieldOfView field_of_view_of_both(const std::array<XrView, 2>& eyes, const Quat& head);
+
+/// What a lens never shows: the corners of triangles, three for each, on the plane at distance 1
+/// before its eye, x to the right and y up.
+using HiddenTriangles = std::vector<Vec2>;
+
+/// Of 64 by 64 cells those in which, or at whose edges, an eye sees anything. Null if that is all
+/// of them, or none. both: field_of_view_of_both. head: in the same space as the eyes.
+std::shared_ptr<const SeenPart> seen_by_eyes(const std::array<XrView, 2>& eyes, const Quat& head,
+                                             const FieldOfView& both,
+                                             const std::array<HiddenTriangles, 2>& hidden);
+
+/// Needs the session's context in all that it does.
+class HiddenArea {
+ public:
+  /// Of eye 0 or 1, as the runtime tells it now; empty where it does not.
+  HiddenArea(const XrInstanceOwner& instance, XrSession session, std::size_t eye);
+
+  bool is_empty() const { return triangles_.empty(); }
+  const HiddenTriangles& triangles() const { return triangles_; }
+  /// Fills it in black in a picture with so wide a view, as near as can be: what is drawn behind
+  /// it, while depths are tested, costs nothing.
+  void draw(const XrFovf& fov) const;
+
+ private:
+  GlProgram program_;
+  GlVertexArray vertices_;
+  GlBuffer corners_;
+  HiddenTriangles triangles_;
+};
 
 }  // namespace foveola

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "renderer/headset/eye_images.h"
-#include "renderer/headset/gaze_times.h"
+#include "renderer/headset/eye_views.h"
 #include "renderer/headset/headset_facts.h"
 #include "renderer/headset/headset_inputs.h"
 #include "renderer/headset/headset_mirror.h"
 #include "renderer/headset/headset_motion.h"
-#include "renderer/headset/hidden_area.h"
 #include "renderer/headset/xr_session.h"
 #include "renderer/window/frame_painter.h"
 

@@ -1,4 +1,4 @@
-// What is known of a headset once it is there.
+// What is known of a headset once it is there, and its profile.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
+#include "renderer/gaze/profiles.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
@@ -30,5 +31,9 @@ struct HeadsetFacts {
     return eye == 0 ? -right_deg : right_deg;
   }
 };
+
+/// `profile`, of the kind openxr, with what it does not say itself: the views, the rate, and the
+/// time until a frame is seen. Its size is that of one eye's picture.
+DisplayProfile told_by(const HeadsetFacts& facts, DisplayProfile profile);
 
 }  // namespace foveola

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/headset/gaze_times.h"
+#include "renderer/headset/headset_motion.h"
 #include "renderer/headset/xr_instance.h"
 #include "renderer/window/window_event.h"
 

@@ -14,7 +14,7 @@
 #include "renderer/film/film_state.h"
 #include "renderer/progressive/tile_dealing.h"
 #include "renderer/scene/scene_facts.h"
-#include "renderer/view/picture_sampler.h"
+#include "renderer/view/image_samplers.h"
 
 namespace foveola {
 namespace {

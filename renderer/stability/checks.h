@@ -1,14 +1,65 @@
 // The stress tests of numerical stability, each a function from its size to its figures.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
-#include "renderer/stability/effort.h"
-#include "renderer/stability/figure.h"
 
 namespace foveola {
+
+struct StabilityFigure {
+  std::string name;
+  double measured = 0.0;  ///< not a number if it could not be measured, which is a failure
+  double bound = 0.0;     ///< the largest value that is accepted
+  std::string unit;       ///< unit of both values: "%", "standard errors", "of 1000000 paths"
+  std::string details;    ///< how it was measured, and where the worst case is
+
+  bool passes() const { return measured <= bound; }
+};
+
+/// The sizes of all stress tests. The defaults are for a minute or two on two cores.
+struct StabilityEffort {
+  /// Relative tolerance of radiance with a known answer, which is sampled until five of its
+  /// standard errors are below this.
+  double tolerance = 0.01;
+  std::uint64_t most_samples = 1 << 22;  ///< most samples for one such radiance
+  int picture_width = 64;  ///< width of compared pictures, twice their height; multiple of 32
+  int picture_samples_per_pixel = 64;        ///< in pictures that are compared with each other
+  std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
+  std::uint64_t scene_paths = 1'000'000;     ///< over all given scenes
+  std::uint32_t scene_seed = 1;              ///< seed of these paths
+  std::uint64_t film_samples = 100'000'000;  ///< into one pixel
+};
+
+constexpr StabilityEffort quick_effort{};
+/// For the figures of a release: about an hour on two cores.
+constexpr StabilityEffort thorough_effort{.tolerance = 0.001,
+                                          .most_samples = std::uint64_t{1} << 28,
+                                          .picture_samples_per_pixel = 1024,
+                                          .leak_paths = 10'000'000,
+                                          .scene_paths = 10'000'000,
+                                          .film_samples = 1'000'000'000};
+/// Hours.
+constexpr StabilityEffort full_effort{.tolerance = 0.001,
+                                      .most_samples = std::uint64_t{1} << 30,
+                                      .picture_samples_per_pixel = 16384,
+                                      .leak_paths = 100'000'000,
+                                      .scene_paths = 1'000'000'000,
+                                      .film_samples = 1'000'000'000};
+
+/// What every stress test is given. `workers` must outlive it.
+struct StabilityRun {
+  const Workers& workers;
+  StabilityEffort effort;
+  std::stop_token stop;  ///< a test that is stopped returns early, and its figures are of no use
+  std::function<void(double)> progress = [](double) {};  ///< gets the fraction done of this test
+};
 
 /// Radiance 1 everywhere: lossless materials must show 1, and no material more. In a constant
 /// environment (open) and in a closed sphere that emits and reflects one half (closed); all
@@ -41,5 +92,22 @@ std::vector<StabilityFigure> check_bit_equality(const StabilityRun& run);
 /// Paths over `scenes` with every view sampler whose radiance is not finite, or negative.
 std::vector<StabilityFigure> check_finite_radiance(const StabilityRun& run,
                                                    const std::vector<SceneSource>& scenes);
+
+struct StabilityCheck {
+  std::string name;
+  double weight = 1.0;  ///< its share of the time, roughly
+  std::function<std::vector<StabilityFigure>(const StabilityRun&)> run;
+};
+
+/// All of checks.h, in its order. The scenes are those whose radiance must be finite; their camera
+/// positions must be known.
+std::vector<StabilityCheck> stability_checks(const std::vector<SceneSource>& scenes);
+
+/// The figures of every check that ended before `stop` was requested. progress gets the fraction
+/// done and the name of the check.
+std::vector<StabilityFigure> measure_stability(
+    const std::vector<StabilityCheck>& checks, const StabilityEffort& effort,
+    const Workers& workers, const std::function<void(double, const std::string&)>& progress,
+    const std::stop_token& stop);
 
 }  // namespace foveola

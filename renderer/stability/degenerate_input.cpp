@@ -8,8 +8,6 @@
 #include "renderer/stability/checks.h"
 #include "renderer/stability/estimate.h"
 #include "renderer/stability/furnished_room.h"
-#include "renderer/stability/glb_file.h"
-#include "renderer/stability/picture.h"
 #include "renderer/stability/shapes.h"
 
 namespace foveola {

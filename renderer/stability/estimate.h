@@ -1,4 +1,5 @@
-// Means of radiance with their standard errors, and their comparison with expected values.
+// Radiance and small pictures whose noise is known, so that they can be compared with each other
+// and with answers.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/stability/effort.h"
-#include "renderer/stability/figure.h"
+#include "renderer/stability/checks.h"
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola {
@@ -60,5 +60,23 @@ StabilityFigure excess(std::string name, const RadianceEstimate& estimate, doubl
 /// The figure that is closest to its bound or farthest beyond it, under a new name; its details
 /// say which it was, and of how many. There must be at least one.
 StabilityFigure worst_of(std::string name, const std::vector<StabilityFigure>& figures);
+
+struct PictureSettings {
+  int block = 8;  ///< pixels along a side; divides the effort's width and height
+  int max_depth = 6;
+  std::uint32_t seed = 0;
+};
+
+/// The mean radiance of each block, row by row from the top left, in the convention of the film.
+/// Every pixel gets the effort's samples (32 at least), uniformly over its area.
+std::vector<RadianceEstimate> render_blocks(const PathTracer& tracer, const Vec3& viewpoint,
+                                            const PictureSettings& settings,
+                                            const StabilityRun& run);
+
+/// The largest difference between equal blocks of two pictures, in standard errors of that
+/// difference. exactness: relative to the block's mean, what is forgiven beside noise.
+StabilityFigure picture_difference(std::string name, const std::vector<RadianceEstimate>& picture,
+                                   const std::vector<RadianceEstimate>& reference,
+                                   double exactness);
 
 }  // namespace foveola

@@ -1,7 +1,11 @@
 #include "renderer/view/equation7.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "renderer/view/sample_block.h"
 
 namespace foveola {
 namespace {
@@ -69,6 +73,28 @@ double Equation7Distribution::density_per_sr(double eccentricity_deg) const {
   const double slope_deg = slope_beyond_switch_deg(cumulative(eccentricity_deg));
   return foveola::density_per_sr(1.0 / (2.0 * pi * eccentricity_deg * slope_deg), eccentricity_deg,
                                  EccentricityMeasure::planar);
+}
+
+FoveatedSampler::FoveatedSampler(std::unique_ptr<RadialDistribution> distribution)
+    : distribution_(std::move(distribution)), eccentricity_turns_(*distribution_) {}
+
+void FoveatedSampler::aim(const Aim& aim) { around_ = Frame(glm::normalize(aim.gaze)); }
+
+void FoveatedSampler::sample(std::span<const Vec2> points, std::span<ViewSample> samples) const {
+  const auto polar = [this](std::span<const Vec2> block, std::span<Vec2> turns) {
+    std::array<double, sample_block_size> roots;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      roots[i] = EccentricityTable::root(block[i].x);
+    }
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      turns[i] = Vec2(eccentricity_turns_.at_root(roots[i]), block[i].y);
+    }
+  };
+  sample_around(around_, points, polar, samples);
+}
+
+double FoveatedSampler::density_per_sr(const Vec3& direction) const {
+  return distribution_->density_per_sr(degrees(angle_between(direction, around_.normal)));
 }
 
 }  // namespace foveola

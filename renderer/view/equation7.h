@@ -1,9 +1,12 @@
-// The published foveated sampler to the letter: equation 7 of Koskela et al. 2018.
+// Foveated samplers (FV): by a distribution of eccentricity, and as published, to the letter
+// (equation 7 of Koskela et al. 2018).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "renderer/view/radial_distribution.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola {
 
@@ -38,6 +41,21 @@ class Equation7Distribution final : public RadialDistribution {
   double gap_begin_deg_ = up_to_switch_deg(switch_u);
   double gap_end_deg_ = beyond_switch_deg(switch_u);
   double cutoff_deg_ = beyond_switch_deg(1.0);
+};
+
+/// Following a distribution around the gaze.
+class FoveatedSampler final : public ViewSampler {
+ public:
+  explicit FoveatedSampler(std::unique_ptr<RadialDistribution> distribution);
+
+  void aim(const Aim& aim) override;
+  void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override;
+  double density_per_sr(const Vec3& direction) const override;
+
+ private:
+  std::unique_ptr<RadialDistribution> distribution_;
+  EccentricityTable eccentricity_turns_;
+  Frame around_{Vec3(0.0F, 0.0F, -1.0F)};
 };
 
 }  // namespace foveola

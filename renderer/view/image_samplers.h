@@ -1,8 +1,11 @@
-// Samplers without a gaze: uniform over the image, a rectangle of it, or the viewport.
+// Samplers without a gaze: uniform over the image, a rectangle of it, the viewport or a picture,
+// and around a pointer.
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "renderer/base/angles.h"
 #include "renderer/view/image_rectangle.h"
 #include "renderer/view/view_sampler.h"
 
@@ -16,5 +19,29 @@ std::unique_ptr<ViewSampler> make_viewport_rectangle_sampler();
 
 /// VP: every part of the display's plane alike.
 std::unique_ptr<ViewSampler> make_viewport_sampler();
+
+/// Uniform over the plane of the viewport that it is aimed with. A sample's image position is its
+/// place in the picture, (0, 0) at the top left, and not on the sphere: films that are made with it
+/// are pictures, and nothing may take their pixels for those of a 360-degree image.
+std::unique_ptr<ViewSampler> make_picture_sampler();
+
+/// A Gaussian around the pointer in planar degrees, cut off.
+class PointerSampler final : public ViewSampler {
+ public:
+  /// radius_deg: the standard deviation along any line through the pointer, positive. cutoff_deg in
+  /// (0, 180). fixed: a unit direction that takes the place of the pointer.
+  PointerSampler(double radius_deg, double cutoff_deg, const std::optional<Vec3>& fixed);
+
+  void aim(const Aim& aim) override;
+  void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override;
+  double density_per_sr(const Vec3& direction) const override;
+
+ private:
+  double radius_deg_;
+  double cutoff_deg_;
+  double share_;  ///< part of an uncut Gaussian that lies within the cut-off
+  std::optional<Vec3> fixed_;
+  Frame around_{Vec3(0.0F, 0.0F, -1.0F)};
+};
 
 }  // namespace foveola

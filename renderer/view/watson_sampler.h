@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "renderer/view/acuity.h"
-#include "renderer/view/eccentricity_table.h"
 #include "renderer/view/gaze_frame.h"
 #include "renderer/view/radial_distribution.h"
 #include "renderer/view/view_sampler.h"

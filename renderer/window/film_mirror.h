@@ -7,7 +7,6 @@
 
 #include "renderer/film/equirect_film.h"
 #include "renderer/view/viewport.h"
-#include "renderer/window/film_update.h"
 #include "renderer/window/pyramid_atlas.h"
 
 namespace foveola {

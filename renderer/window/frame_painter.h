@@ -4,8 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "renderer/window/film_texture.h"
-#include "renderer/window/picture_texture.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/text_overlay.h"
 #include "renderer/window/view_renderer.h"

@@ -10,7 +10,6 @@
 
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/scene/scene.h"
-#include "renderer/window/camera_moves.h"
 #include "renderer/window/mouse_drags.h"
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/window_event.h"

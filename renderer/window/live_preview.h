@@ -19,7 +19,6 @@
 #include "renderer/window/display_pictures.h"
 #include "renderer/window/film_drawing.h"
 #include "renderer/window/free_camera.h"
-#include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
 #include "renderer/window/preview_messages.h"
@@ -30,7 +29,6 @@
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/widened_eye_tracker.h"
 #include "renderer/window/window.h"
-#include "renderer/window/window_view.h"
 
 namespace foveola {
 

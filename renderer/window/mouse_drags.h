@@ -1,9 +1,12 @@
-// What the mouse's buttons and the keys that are held with them mean for the camera.
+// Moves of the camera: orbits and speeds, and what the mouse's buttons and keys mean for them.
 #pragma once
 
 #include <optional>
 
+#include "renderer/base/angles.h"
 #include "renderer/base/vec.h"
+#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/scene/scene.h"
 #include "renderer/window/window_event.h"
 
 namespace foveola {
@@ -39,5 +42,33 @@ class MouseDrags {
   int button_ = 0;       ///< the one that is held, while something is dragged
   double way_px_ = 0.0;  ///< how far the pointer went since it is held
 };
+
+/// Where a camera stands, and where it looks.
+struct Standing {
+  Vec3 position{0.0F};  ///< in the scene's coordinates
+  AzimuthElevation heading;
+};
+
+/// Turns the camera, and moves it so that `pivot` stays in its place in the view and at its
+/// distance. The elevation stops at the zenith and at the nadir.
+Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
+
+/// The speed at which a space so many metres wide is walked through in ten seconds, in metres a
+/// second; 1 if it has no size.
+double walking_speed(double width_m);
+
+/// Where a camera stands, and where it looks.
+struct Standing {
+  Vec3 position{0.0F};  ///< in the scene's coordinates
+  AzimuthElevation heading;
+};
+
+/// Turns the camera, and moves it so that `pivot` stays in its place in the view and at its
+/// distance. The elevation stops at the zenith and at the nadir.
+Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
+
+/// The speed at which a space so many metres wide is walked through in ten seconds, in metres a
+/// second; 1 if it has no size.
+double walking_speed(double width_m);
 
 }  // namespace foveola

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "renderer/view/acuity.h"
-#include "renderer/window/density_map.h"
+#include "renderer/window/view_overlays.h"
 
 namespace foveola {
 namespace {

@@ -1,9 +1,12 @@
-// The levels of a film's pyramid side by side in one image, as the graphics card keeps them.
+// The levels of a film's pyramid side by side in one image, as the graphics card keeps them, and
+// the changes that bring it up to date.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "renderer/base/vec.h"
+#include "renderer/film/premultiplied_texel.h"
 
 namespace foveola {
 
@@ -27,5 +30,17 @@ class PyramidAtlas {
   IVec2 size_{0};
   std::vector<Level> levels_;
 };
+
+/// Gives all cells of a rectangle of the atlas one value.
+struct AtlasRectangle {
+  std::uint16_t x = 0;  ///< column of its top left cell
+  std::uint16_t y = 0;
+  std::uint16_t width = 1;  ///< cells
+  std::uint16_t height = 1;
+  PremultipliedTexel value;
+};
+
+/// In order: later rectangles lie over earlier ones.
+using FilmUpdate = std::vector<AtlasRectangle>;
 
 }  // namespace foveola

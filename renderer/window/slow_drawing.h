@@ -1,10 +1,12 @@
-// A window that is drawn too slowly for its display: the message for the person before it.
+// A window's timing: the patch that is measured, and drawing that is too slow.
 #pragma once
 
 #include <string>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/window/view_renderer.h"
 
 namespace foveola {
 
@@ -21,5 +23,8 @@ std::string slow_drawing_line(const SlowDrawing& slow);
 
 /// The same in short, for the window itself.
 std::string slow_drawing_note(const SlowDrawing& slow);
+
+/// The window's part that it fills, cut off by the window's edges.
+WindowPart part_of(const TimingPatch& patch, const IVec2& framebuffer);
 
 }  // namespace foveola

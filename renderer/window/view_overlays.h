@@ -5,13 +5,26 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/view/view_sampler.h"
 #include "renderer/view/viewport.h"
-#include "renderer/window/density_map.h"
 #include "renderer/window/view_renderer.h"
 
 struct ImDrawList;
-
 namespace foveola {
+
+/// Densities over a view, row by row from its top left, 0 the least and 1 the most.
+struct DensityMap {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+};
+
+/// The sampler's density by its logarithm: 0 at a hundredth of what a uniform sampler of the sphere
+/// has, 1 at a hundred times that.
+DensityMap density_map(const ViewSampler& sampler, const Viewport& viewport, int width, int height);
+
+/// The colour, sRGB in [0, 1], of a map's value: from blue for 0 over green to red for 1.
+Rgb density_color(float value);
 
 /// A ring that offers what is in it. If a view does not show the highlighted one's middle, an arrow
 /// says where to turn.

@@ -1,8 +1,9 @@
-// Draws what the display shows of a film on the graphics card.
+// Draws what the display shows of a film, or a finished picture, on the graphics card.
 #pragma once
 
 #include <vector>
 
+#include "renderer/image/image.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/film_texture.h"
@@ -39,6 +40,24 @@ class ViewRenderer {
   GlProgram program_;
   GlVertexArray no_vertices_;
   std::vector<GLint> level_places_;  ///< kept so that no frame takes new memory
+};
+
+/// Needs a current context in all that it does.
+class PictureTexture {
+ public:
+  PictureTexture();
+
+  /// Fills `part` of the framebuffer with the picture, which has as many pixels, its top row on
+  /// top.
+  void draw(const ByteImage& picture, const WindowPart& part);
+
+ private:
+  void resize(const IVec2& size);
+
+  GlProgram program_;
+  GlTexture texture_;
+  GlVertexArray no_vertices_;
+  IVec2 size_{0};
 };
 
 }  // namespace foveola

@@ -1,6 +1,7 @@
 #include "renderer/window/widened_eye_tracker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace foveola {
 
@@ -17,6 +18,36 @@ void WidenedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) 
       sample.direction = Vec3(glm::normalize(DVec3(times_ * seen.x, times_ * seen.y, seen.z)));
     }
   });
+}
+
+PlacedEyeTracker::PlacedEyeTracker(std::unique_ptr<EyeTracker> source,
+                                   const DisplayProfile& display,
+                                   std::function<std::optional<WindowPlace>()> place)
+    : source_(std::move(source)),
+      display_px_(display.width_px, display.height_px),
+      pixel_(DVec2(display.width_m, display.height_m) / display_px_ / display.viewing_distance_m),
+      place_(std::move(place)) {}
+
+void PlacedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
+  const auto before = static_cast<std::ptrdiff_t>(arrived.size());
+  source_->poll(now, arrived);
+  const std::optional<WindowPlace> place = place_();
+  std::for_each(arrived.begin() + before, arrived.end(), [&](GazeSample& sample) {
+    if (!place || !sample.valid || sample.direction.z >= 0.0F) {
+      sample.valid = false;
+      return;
+    }
+    const DVec3 told(sample.direction);
+    const DVec2 on_monitor =
+        DVec2(told.x, told.y) / -told.z * DVec2(place->monitor_px) / display_px_;
+    const DVec2 middle = DVec2(place->middle_px.x, -place->middle_px.y) * pixel_;
+    sample.direction = Vec3(glm::normalize(DVec3(on_monitor - middle, -1.0)));
+  });
+}
+
+std::string PlacedEyeTracker::status() const {
+  return place_() ? source_->status()
+                  : "the window fills none of the monitors, one of which the tracker watches";
 }
 
 }  // namespace foveola

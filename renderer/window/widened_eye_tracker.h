@@ -1,10 +1,14 @@
-// The gaze in a view that is wider, or narrower, than the screen that shows it is seen.
+// Gaze in a window: on a part of the watched monitor, or in a wider or narrower view.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/window/window.h"
 
 namespace foveola {
 
@@ -25,6 +29,27 @@ class WidenedEyeTracker final : public EyeTracker {
  private:
   EyeTracker* source_;
   double times_ = 1.0;
+};
+
+/// A tracker tells which place of a monitor the eye looks at, as an angle at its middle by a
+/// profile. This turns it into the angle at the window's middle, by the pixels that the monitor
+/// really has.
+class PlacedEyeTracker final : public EyeTracker {
+ public:
+  /// display: a monitor's profile. place: where the window is, asked at each poll; what it refers
+  /// to must outlive the tracker.
+  PlacedEyeTracker(std::unique_ptr<EyeTracker> source, const DisplayProfile& display,
+                   std::function<std::optional<WindowPlace>()> place);
+
+  /// While it is not known where the window is, samples are invalid.
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
+  std::string status() const override;
+
+ private:
+  std::unique_ptr<EyeTracker> source_;
+  DVec2 display_px_;
+  DVec2 pixel_;  ///< a pixel's sides, in viewing distances
+  std::function<std::optional<WindowPlace>()> place_;
 };
 
 }  // namespace foveola

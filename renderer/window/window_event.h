@@ -9,7 +9,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
-#include "renderer/gaze/gamepad_steering.h"
+#include "renderer/gaze/steered_head_tracker.h"
 
 namespace foveola {
 

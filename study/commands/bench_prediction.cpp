@@ -1,5 +1,3 @@
-#include "study/commands/bench_prediction.h"
-
 #include <filesystem>
 #include <memory>
 
@@ -11,6 +9,7 @@
 #include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/protocol/protocol.h"
 #include "study/simulation/prediction_agreement.h"
 #include "study/simulation/simulate_study.h"

@@ -1,5 +1,3 @@
-#include "study/commands/bench_sensitivity.h"
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -16,9 +14,10 @@
 #include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/participant/population_file.h"
 #include "study/protocol/protocol.h"
-#include "study/simulation/method_means.h"
+#include "study/simulation/prediction_agreement.h"
 #include "study/simulation/simulate_study.h"
 
 namespace fs = std::filesystem;

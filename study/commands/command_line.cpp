@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files.h"
-#include "renderer/commands/warnings.h"
+#include "renderer/commands/scene_file_options.h"
 #include "study/record/maintenance.h"
 
 namespace foveola::study {

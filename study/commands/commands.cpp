@@ -1,12 +1,5 @@
 #include "study/commands/commands.h"
 
-#include "study/commands/protocol_commands.h"
-#include "study/commands/record_commands.h"
-#include "study/commands/replay_command.h"
-#include "study/commands/run_command.h"
-#include "study/commands/simulate_command.h"
-#include "study/commands/watch_command.h"
-
 namespace foveola::study {
 
 void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,

@@ -1,5 +1,3 @@
-#include "study/commands/protocol_commands.h"
-
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -10,6 +8,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/design/participant_code.h"
 #include "study/design/plan.h"
 #include "study/person/missing_letters.h"
@@ -17,7 +16,6 @@
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_reference.h"
 #include "study/stage/protocol_notes.h"
-#include "study/tables/design_tables.h"
 #include "study/tables/protocol_json.h"
 #include "study/tables/protocol_tables.h"
 

@@ -1,5 +1,3 @@
-#include "study/commands/record_commands.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -17,13 +15,13 @@
 #include "renderer/command_line/output_options.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/record/damage_remedy.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/study_head.h"
 #include "study/record/study_records.h"
 #include "study/record/verification_json.h"
-#include "study/tables/record_tables.h"
 #include "study/tables/session_summary.h"
 
 namespace fs = std::filesystem;

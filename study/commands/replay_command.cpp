@@ -1,5 +1,3 @@
-#include "study/commands/replay_command.h"
-
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -10,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/replay/replay.h"
 
 namespace fs = std::filesystem;

@@ -1,5 +1,3 @@
-#include "study/commands/run_command.h"
-
 #include <algorithm>
 #include <cctype>
 #include <memory>
@@ -15,6 +13,7 @@
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/console/line_console.h"
 #include "study/person/run_person.h"
 #include "study/tables/session_summary.h"

@@ -1,5 +1,3 @@
-#include "study/commands/simulate_command.h"
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,10 +11,11 @@
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/former_option.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/participant/injected_effect.h"
 #include "study/protocol/protocol.h"
-#include "study/simulation/prepare_study.h"
 #include "study/simulation/simulate_study.h"
+#include "study/simulation/simulation_setup.h"
 
 namespace foveola::study {
 namespace {

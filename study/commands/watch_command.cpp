@@ -1,5 +1,3 @@
-#include "study/commands/watch_command.h"
-
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "study/commands/command_line.h"
+#include "study/commands/commands.h"
 #include "study/console/console_words.h"
 #include "study/console/line_console.h"
 #include "study/record/event_log.h"

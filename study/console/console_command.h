@@ -1,9 +1,11 @@
-// What the experimenter can ask for in the terminal, as a typed line.
+// What the experimenter can ask for in the terminal, as a typed line, and what it leads to.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "study/session/session.h"
 
 namespace foveola::study {
 
@@ -38,5 +40,23 @@ std::string console_words();
 
 /// A line for each command.
 std::string console_help();
+
+/// At most one of these.
+struct ConsoleAnswer {
+  std::string reply;           ///< what the experimenter reads; may be several lines
+  std::optional<Event> event;  ///< an event for the session, which may refuse it
+  bool quits = false;
+};
+
+/// Where a session is that a line is about.
+struct AskedSession {
+  const std::string& participant;  ///< the code, without which no line ends the session
+  const SessionState& state;       ///< on the disk or not
+  const Procedure& procedure;
+  const Plan& plan;
+};
+
+/// An empty line has none of the three.
+ConsoleAnswer answer_to(const std::string& line, const AskedSession& session);
 
 }  // namespace foveola::study

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace foveola::study {
@@ -38,5 +39,12 @@ class LineWriter {
   bool is_closing_ = false;
   std::thread thread_;
 };
+
+/// A terminal that has room for any has room for so many bytes; a pipe for more.
+inline constexpr std::size_t most_taken_at_once = 256;
+
+/// Writes the beginning of `text` once `descriptor` takes any. Returns how many bytes were taken: 0
+/// if none were within `longest`, all if none ever will be again.
+std::size_t write_taken(int descriptor, std::string_view text, std::chrono::milliseconds longest);
 
 }  // namespace foveola::study

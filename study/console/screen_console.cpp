@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include "renderer/base/utf8.h"
 #include "study/console/console_command.h"
@@ -15,6 +16,13 @@
 
 namespace foveola::study {
 namespace {
+
+std::unique_ptr<Console> lines(bool is_json, LineWriter& output, int input) {
+  if (is_json) {
+    return std::make_unique<JsonConsole>(output, input);
+  }
+  return std::make_unique<LineConsole>(output, input);
+}
 
 bool may_be_pasted(const std::string& line) {
   const std::optional<ConsoleCommand> command = parse_console_line(line);
@@ -123,6 +131,22 @@ void ScreenConsole::paint(Terminal& terminal) {
     typed = entry_.typed();
   }
   terminal.paint(screen_lines({.status = status, .said = said, .typed = typed}, terminal.size()));
+}
+
+std::unique_ptr<Console> open_console(bool is_json, LineWriter& output) {
+  if (is_json) {
+    return lines(is_json, output, STDIN_FILENO);
+  }
+  if (std::unique_ptr<Console> screen = ScreenConsole::open(output)) {
+    return screen;
+  }
+  output.write("help says what can be typed here.");
+  return lines(is_json, output, STDIN_FILENO);
+}
+
+std::unique_ptr<Console> open_output(bool is_json, LineWriter& output) {
+  constexpr int no_input = -1;
+  return lines(is_json, output, no_input);
 }
 
 }  // namespace foveola::study

@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
-#include "study/console/command_entry.h"
 #include "study/console/console.h"
 #include "study/console/line_writer.h"
+#include "study/console/screen_layout.h"
 #include "study/console/terminal.h"
 
 namespace foveola::study {
@@ -53,5 +53,14 @@ class ScreenConsole final : public Console {
   bool is_open_ = false;
   std::jthread thread_;
 };
+
+/// output: for standard output; must outlive it. is_json: for machines. Otherwise a screen, if both
+/// are a terminal that can be painted on, or else lines, the first of which says how to ask for
+/// what can be typed.
+std::unique_ptr<Console> open_console(bool is_json, LineWriter& output);
+
+/// One that takes no commands, for what is said before there is a session and after it: lines, or
+/// JSON.
+std::unique_ptr<Console> open_output(bool is_json, LineWriter& output);
 
 }  // namespace foveola::study

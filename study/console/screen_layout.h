@@ -1,7 +1,9 @@
-// The experimenter's screen as lines of text: what stands where, at any size of the terminal.
+// The experimenter's screen as lines of text: what stands where, at any size of the terminal, and
+// the line that is typed in it.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,5 +38,31 @@ std::vector<ScreenLine> screen_lines(const ScreenContent& content, const ScreenS
 
 /// A text in lines of at most `columns` characters, broken at spaces where there are any.
 std::vector<std::string> wrapped(std::string_view text, std::size_t columns);
+
+/// A key typed in a terminal.
+struct TypedKey {
+  enum class Kind { character, enter, escape, erase };
+  Kind kind = Kind::character;
+  char32_t character = 0;  ///< of that kind
+  bool is_pasted = false;
+};
+
+/// A line for parse_console_line().
+struct EnteredLine {
+  std::string text;
+  bool is_pasted = false;  ///< any of it
+};
+
+class CommandEntry {
+ public:
+  /// Returns the line that the key ends: Enter alone does, a pasted one is a space. Escape clears
+  /// what was typed.
+  std::optional<EnteredLine> follow(const TypedKey& key);
+
+  const std::string& typed() const { return line_.text; }
+
+ private:
+  EnteredLine line_;
+};
 
 }  // namespace foveola::study

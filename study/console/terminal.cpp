@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "renderer/base/utf8.h"
-#include "study/console/taken_output.h"
+#include "study/console/line_writer.h"
 
 #define NCURSES_NOMACROS
 #define NCURSES_WIDECHAR 1

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "study/console/command_entry.h"
 #include "study/console/screen_layout.h"
 
 namespace foveola::study {

@@ -11,7 +11,7 @@
 
 #include "study/driver/ports.h"
 #include "study/driver/session_log.h"
-#include "study/driver/session_position.h"
+#include "study/driver/session_so_far.h"
 
 namespace foveola::study {
 

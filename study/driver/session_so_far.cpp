@@ -1,12 +1,12 @@
 #include "study/driver/session_so_far.h"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
+#include "study/record/event_log.h"
 #include "study/record/session_programs.h"
 
 namespace foveola::study {
@@ -93,6 +93,23 @@ SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
   so_far.position = position_after(procedure_of(protocol, so_far.plan), events,
                                    "participant " + session.participant);
   return so_far;
+}
+
+SessionPosition position_after(const Procedure& procedure, const std::vector<LoggedEvent>& events,
+                               const std::string& whose) {
+  SessionPosition position;
+  for_each_step(
+      procedure, events, whose,
+      [&](const LoggedEvent& logged, const SessionState& /*before*/, const SessionState& after) {
+        position.state = after;
+        position.time = std::max(position.time, logged.time);
+        if (const auto* validated = std::get_if<GazeValidated>(&logged.event)) {
+          position.correction = correction_after(*validated);
+        } else if (const auto* consent = std::get_if<ConsentGiven>(&logged.event)) {
+          position.consent_sha256 = consent->text_sha256;
+        }
+      });
+  return position;
 }
 
 }  // namespace foveola::study

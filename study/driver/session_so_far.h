@@ -3,11 +3,24 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "study/driver/session_position.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
+
+struct SessionPosition {
+  SessionState state;
+  Nanoseconds time{0};  ///< session clock: time of the last event
+  std::optional<GazeCorrection>
+      correction;              ///< what the gaze goes through since the last validation
+  std::string consent_sha256;  ///< of the text that was agreed to last; empty: none, or unknown
+};
+
+/// What `events` lead to. whose: names the session in errors. Throws Error if one of the events
+/// does not follow from those before.
+SessionPosition position_after(const Procedure& procedure, const std::vector<LoggedEvent>& events,
+                               const std::string& whose);
 
 struct SessionSoFar {
   KnownSession session;

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "study/protocol/protocol_places.h"
 
 namespace foveola::study {
 namespace {
+
+[[noreturn]] void refuse(const Protocol& protocol, const std::string& toml_path,
+                         const std::string& what) {
+  throw Error(ProtocolPlaces(protocol).of(toml_path), "simulated participants cannot judge " + what,
+              "say which judgement simulates it (of a mark: simulated = \"outline\" or "
+              "\"material\"; of a rating on a scale: simulated = \"artifacts\" or \"quality\"), or "
+              "draw its values with study simulate --inject order:1");
+}
 
 double draw_number(const Question& question, const Background& background, Pcg32& random) {
   const double range = question.maximum - question.minimum;
@@ -64,6 +77,46 @@ std::vector<Answer> draw_answers(const std::vector<Question>& questions,
     }
   }
   return answers;
+}
+
+bool is_judged(const Question& rating) {
+  return !rating.simulated.empty() && rating.kind == QuestionKind::likert;
+}
+
+double rate(const RatingHabits& habits, const Question& scale, double noticed_jnd) {
+  const double artifacts = rate_artifacts(habits, scale, noticed_jnd);
+  return scale.simulated == "quality" ? scale.minimum + scale.maximum - artifacts : artifacts;
+}
+
+double rate_artifacts(const RatingHabits& habits, const Question& scale, double noticed_jnd) {
+  double rating = scale.minimum;
+  double threshold_jnd = habits.second_point_jnd;
+  while (rating < scale.maximum && noticed_jnd >= threshold_jnd) {
+    rating += 1.0;
+    threshold_jnd *= habits.step_factor;
+  }
+  return rating;
+}
+
+std::optional<Task> judgement_of(const MarkEntry& mark) {
+  if (mark.simulated == "outline") {
+    return Task::mark_outline;
+  }
+  return mark.simulated == "material" ? std::optional(Task::mark_material) : std::nullopt;
+}
+
+void require_judgements(const Protocol& protocol) {
+  for (std::size_t i = 0; i < protocol.marks.size(); ++i) {
+    if (!judgement_of(protocol.marks[i])) {
+      refuse(protocol, fmt::format("mark[{}].id", i), "the mark " + protocol.marks[i].id);
+    }
+  }
+  for (std::size_t i = 0; i < protocol.ratings.size(); ++i) {
+    const Question& rating = protocol.ratings[i];
+    if (!is_judged(rating) && rating.kind != QuestionKind::text) {
+      refuse(protocol, fmt::format("rating[{}].id", i), "the rating " + rating.id);
+    }
+  }
 }
 
 }  // namespace foveola::study

@@ -1,8 +1,12 @@
-// A trial whose times and ratings are drawn.
+// Times and ratings of trials that are drawn from a model, with known differences between methods.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+
+#include "study/participant/injected_effect.h"
+#include "study/protocol/questionnaire.h"
 
 namespace foveola::study {
 
@@ -14,5 +18,43 @@ struct DrawnTrial {
   int trials_before = 0;
   std::uint32_t timing = 0;  ///< Number of the attempt; each draws a new effect of the trial.
 };
+
+/// The natural logarithm of a time is a sum of independent normal effects of the participant, of
+/// the scene and of the trial, and of the injected effects. Medians and standard deviations are
+/// assumed; recovering an injected effect does not depend on them.
+struct TimesModel {
+  double first_mark_s = 2.0;  ///< Median time of a trial's first mark after its first frame.
+  double mark_ratio = 4.0;    ///< Ratio of each next mark's time to the one before.
+  // Standard deviations of the natural logarithm.
+  double participant_spread = 0.3;
+  double scene_spread = 0.4;
+  double trial_spread = 0.25;
+};
+
+/// One of the protocol's marks.
+struct DrawnMark {
+  std::size_t index = 0;  ///< Among the marks of a trial, in their order.
+  std::string id;
+};
+
+/// The time of a mark after the trial's first frame, in seconds. It depends on its arguments alone,
+/// and the scene's effect on its name alone. Between two methods' trials the logarithm of the ratio
+/// of a mark's times is normal with mean -ln(factor_a / factor_b), where a method's factor is the
+/// product of its own and the mark's with it, plus ln(order_factor) for each trial between them,
+/// and standard deviation sqrt(2) trial_spread.
+double drawn_time_s(const TimesModel& model, const InjectedEffect& effect, const DrawnTrial& trial,
+                    const DrawnMark& mark);
+
+/// The shifts of a rating's answers, of which a method without one has 0.
+Span span_of(const InjectedEffect::ByMethod& shifts);
+
+/// Draws the answer to a rating that the effect shifts. Around the middle of what the shifts leave
+/// of the scale, an independent effect of the participant and one of the trial, both with a
+/// triangular distribution, move it by at most a quarter of that each, so that no answer has to be
+/// cut off at an end; it is then rounded up or down to an answer that the scale has, by chance,
+/// such that its expectation stays. So the expected difference between two methods is that of their
+/// shifts, on any scale. The answer depends on the arguments alone. `rating` is numeric, and its
+/// span wider than that of the shifts.
+double drawn_rating(const InjectedEffect& effect, const Question& rating, const DrawnTrial& trial);
 
 }  // namespace foveola::study

@@ -9,8 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "study/participant/drawn_ratings.h"
-#include "study/participant/drawn_times.h"
+#include "study/participant/drawn_trial.h"
 #include "study/protocol/measure.h"
 
 namespace foveola::study {

@@ -4,8 +4,7 @@
 
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
-#include "study/participant/drawn_ratings.h"
-#include "study/participant/drawn_times.h"
+#include "study/participant/drawn_trial.h"
 
 namespace foveola::study {
 

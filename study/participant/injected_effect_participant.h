@@ -4,7 +4,7 @@
 
 #include "study/participant/drawn_trial.h"
 #include "study/participant/injected_effect.h"
-#include "study/participant/observed_session.h"
+#include "study/participant/make_observer.h"
 #include "study/participant/simulated_participant.h"
 
 namespace foveola::study {

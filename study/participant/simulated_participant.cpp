@@ -8,7 +8,6 @@
 #include "renderer/image/tone_mapping.h"
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
-#include "study/participant/ratings.h"
 
 namespace foveola::study {
 SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKnowledge knowledge,

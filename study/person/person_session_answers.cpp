@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "study/console/console_answer.h"
+#include "study/console/console_command.h"
 #include "study/console/console_words.h"
 #include "study/person/form_input.h"
 #include "study/person/person_keys.h"

@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/window/timing_patch.h"
+#include "renderer/window/slow_drawing.h"
 
 namespace foveola::study {
 

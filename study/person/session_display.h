@@ -16,7 +16,6 @@
 #include "renderer/preview/refresh_estimator.h"
 #include "renderer/window/display_pictures.h"
 #include "renderer/window/film_drawing.h"
-#include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/screen.h"
 #include "renderer/window/view_geometry.h"

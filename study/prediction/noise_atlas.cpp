@@ -16,8 +16,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 #include "study/prediction/aim_dependence.h"
+#include "study/prediction/noise_table.h"
 #include "study/prediction/pilot.h"
-#include "study/prediction/table_cache.h"
 
 namespace foveola::study {
 namespace {

@@ -21,7 +21,6 @@
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/measure.h"
 #include "study/protocol/protocol_places.h"
-#include "study/protocol/read_analysis.h"
 #include "study/protocol/read_methods.h"
 #include "study/protocol/read_procedure.h"
 #include "study/protocol/read_questions.h"

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/gaze_correction.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
@@ -18,5 +21,10 @@ namespace foveola::study {
 std::optional<GazeValidated> validate_gaze(const Protocol& protocol, Participant& participant,
                                            std::uint32_t tracker_seed, VirtualClock& clock,
                                            const std::stop_token& stop);
+
+/// participant: must outlive the tracker. seed: of the tracker's noise and losses.
+std::unique_ptr<EyeTracker> watch(Participant& participant, const TrackerSettings& settings,
+                                  std::uint32_t seed,
+                                  const std::optional<GazeCorrection>& correction);
 
 }  // namespace foveola::study

@@ -1,11 +1,22 @@
 #include "study/simulation/predicted_study.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "study/prediction/aim_dependence.h"
 #include "study/prediction/judged_view.h"
+#include "study/stage/trial_preview.h"
 
 namespace foveola::study {
-
 namespace {
+
+/// From the eye to a frame: the tracker's latency, half an interval between its samples, and what
+/// losses add to that in the mean.
+Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
+  const double lost = std::min(tracker.data_loss, 0.99);
+  const double intervals = 0.5 + lost / (1.0 - lost);
+  return nanoseconds_from_seconds(tracker.latency_s + intervals / tracker.rate_hz);
+}
 
 std::vector<Visibility> visibilities(const Vision& vision, double finest_cell_deg) {
   std::vector<Visibility> of_scales;
@@ -91,6 +102,94 @@ std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting&
   return std::make_unique<PredictedAttempt>(setting, observer, &trials_.at(place),
                                             &atlas_.objects.at(place).at(number),
                                             std::move(sampler));
+}
+
+PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
+                                   const PredictedTrial* trial, const ObjectNoise* picture,
+                                   std::unique_ptr<ViewSampler> sampler)
+    : setting_(setting),
+      observer_(observer),
+      sampler_(std::move(sampler)),
+      start_(setting.clock.now()),
+      tracker_delay_(mean_delay(setting.protocol.tracker.simulated)) {
+  if (trial != nullptr) {
+    sight_.emplace(*trial, *picture, *sampler_,
+                   aim_at(setting.object.direction, setting.protocol.display));
+  }
+}
+
+std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
+  const std::uint64_t interval = frames_per_glance(setting_.protocol.machine);
+  const std::uint64_t next_glance = (frames_ + interval - 1) / interval * interval;
+  const std::uint64_t last = std::max(frames_, frame_at(until));
+  if (last < next_glance) {
+    render_until(last + 1);
+    setting_.clock.advance(presented(last) - setting_.clock.now());
+    return std::nullopt;
+  }
+  render_until(next_glance + 1);
+  const Nanoseconds now = presented(next_glance);
+  setting_.clock.advance(now - setting_.clock.now());
+  return observer_.consider(look(now), now);
+}
+
+Evidence PredictedAttempt::look(Nanoseconds now) {
+  return sight_ ? sight_->look(task_, observer_.gaze(now)) : Evidence{};
+}
+
+std::uint64_t PredictedAttempt::samples_until(std::uint64_t frames) const {
+  return samples_after(frames, setting_.protocol.machine, setting_.trial);
+}
+
+Nanoseconds PredictedAttempt::presented(std::uint64_t frame) const {
+  return start_ + nanoseconds_from_seconds(static_cast<double>(frame + 1) /
+                                           setting_.protocol.machine.frame_rate_hz);
+}
+
+std::uint64_t PredictedAttempt::frame_at(Nanoseconds time) const {
+  const double frames = seconds(time - start_) * setting_.protocol.machine.frame_rate_hz - 1.0;
+  auto frame = static_cast<std::uint64_t>(std::max(0.0, std::floor(frames)));
+  while (presented(frame) < time) {
+    ++frame;
+  }
+  return frame;
+}
+
+void PredictedAttempt::render_until(std::uint64_t frames) {
+  if (sight_) {
+    const auto samples = static_cast<double>(samples_until(frames) - samples_until(frames_));
+    // The frames of one glance are taken as one, aimed as in their midst.
+    const Nanoseconds begin = presented(frames_);
+    sight_->add(samples, aim(begin + (presented(frames - 1) - begin) / 2));
+  }
+  frames_ = frames;
+}
+
+Aim PredictedAttempt::aim(Nanoseconds time) const {
+  const Viewport view = viewport(time);
+  const SimulatedTrackerSettings& tracker = setting_.protocol.tracker.simulated;
+  const Nanoseconds seen = std::max(time - tracker_delay_, Nanoseconds(0));
+  Vec3 gaze = observer_.gaze(seen);
+  const bool changes_gaze =
+      tracker.bias_right_deg != 0.0 || tracker.bias_up_deg != 0.0 || setting_.correction;
+  if (changes_gaze) {
+    AzimuthElevation in_head = azimuth_elevation(glm::conjugate(view.head()) * gaze);
+    in_head.azimuth_rad += radians(tracker.bias_right_deg);
+    in_head.elevation_rad += radians(tracker.bias_up_deg);
+    std::vector<GazeSample> samples = {
+        {.time = time, .direction = direction_from(in_head), .valid = true}};
+    if (setting_.correction) {
+      correct(samples, *setting_.correction);
+    }
+    gaze = glm::normalize(view.head() * samples.front().direction);
+  }
+  return {.viewport = view, .gaze = gaze, .pointer = std::nullopt};
+}
+
+Viewport PredictedAttempt::viewport(Nanoseconds time) const {
+  const DisplaySettings& display = setting_.protocol.display;
+  return {head_orientation(observer_.head(time)), radians(display.horizontal_fov_deg),
+          radians(display.vertical_fov_deg), display.lens};
 }
 
 }  // namespace foveola::study

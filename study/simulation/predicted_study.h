@@ -1,15 +1,58 @@
-// A study whose attempts are all predicted.
+// Attempts of which nothing is rendered, and a study whose attempts are all predicted.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "study/participant/simulated_observer.h"
 #include "study/prediction/noise_atlas.h"
-#include "study/simulation/predicted_attempt.h"
+#include "study/prediction/predicted_film.h"
 #include "study/simulation/study_simulation.h"
+#include "study/simulation/trial_attempt.h"
 
 namespace foveola::study {
+
+/// Takes the steps of a RenderedAttempt from glance to glance, in the same times. Keeps no frames
+/// and no gaze. The tracker's noise and its losses are left out but for the time that they cost in
+/// the mean, and so is what filters its gaze; its latency and bias are not.
+class PredictedAttempt final : public TrialAttempt {
+ public:
+  /// observer: who takes part in `setting`. trial, picture, sampler: see PredictedFilm; without a
+  /// trial and a picture the observer is one that does not look.
+  PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
+                   const PredictedTrial* trial, const ObjectNoise* picture,
+                   std::unique_ptr<ViewSampler> sampler);
+
+  std::optional<Nanoseconds> show(Nanoseconds until) override;
+  void begin(Task task) override { task_ = task; }
+  void complete_record() override {}
+  std::uint64_t samples() const override { return samples_until(frames_); }
+  std::uint64_t non_finite() const override { return 0; }
+
+ private:
+  std::uint64_t samples_until(std::uint64_t frames) const;
+  /// By the attempt's clock: the frame of this number, counted from 0, is on the display.
+  Nanoseconds presented(std::uint64_t frame) const;
+  /// The first frame that is presented at `time` or later.
+  std::uint64_t frame_at(Nanoseconds time) const;
+  /// Sends the frames' samples to where the observer then looks.
+  void render_until(std::uint64_t frames);
+  Evidence look(Nanoseconds now);
+  /// What the tracker reports at `time`: where the eye was a while ago.
+  Aim aim(Nanoseconds time) const;
+  Viewport viewport(Nanoseconds time) const;
+
+  TrialAttemptSetting setting_;
+  SimulatedObserver& observer_;
+  std::unique_ptr<ViewSampler> sampler_;
+  Nanoseconds start_;
+  Nanoseconds tracker_delay_;
+  std::uint64_t frames_ = 0;
+  Task task_ = Task::mark_outline;
+  std::optional<PredictedFilm> sight_;
+};
 
 /// The pictures that the trials of new sessions, and of those that were begun, will be shown.
 PicturesWanted pictures_wanted(const SimulatedStudy& study, const Vision& vision,

@@ -1,4 +1,5 @@
-// How well a predicted study agrees with a rendered one of the same participants.
+// A study's main numbers in short, and how well those of a predicted study agree with a rendered
+// one's.
 #pragma once
 
 #include <string>
@@ -31,5 +32,17 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 
 /// The middle value, or the mean of the two in the middle; 0 of none.
 double median_of(std::vector<double> values);
+
+struct MethodMean {
+  std::string mark;  ///< the mark's id
+  std::string method;
+  int pairs = 0;            ///< trials of the baseline and the method with one person and one scene
+  double baseline_s = 0.0;  ///< geometric mean; 0 without pairs
+  double percent = 0.0;     ///< geometric mean of the ratios; 0 without pairs
+};
+
+/// For each mark, each method but the first, which is the baseline. Trials that a time-out cut off
+/// are left out, and what they would be compared with.
+std::vector<MethodMean> method_means(const StudyRecords& records);
 
 }  // namespace foveola::study

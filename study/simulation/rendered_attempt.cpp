@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/simulation/gaze_validation.h"
 #include "study/stage/conduct.h"
+#include "study/stage/trial_preview.h"
 
 namespace foveola::study {
+
 std::uint64_t frames_per_glance(const MachineModel& machine) {
   return static_cast<std::uint64_t>(
       std::max(1L, std::lround(glance_interval_s * machine.frame_rate_hz)));
@@ -39,6 +42,35 @@ void RenderedAttempt::render_frame() {
     sample.time += setting_.attempt_start;
   }
   log_.add(row, arrived);
+}
+
+VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
+                               const PlannedTrial& trial, const TrialSeeds& seeds,
+                               Participant& participant,
+                               const std::optional<GazeCorrection>& correction, VirtualClock& clock,
+                               const Workers& workers)
+    : machine_(protocol.machine),
+      trial_(trial),
+      clock_(clock),
+      start_(clock.now()),
+      eye_(watch(participant, protocol.tracker, seeds.tracker, correction)),
+      head_([&participant](Nanoseconds time) { return participant.head(time); }),
+      preview_(
+          stage.tracer(),
+          trial_preview_settings(protocol, settings_of(protocol, trial.scene, trial.method), stage),
+          *eye_, head_, workers) {
+  preview_.restart(make_sampler(protocol, trial.method), seeds.rendering);
+}
+
+FrameReport VirtualPreview::next_frame() {
+  const std::uint64_t samples =
+      samples_after(frames_ + 1, machine_, trial_) - samples_after(frames_, machine_, trial_);
+  const FrameReport report = preview_.render_frame(clock_.now(), samples);
+  ++frames_;
+  const Nanoseconds presented =
+      start_ + nanoseconds_from_seconds(static_cast<double>(frames_) / machine_.frame_rate_hz);
+  clock_.advance(presented - clock_.now());
+  return report;
 }
 
 }  // namespace foveola::study

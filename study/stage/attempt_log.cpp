@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/film/film_hash.h"
+#include "renderer/film/film_state.h"
 
 namespace foveola::study {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "study/participant/judged_measures.h"
+#include "study/participant/answers.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {

@@ -36,7 +36,6 @@
 #include "study/record/study_records.h"
 #include "study/record/study_store.h"
 #include "study/record/verification_json.h"
-#include "study/tables/record_tables.h"
 #include "study/tables/session_summary.h"
 #include "tests/study/record/small_study.h"
 #include "tests/temporary_folder.h"

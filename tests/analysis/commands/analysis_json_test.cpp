@@ -1,8 +1,7 @@
-#include "analysis/commands/analysis_json.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/commands/commands.h"
 #include "analysis/publication/comparison_tables.h"
 #include "analysis/publication/result_tables.h"
 #include "analysis/publication/trial_data.h"

@@ -1,7 +1,6 @@
-#include "analysis/commands/power_tables.h"
-
 #include <nlohmann/json.hpp>
 
+#include "analysis/commands/power_command.h"
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
 

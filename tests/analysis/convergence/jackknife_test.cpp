@@ -1,9 +1,9 @@
-#include "analysis/convergence/jackknife.h"
-
 #include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "analysis/convergence/error_curve.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,8 +1,7 @@
-#include "analysis/convergence/prediction.h"
-
 #include <gtest/gtest.h>
 
-#include "analysis/convergence/regions.h"
+#include "analysis/convergence/measurement.h"
+#include "analysis/convergence/scorer.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,5 +1,3 @@
-#include "analysis/convergence/progressive_run.h"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/convergence/measurement.h"
 #include "renderer/preview/preview.h"
 #include "tests/renderer/preview/box_room.h"
 

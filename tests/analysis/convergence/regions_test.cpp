@@ -1,10 +1,10 @@
-#include "analysis/convergence/regions.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "analysis/convergence/scorer.h"
 
 namespace foveola::analysis {
 namespace {

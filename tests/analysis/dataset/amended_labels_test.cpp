@@ -1,8 +1,7 @@
 // The labels that a rating's points had in sessions by an amended protocol.
-#include "analysis/dataset/amended_labels.h"
-
 #include <nlohmann/json.hpp>
 
+#include "analysis/dataset/wording.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"

@@ -1,7 +1,6 @@
-#include "analysis/dataset/outlying_times.h"
-
 #include <gtest/gtest.h>
 
+#include "analysis/dataset/mark_survival.h"
 #include "analysis/monte_carlo/expected_study.h"
 #include "tests/analysis/made_up_study.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/koskela2018/background.h"
-#include "analysis/koskela2018/met_means.h"
+#include "analysis/koskela2018/own_cells.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/analysis/made_up_study.h"

@@ -1,6 +1,6 @@
-#include "analysis/monte_carlo/crossed_coverage.h"
-
 #include <gtest/gtest.h>
+
+#include "analysis/monte_carlo/censored_coverage.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,9 +1,8 @@
-#include "analysis/monte_carlo/fitted_studies.h"
-
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/monte_carlo/expected_study.h"
+#include "analysis/monte_carlo/model_coverage.h"
 #include "analysis/r_models/fit_models.h"
 
 namespace foveola::analysis {

@@ -1,10 +1,9 @@
-#include "analysis/monte_carlo/gain_study.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/comparisons.h"
+#include "analysis/monte_carlo/censored_coverage.h"
 
 namespace foveola::analysis {
 namespace {

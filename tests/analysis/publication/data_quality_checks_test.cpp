@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "analysis/statistics/proportion.h"
+#include "analysis/statistics/distributions.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "renderer/base/random.h"

@@ -1,6 +1,5 @@
-#include "analysis/publication/dateless_pdf.h"
 
-#include "analysis/publication/gnuplot.h"
+#include "analysis/publication/figure_drawing.h"
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
 

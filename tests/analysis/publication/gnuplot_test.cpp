@@ -1,7 +1,6 @@
-#include "analysis/publication/gnuplot.h"
-
 #include <cstdlib>
 
+#include "analysis/publication/figure_drawing.h"
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
 

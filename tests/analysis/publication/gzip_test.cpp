@@ -1,7 +1,6 @@
-#include "analysis/publication/gzip.h"
-
 #include <gtest/gtest.h>
 
+#include "analysis/publication/data_files.h"
 #include "tests/analysis/gunzip.h"
 
 namespace foveola::analysis {

@@ -1,7 +1,6 @@
-#include "analysis/publication/headline.h"
-
 #include <cmath>
 
+#include "analysis/publication/summary.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 

@@ -1,5 +1,4 @@
-#include "analysis/publication/inline_svg.h"
-
+#include "analysis/publication/report_parts.h"
 #include "tests/matchers.h"
 
 namespace foveola::analysis {

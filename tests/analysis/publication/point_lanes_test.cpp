@@ -1,7 +1,6 @@
-#include "analysis/publication/point_lanes.h"
-
 #include <cmath>
 
+#include "analysis/publication/participant_points.h"
 #include "tests/matchers.h"
 
 namespace foveola::analysis {

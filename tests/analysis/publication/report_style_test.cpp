@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/publication/figure_palette.h"
+#include "analysis/publication/figure_drawing.h"
 
 namespace foveola::analysis {
 namespace {

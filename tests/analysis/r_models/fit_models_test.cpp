@@ -6,7 +6,7 @@
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/monte_carlo/expected_study.h"
-#include "analysis/monte_carlo/fitted_studies.h"
+#include "analysis/monte_carlo/model_coverage.h"
 #include "analysis/r_models/models_plan.h"
 #include "analysis/r_models/models_script.h"
 #include "analysis/tables/table_formats.h"

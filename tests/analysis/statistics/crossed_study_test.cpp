@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/distributions.h"
 #include "analysis/statistics/power.h"
-#include "analysis/statistics/proportion.h"
 #include "tests/matchers.h"
 
 namespace foveola::analysis {

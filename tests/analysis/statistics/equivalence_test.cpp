@@ -1,4 +1,3 @@
-#include "analysis/statistics/equivalence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
-#include "analysis/statistics/friedman.h"
-
+#include "analysis/statistics/rank_tests.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

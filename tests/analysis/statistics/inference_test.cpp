@@ -1,10 +1,9 @@
-#include "analysis/statistics/inference.h"
-
 #include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "analysis/statistics/correlation.h"
 #include "tests/analysis/golden.h"
 
 namespace foveola::analysis {

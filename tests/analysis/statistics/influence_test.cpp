@@ -1,9 +1,8 @@
-#include "analysis/statistics/influence.h"
 
 #include <gtest/gtest.h>
 
 #include "analysis/statistics/crossed_model.h"
-#include "analysis/statistics/pseudo_median.h"
+#include "analysis/statistics/rank_tests.h"
 #include "tests/analysis/golden.h"
 
 namespace foveola::analysis {

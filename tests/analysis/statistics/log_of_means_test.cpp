@@ -1,11 +1,10 @@
-#include "analysis/statistics/log_of_means.h"
-
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "analysis/statistics/student_t.h"
+#include "analysis/statistics/distributions.h"
+#include "analysis/statistics/logarithms.h"
 
 namespace foveola::analysis {
 namespace {

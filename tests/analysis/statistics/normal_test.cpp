@@ -1,5 +1,4 @@
-#include "analysis/statistics/normal.h"
-
+#include "analysis/statistics/distributions.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <span>
 
-#include "analysis/statistics/proportion.h"
+#include "analysis/statistics/distributions.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"

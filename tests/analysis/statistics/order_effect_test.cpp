@@ -1,5 +1,4 @@
-#include "analysis/statistics/order_effect.h"
-
+#include "analysis/statistics/order_balance.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

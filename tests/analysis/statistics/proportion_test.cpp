@@ -1,7 +1,6 @@
-#include "analysis/statistics/proportion.h"
-
 #include <utility>
 
+#include "analysis/statistics/distributions.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

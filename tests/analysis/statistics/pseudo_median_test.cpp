@@ -1,9 +1,8 @@
-#include "analysis/statistics/pseudo_median.h"
-
 #include <algorithm>
 #include <random>
 #include <vector>
 
+#include "analysis/statistics/rank_tests.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/pairs.h"
 #include "tests/matchers.h"

@@ -1,7 +1,6 @@
-#include "analysis/statistics/rank_correlation.h"
-
 #include <cmath>
 
+#include "analysis/statistics/correlation.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

@@ -1,5 +1,4 @@
-#include "analysis/statistics/ranks.h"
-
+#include "analysis/statistics/correlation.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

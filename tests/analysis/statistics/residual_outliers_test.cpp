@@ -1,9 +1,8 @@
-#include "analysis/statistics/residual_outliers.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/statistics/proportion.h"
+#include "analysis/statistics/additive_fit.h"
+#include "analysis/statistics/distributions.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"

@@ -1,10 +1,9 @@
-#include "analysis/statistics/student_t.h"
-
 #include <limits>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "analysis/statistics/distributions.h"
 #include "tests/analysis/golden.h"
 
 namespace foveola::analysis {

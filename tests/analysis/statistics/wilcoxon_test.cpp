@@ -1,8 +1,7 @@
-#include "analysis/statistics/wilcoxon.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/statistics/rank_tests.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/pairs.h"
 #include "tests/matchers.h"

@@ -1,8 +1,8 @@
-#include "renderer/commands/medians.h"
-
 #include <numeric>
 
 #include <gtest/gtest.h>
+
+#include "renderer/commands/bench_facts.h"
 
 namespace foveola {
 namespace {

@@ -1,9 +1,9 @@
-#include "renderer/commands/picture_faults.h"
-
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "renderer/commands/render_report.h"
 
 namespace foveola::test {
 namespace {

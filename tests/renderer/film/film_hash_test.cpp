@@ -1,10 +1,9 @@
-#include "renderer/film/film_hash.h"
-
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "renderer/film/film_state.h"
 #include "tests/renderer/film/film_samples.h"
 
 namespace foveola {

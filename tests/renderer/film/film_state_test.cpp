@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "renderer/film/film_hash.h"
 #include "tests/renderer/film/film_samples.h"
 
 namespace foveola {

@@ -11,7 +11,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
-#include "renderer/view/picture_sampler.h"
+#include "renderer/view/image_samplers.h"
 #include "tests/renderer/view/every_method.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"

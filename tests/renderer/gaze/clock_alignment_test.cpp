@@ -1,6 +1,6 @@
-#include "renderer/gaze/clock_alignment.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer/gaze/device_clocks.h"
 
 namespace foveola {
 namespace {

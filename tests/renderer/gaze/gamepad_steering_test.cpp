@@ -1,9 +1,9 @@
-#include "renderer/gaze/gamepad_steering.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "renderer/gaze/steered_head_tracker.h"
 
 namespace foveola {
 namespace {

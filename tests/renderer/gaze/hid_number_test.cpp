@@ -1,9 +1,8 @@
-#include "renderer/gaze/hid_number.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "renderer/gaze/hid_items.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {

@@ -1,9 +1,8 @@
-#include "renderer/gaze/hid_report_items.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/gaze/hid_items.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {

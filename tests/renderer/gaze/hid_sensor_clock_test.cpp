@@ -1,11 +1,10 @@
-#include "renderer/gaze/hid_sensor_clock.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
+#include "renderer/gaze/device_clocks.h"
 
 namespace foveola {
 namespace {

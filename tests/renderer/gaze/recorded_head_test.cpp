@@ -1,5 +1,3 @@
-#include "renderer/gaze/recorded_head.h"
-
 #include <numbers>
 #include <string>
 #include <utility>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
+#include "renderer/gaze/recording_file.h"
 #include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 

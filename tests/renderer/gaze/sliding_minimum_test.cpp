@@ -1,11 +1,10 @@
-#include "renderer/gaze/sliding_minimum.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
+#include "renderer/gaze/device_clocks.h"
 
 namespace foveola {
 namespace {

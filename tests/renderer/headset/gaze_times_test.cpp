@@ -1,6 +1,6 @@
-#include "renderer/headset/gaze_times.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer/headset/headset_motion.h"
 
 namespace foveola {
 namespace {

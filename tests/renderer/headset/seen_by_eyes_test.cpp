@@ -1,5 +1,3 @@
-#include "renderer/headset/seen_by_eyes.h"
-
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"

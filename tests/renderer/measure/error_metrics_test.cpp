@@ -1,11 +1,10 @@
-#include "renderer/measure/error_metrics.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/measure/region_error.h"
 
 namespace foveola {
 namespace {

@@ -5,9 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "renderer/stability/figure.h"
 #include "renderer/stability/furnished_room.h"
-#include "renderer/stability/glb_file.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {

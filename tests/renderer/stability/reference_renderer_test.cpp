@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/stability/closed_forms.h"
-#include "renderer/stability/picture.h"
+#include "renderer/stability/estimate.h"
 #include "worlds.h"
 
 namespace foveola::reference {

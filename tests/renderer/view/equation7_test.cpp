@@ -12,7 +12,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
 #include "renderer/view/density_around.h"
-#include "renderer/view/eccentricity_table.h"
+#include "renderer/view/radial_distribution.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {

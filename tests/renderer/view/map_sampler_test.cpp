@@ -1,11 +1,10 @@
-#include "renderer/view/map_sampler.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
+#include "renderer/view/mask_sampler.h"
 
 namespace foveola {
 namespace {

@@ -1,6 +1,6 @@
-#include "renderer/view/picture_sampler.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer/view/image_samplers.h"
 
 namespace foveola {
 namespace {

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/view/eccentricity_table.h"
 #include "renderer/view/equation7.h"
 
 namespace foveola {

@@ -1,8 +1,7 @@
-#include "renderer/window/camera_moves.h"
-
 #include <gtest/gtest.h>
 
 #include "renderer/view/viewport.h"
+#include "renderer/window/mouse_drags.h"
 
 namespace foveola {
 namespace {

@@ -1,6 +1,6 @@
-#include "renderer/window/density_map.h"
-
 #include <gmock/gmock.h>
+
+#include "renderer/window/view_overlays.h"
 
 namespace foveola {
 namespace {

@@ -1,8 +1,7 @@
-#include "renderer/window/head_frame.h"
-
 #include <gtest/gtest.h>
 
 #include "renderer/base/parallel.h"
+#include "renderer/window/film_drawing.h"
 #include "tests/renderer/window/patterned_film.h"
 
 namespace foveola {

@@ -1,10 +1,9 @@
-#include "renderer/window/placed_eye_tracker.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/window/widened_eye_tracker.h"
 
 namespace foveola {
 namespace {

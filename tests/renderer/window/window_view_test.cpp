@@ -1,8 +1,8 @@
-#include "renderer/window/window_view.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
+
+#include "renderer/window/view_geometry.h"
 
 namespace foveola {
 namespace {

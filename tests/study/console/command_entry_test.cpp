@@ -1,6 +1,5 @@
-#include "study/console/command_entry.h"
-
 #include "study/console/console_command.h"
+#include "study/console/screen_layout.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

@@ -1,5 +1,4 @@
-#include "study/console/console_answer.h"
-
+#include "study/console/console_command.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

@@ -1,5 +1,3 @@
-#include "study/participant/drawn_ratings.h"
-
 #include <cmath>
 #include <set>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/participant/drawn_trial.h"
 #include "tests/study/participant/moments.h"
 
 namespace foveola::study {

@@ -1,11 +1,10 @@
-#include "study/participant/drawn_times.h"
-
 #include <cmath>
 #include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "study/participant/drawn_trial.h"
 #include "tests/study/participant/moments.h"
 
 namespace foveola::study {

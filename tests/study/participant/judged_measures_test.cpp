@@ -1,6 +1,5 @@
 // The measures that simulated participants refuse, since they have no judgement for them.
-#include "study/participant/judged_measures.h"
-
+#include "study/participant/answers.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {

@@ -1,6 +1,6 @@
-#include "study/participant/ratings.h"
-
 #include <gtest/gtest.h>
+
+#include "study/participant/answers.h"
 
 namespace foveola::study {
 namespace {

@@ -1,5 +1,4 @@
-#include "study/prediction/table_cache.h"
-
+#include "study/prediction/noise_table.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 

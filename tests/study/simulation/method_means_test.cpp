@@ -1,8 +1,7 @@
-#include "study/simulation/method_means.h"
-
 #include <gtest/gtest.h>
 
 #include "study/protocol/read_procedure.h"
+#include "study/simulation/prediction_agreement.h"
 
 namespace foveola::study {
 namespace {

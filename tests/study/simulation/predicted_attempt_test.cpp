@@ -1,6 +1,5 @@
-#include "study/simulation/predicted_attempt.h"
-
 #include "study/record/buffered_recorder.h"
+#include "study/simulation/predicted_study.h"
 #include "study/simulation/rendered_attempt.h"
 #include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"

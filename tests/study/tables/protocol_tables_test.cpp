@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/tables/design_tables.h"
 #include "study/tables/protocol_json.h"
 #include "tests/matchers.h"
 
