@@ -24,7 +24,6 @@
 #include "renderer/base/shard.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
-#include "renderer/commands/former_option.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
 
@@ -212,26 +211,24 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
           "Methods as render's --method, separated by commas; the others are compared with "
           "the first, the baseline")
       ->capture_default_str();
-  CLI::Option* const options =
-      command
-          ->add_option(
-              "--options", arguments->options,
-              "What to change of the first method, each in a configuration of its own: "
-              "independent (random numbers instead of low-discrepancy sequences), clamp "
-              "(samples are cut at a radiance of 10), adaptive (sampling as render's "
-              "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
-              "drawn by their power alone), no-learning (nothing learned of which lights reach "
-              "where), uniform-lights (each light as likely as any other), "
-              "area-lights (points uniform in the area of near triangles too), cosine-sky "
-              "(directions to the environment by the surface's cosine alone), no-mis (light "
-              "samples alone, without multiple importance sampling), no-roulette (dim paths are "
-              "not ended), plain-paths (what a plain path tracer of 2017 would do: independent and "
-              "the last five together), plain-paths-mis (the same but for no-mis), "
-              "plain-paths-mis-clamp (and light samples cut at 3); or none")
-          ->delimiter(',')
-          ->allow_extra_args(false)
-          ->capture_default_str();
-  accept_former_values(*options, {{"spare-done", "adaptive"}, {"no-skip", "no-fast-path"}});
+  command
+      ->add_option(
+          "--options", arguments->options,
+          "What to change of the first method, each in a configuration of its own: "
+          "independent (random numbers instead of low-discrepancy sequences), clamp "
+          "(samples are cut at a radiance of 10), adaptive (sampling as render's "
+          "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
+          "drawn by their power alone), no-learning (nothing learned of which lights reach "
+          "where), uniform-lights (each light as likely as any other), "
+          "area-lights (points uniform in the area of near triangles too), cosine-sky "
+          "(directions to the environment by the surface's cosine alone), no-mis (light "
+          "samples alone, without multiple importance sampling), no-roulette (dim paths are "
+          "not ended), plain-paths (what a plain path tracer of 2017 would do: independent and "
+          "the last five together), plain-paths-mis (the same but for no-mis), "
+          "plain-paths-mis-clamp (and light samples cut at 3); or none")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
   command
       ->add_option("--gazes", arguments->gazes,
                    "Gaze points around the horizon, the first ahead of the scene's camera")
@@ -252,12 +249,10 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  CLI::Option* const repetitions =
-      command
-          ->add_option("--repetitions", arguments->repetitions,
-                       "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
-          ->check(CLI::Range(2U, max_repetitions));
-  accept_former_name(*command, *repetitions, "--rounds");
+  command
+      ->add_option("--repetitions", arguments->repetitions,
+                   "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
+      ->check(CLI::Range(2U, max_repetitions));
   command
       ->add_option("--seed", arguments->seed,
                    "Seed of the renders: runs with different seeds can be pooled by --from")

@@ -15,7 +15,6 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
-#include "renderer/commands/former_option.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/tracing_figures.h"
 #include "renderer/progressive/headless_render.h"
@@ -275,19 +274,16 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
   command->add_option("--paths", arguments->paths, "Paths of each repetition")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22))
       ->capture_default_str();
-  CLI::Option* const repetitions = command
-                                       ->add_option("--repetitions", arguments->repetitions,
-                                                    "Number of repetitions, whose median counts")
-                                       ->check(CLI::Range(1, 1000))
-                                       ->capture_default_str();
-  accept_former_name(*command, *repetitions, "--rounds");
+  command
+      ->add_option("--repetitions", arguments->repetitions,
+                   "Number of repetitions, whose median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  CLI::Option* const no_fast_path =
-      command->add_flag("--no-fast-path", arguments->no_fast_path,
-                        "Measure the general path too, and what the fast path gains over it");
-  accept_former_name(*command, *no_fast_path, "--no-skip");
+  command->add_flag("--no-fast-path", arguments->no_fast_path,
+                    "Measure the general path too, and what the fast path gains over it");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
   command->callback(

@@ -8,7 +8,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/command_line/output_options.h"
-#include "renderer/commands/former_option.h"
 #include "renderer/progressive/render_limits.h"
 
 namespace foveola {
@@ -131,12 +130,12 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
                 "are black otherwise")
       ->needs(view)
       ->group("360-degree image");
-  CLI::Option* const adaptive = command.add_option(
-      "--adaptive", arguments.adaptive_contrast,
-      "Adaptive sampling: take no more samples of pixels whose noise is below this contrast, for "
-      "instance 0.01 at the gaze and more elsewhere, as acuity falls; 0: off");
-  adaptive->group("360-degree image");
-  accept_former_name(command, *adaptive, "--spare-done");
+  command
+      .add_option("--adaptive", arguments.adaptive_contrast,
+                  "Adaptive sampling: take no more samples of pixels whose noise is below this "
+                  "contrast, for instance 0.01 at the gaze and more elsewhere, as acuity falls; 0: "
+                  "off")
+      ->group("360-degree image");
 }
 
 void add_budget_options(CLI::App& command, RenderArguments& arguments) {

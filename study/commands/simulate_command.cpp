@@ -9,7 +9,6 @@
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/command_line/output_options.h"
-#include "renderer/commands/former_option.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/participant/injected_effect.h"
@@ -209,9 +208,7 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
       "--people", arguments->people,
       "The simulated population: a name in data/participants, or a file of your own (default: "
       "adults)");
-  CLI::Option* const inject =
-      command->add_option("--inject", arguments->injected, injected_effect_help);
-  accept_former_name(*command, *inject, "--plant");
+  command->add_option("--inject", arguments->injected, injected_effect_help);
   mark_output(command->add_option(
       "--report", arguments->report,
       "A folder that gets every published number beside the study's, with differences and "
