@@ -29,18 +29,6 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-struct CalibrationArguments {
-  std::string protocol;
-  std::string folder;
-  std::string people = "adults";
-  int participants = 0;
-  std::uint64_t seed = 0;
-  double scale = 1.0;
-  int threads = 0;
-  int jobs = 1;
-  bool json = false;
-};
-
 /// What a study on one machine says.
 struct TriedSpeed {
   std::vector<ComparedNumber> numbers;
@@ -51,7 +39,7 @@ struct TriedSpeed {
 /// once.
 class TriedSpeeds {
  public:
-  TriedSpeeds(const CalibrationArguments& arguments, const SceneFinderBeside& find_scene,
+  TriedSpeeds(const study::SimulatedBenchArguments& arguments, const SceneFinderBeside& find_scene,
               std::stop_token stop)
       : arguments_(arguments),
         find_scene_(find_scene),
@@ -73,18 +61,10 @@ class TriedSpeeds {
  private:
   TriedSpeed simulate(double samples_per_second) const {
     const fs::path file = database(samples_per_second);
-    study::simulate_study({.protocol = study::find_protocol(arguments_.protocol),
-                           .database = file,
-                           .participants = arguments_.participants,
-                           .seed = arguments_.seed,
-                           .people = arguments_.people,
-                           .threads = arguments_.threads,
-                           .jobs = arguments_.jobs,
-                           .scale = arguments_.scale,
-                           .samples_per_second = samples_per_second,
-                           .predicted = true,
-                           .resume = true},
-                          find_scene_, stop_);
+    study::SimulatedBenchArguments arguments = arguments_;
+    arguments.simulation.samples_per_second = samples_per_second;
+    arguments.simulation.predicted = true;
+    study::simulate_study(arguments, file, find_scene_, stop_);
     if (stop_.stop_requested()) {
       throw Error("calibration", "stopped before it was finished", "the same command goes on");
     }
@@ -107,7 +87,7 @@ class TriedSpeeds {
     return ran_out && trial.method == baseline && study::StudyRecords::is_result(trial);
   }
 
-  const CalibrationArguments& arguments_;
+  const study::SimulatedBenchArguments& arguments_;
   const SceneFinderBeside& find_scene_;
   std::stop_token stop_;
   PublishedStudy published_;
@@ -177,7 +157,7 @@ std::vector<NamedSpeed> fit_speeds(TriedSpeeds& speeds, double first) {
           {"material alone", fit_machine_speed(compare, both.samples_per_second, "material")}};
 }
 
-void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_scene,
+void run(const study::SimulatedBenchArguments& arguments, const SceneFinderBeside& find_scene,
          const std::stop_token& stop) {
   check_output_folder(arguments.folder);
   const study::Protocol protocol = study::load_protocol(study::find_protocol(arguments.protocol));
@@ -190,9 +170,9 @@ void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_sc
   const std::string report = report_published_comparison(speeds.database(speed), arguments.folder);
   if (arguments.json) {
     nlohmann::ordered_json json = bench_facts();
-    json.update({{"participants", arguments.participants},
-                 {"seed", arguments.seed},
-                 {"scale", arguments.scale},
+    json.update({{"participants", arguments.simulation.participants},
+                 {"seed", arguments.simulation.seed},
+                 {"scale", arguments.simulation.scale},
                  {"participant_kind", "simulated"},
                  {"baseline_trials_out_of_time", tried.baseline_trials_out_of_time},
                  {"samples_per_second", json_of(fitted)},
@@ -203,7 +183,7 @@ void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_sc
   print_text(
       "{} predicted participants. The machine with which OD takes as long as published, in the "
       "geometric mean of Table 2's cells; in brackets, 95 % over scenes:\n",
-      arguments.participants);
+      arguments.simulation.participants);
   for (const NamedSpeed& named : fitted) {
     print_text("  {}", text_of(named));
   }
@@ -222,24 +202,20 @@ void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_sc
 // NOLINTNEXTLINE(performance-unnecessary-value-param): every module adds its commands alike.
 void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
                            std::stop_token stop) {
-  const auto arguments = std::make_shared<CalibrationArguments>();
+  const auto arguments = std::make_shared<study::SimulatedBenchArguments>();
   CLI::App* command = study::add_command(
       bench, "calibration",
       "Find the machine's speed with which OD takes as long as in the published study",
       "calibration koskela2018 --participants 200 --scale 36 -o calibration");
-  study::add_protocol(command, arguments->protocol);
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "A folder for the studies that are tried, each named by its samples a second, "
-                   "and for the last one's comparison with the published study; made if its parent "
-                   "exists. Studies that are there already are resumed")
-      ->required();
-  study::add_participants_and_seed(command, arguments->participants, arguments->seed);
-  command->add_option("--people", arguments->people, "As in study simulate")->capture_default_str();
-  command->add_option("--scale", arguments->scale, "As in study simulate");
-  study::add_threads(command, arguments->threads);
-  command->add_option("--jobs", arguments->jobs, "As in study simulate");
-  study::add_json(command, arguments->json);
+  study::add_simulated_studies(
+      command, *arguments,
+      "A folder for the studies that are tried, each named by its samples a second, and for the "
+      "last one's comparison with the published study; made if its parent exists. Studies that are "
+      "there already are resumed");
+  command->add_option("--people", arguments->simulation.people, "As in study simulate")
+      ->capture_default_str();
+  command->add_option("--scale", arguments->simulation.scale, "As in study simulate");
+  study::add_effort_and_json(command, *arguments);
   command->callback([arguments, find_scene, stop] { run(*arguments, find_scene, stop); });
 }
 

@@ -10,7 +10,6 @@
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
-#include "study/protocol/protocol.h"
 #include "study/simulation/prediction_agreement.h"
 #include "study/simulation/simulate_study.h"
 
@@ -18,32 +17,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-struct BenchArguments {
-  std::string protocol;
-  std::string folder;
-  int participants = 0;
-  std::uint64_t seed = 0;
-  double scale = 1.0;
-  int threads = 0;
-  int jobs = 1;
-  bool json = false;
-};
-
-/// One of the two studies; what was done of it before stays.
-SimulateReport simulate(const BenchArguments& arguments, bool predicted, const fs::path& database,
-                        const SceneFinderBeside& find_scene, const std::stop_token& stop) {
-  return simulate_study({.protocol = find_protocol(arguments.protocol),
-                         .database = database,
-                         .participants = arguments.participants,
-                         .seed = arguments.seed,
-                         .threads = arguments.threads,
-                         .jobs = arguments.jobs,
-                         .scale = arguments.scale,
-                         .predicted = predicted,
-                         .resume = true},
-                        find_scene, stop);
-}
 
 std::string text_of(const std::vector<MarkAgreement>& agreements) {
   std::vector<TextRow> rows = {
@@ -73,22 +46,24 @@ nlohmann::json json_of(const std::vector<MarkAgreement>& agreements) {
   return list;
 }
 
-void run_bench(const BenchArguments& arguments, const SceneFinderBeside& find_scene,
+void run_bench(SimulatedBenchArguments arguments, const SceneFinderBeside& find_scene,
                const std::stop_token& stop) {
   const fs::path folder = arguments.folder;
   if (!fs::is_directory(folder)) {
     throw Error(folder.string(), "is no folder", "make it");
   }
+  arguments.simulation.predicted = true;
   const SimulateReport predicted =
-      simulate(arguments, true, folder / "predicted.sqlite", find_scene, stop);
+      simulate_study(arguments, folder / "predicted.sqlite", find_scene, stop);
+  arguments.simulation.predicted = false;
   const SimulateReport rendered =
-      simulate(arguments, false, folder / "rendered.sqlite", find_scene, stop);
+      simulate_study(arguments, folder / "rendered.sqlite", find_scene, stop);
   const std::vector<MarkAgreement> agreements = prediction_agreement(
       read_study(folder / "rendered.sqlite"), read_study(folder / "predicted.sqlite"));
   if (arguments.json) {
     nlohmann::ordered_json report = bench_facts();
-    report.update({{"scale", arguments.scale},
-                   {"seed", arguments.seed},
+    report.update({{"scale", arguments.simulation.scale},
+                   {"seed", arguments.simulation.seed},
                    {"rendered_sessions_wall_seconds", measured_once(rendered.sessions_wall_s)},
                    {"predicted_sessions_wall_seconds", measured_once(predicted.sessions_wall_s)},
                    {"agreement", json_of(agreements)}});
@@ -105,21 +80,16 @@ void run_bench(const BenchArguments& arguments, const SceneFinderBeside& find_sc
 
 void add_bench_prediction(CLI::App& bench, const SceneFinderBeside& find_scene,
                           std::stop_token stop) {
-  const auto arguments = std::make_shared<BenchArguments>();
+  const auto arguments = std::make_shared<SimulatedBenchArguments>();
   CLI::App* command =
       add_command(bench, "prediction",
                   "Simulate a study twice, rendered and predicted, and compare the times of marks",
                   "prediction demo --participants 2 --seed 1 -o bench");
-  add_protocol(command, arguments->protocol);
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "The folder of both studies' files; studies that are there already are resumed")
-      ->required();
-  add_participants_and_seed(command, arguments->participants, arguments->seed);
-  command->add_option("--scale", arguments->scale, "As in study simulate");
-  add_threads(command, arguments->threads);
-  command->add_option("--jobs", arguments->jobs, "As in study simulate");
-  add_json(command, arguments->json);
+  add_simulated_studies(
+      command, *arguments,
+      "The folder of both studies' files; studies that are there already are resumed");
+  command->add_option("--scale", arguments->simulation.scale, "As in study simulate");
+  add_effort_and_json(command, *arguments);
   command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
 }
 

@@ -25,17 +25,9 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-struct SensitivityArguments {
-  std::string protocol;
-  std::string folder;
-  int participants = 0;
-  std::uint64_t seed = 0;
-  double scale = 1.0;
+struct SensitivityArguments : SimulatedBenchArguments {
   double factor = 1.5;
   std::vector<std::string> numbers;
-  int threads = 0;
-  int jobs = 1;
-  bool json = false;
 };
 
 /// What was simulated, and what came out.
@@ -78,20 +70,12 @@ std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
   return chosen;
 }
 
-std::vector<MethodMean> simulate(const SensitivityArguments& arguments, const std::string& people,
+std::vector<MethodMean> simulate(SimulatedBenchArguments arguments, const std::string& people,
                                  const fs::path& database, const SceneFinderBeside& find_scene,
                                  const std::stop_token& stop) {
-  simulate_study({.protocol = find_protocol(arguments.protocol),
-                  .database = database,
-                  .participants = arguments.participants,
-                  .seed = arguments.seed,
-                  .people = people,
-                  .threads = arguments.threads,
-                  .jobs = arguments.jobs,
-                  .scale = arguments.scale,
-                  .predicted = true,
-                  .resume = true},
-                 find_scene, stop);
+  arguments.simulation.people = people;
+  arguments.simulation.predicted = true;
+  simulate_study(arguments, database, find_scene, stop);
   return method_means(read_study(database));
 }
 
@@ -185,9 +169,9 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinderBeside& f
   if (arguments.json) {
     nlohmann::ordered_json report = bench_facts();
     report.update({{"simulated", true},
-                   {"scale", arguments.scale},
-                   {"seed", arguments.seed},
-                   {"participants", arguments.participants},
+                   {"scale", arguments.simulation.scale},
+                   {"seed", arguments.simulation.seed},
+                   {"participants", arguments.simulation.participants},
                    {"outcomes", json_of(outcomes)}});
     print_text("{}\n", report.dump(2));
   } else {
@@ -211,15 +195,11 @@ void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
                   "Simulate a predicted study again and again, each time with one number of its "
                   "population changed",
                   "sensitivity koskela2018 --scale 36 --participants 100 --seed 1 -o bench");
-  add_protocol(command, arguments->protocol);
-  command
-      ->add_option(
-          "-o,--output", arguments->folder,
-          "The folder of the populations' and studies' files; studies that are there already are "
-          "resumed")
-      ->required();
-  add_participants_and_seed(command, arguments->participants, arguments->seed);
-  command->add_option("--scale", arguments->scale, "As in study simulate");
+  add_simulated_studies(
+      command, *arguments,
+      "The folder of the populations' and studies' files; studies that are there already are "
+      "resumed");
+  command->add_option("--scale", arguments->simulation.scale, "As in study simulate");
   command
       ->add_option("--factor", arguments->factor,
                    "Each number is divided by this, and multiplied by it")
@@ -229,9 +209,7 @@ void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
       "--number", arguments->numbers,
       "Vary only these numbers, such as decision.material_jnd (default: all that need no "
       "pilots of their own)");
-  add_threads(command, arguments->threads);
-  command->add_option("--jobs", arguments->jobs, "As in study simulate");
-  add_json(command, arguments->json);
+  add_effort_and_json(command, *arguments);
   command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
 }
 

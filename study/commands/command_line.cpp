@@ -4,6 +4,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/commands/scene_file_options.h"
+#include "study/protocol/protocol.h"
 #include "study/record/maintenance.h"
 
 namespace foveola::study {
@@ -46,6 +47,28 @@ void add_threads(CLI::App* command, int& threads) {
 
 void add_json(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print the result as JSON");
+}
+
+void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments,
+                           const std::string& folder_help) {
+  add_protocol(command, arguments.protocol);
+  command->add_option("-o,--output", arguments.folder, folder_help)->required();
+  add_participants_and_seed(command, arguments.simulation.participants, arguments.simulation.seed);
+}
+
+void add_effort_and_json(CLI::App* command, SimulatedBenchArguments& arguments) {
+  add_threads(command, arguments.simulation.threads);
+  command->add_option("--jobs", arguments.simulation.jobs, "As in study simulate");
+  add_json(command, arguments.json);
+}
+
+SimulateReport simulate_study(const SimulatedBenchArguments& arguments,
+                              const std::filesystem::path& database,
+                              const SceneFinderBeside& find_scene, const std::stop_token& stop) {
+  SimulateSettings settings = arguments.simulation;
+  settings.protocol = find_protocol(arguments.protocol);
+  settings.database = database;
+  return simulate_study(settings, find_scene, stop);
 }
 
 void require_backup_target(const std::filesystem::path& folder,

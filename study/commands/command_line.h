@@ -4,9 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include <CLI/CLI.hpp>
+
+#include "renderer/base/scene_source.h"
+#include "study/simulation/simulate_study.h"
 
 namespace foveola::study {
 
@@ -16,12 +20,30 @@ inline constexpr int most_participants = 100'000;
 CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& purpose,
                       const std::string& example);
 
+/// What the benchmarks that simulate studies are asked for.
+struct SimulatedBenchArguments {
+  SimulateSettings simulation{.resume = true};  ///< all but the files
+  std::string protocol;
+  std::string folder;
+  bool json = false;
+};
+
+/// Simulates the study in this file as far as it is not there yet.
+SimulateReport simulate_study(const SimulatedBenchArguments& arguments,
+                              const std::filesystem::path& database,
+                              const SceneFinderBeside& find_scene, const std::stop_token& stop);
+
 // Options that several commands have; what they write to must outlive the command's parsing.
 void add_protocol(CLI::App* command, std::string& protocol);
 void add_database(CLI::App* command, std::string& database);  ///< the file of a study that exists
 void add_participants_and_seed(CLI::App* command, int& participants, std::uint64_t& seed);
 void add_threads(CLI::App* command, int& threads);
 void add_json(CLI::App* command, bool& json);
+/// PROTOCOL, the folder, the participants and the seed.
+void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments,
+                           const std::string& folder_help);
+/// --threads, --jobs and --json.
+void add_effort_and_json(CLI::App* command, SimulatedBenchArguments& arguments);
 
 /// Throws Error unless a copy of the study can be put into the folder. Warns of a folder on the
 /// study's own disk.

@@ -21,34 +21,23 @@
 namespace foveola::study {
 namespace {
 
-constexpr int thread_limit = 1024;
 constexpr int monitor_limit = 100;
 constexpr int row_limit = 1'000'000;
 constexpr std::size_t longest_code = 32;
 
 struct RunArguments {
+  RunSettings settings;  ///< as far as it is not read from what follows
   std::string protocol;
   std::string database;
-  std::string participant;
   bool is_pilot = false;
-  std::string display;
-  std::string tracker;
   std::optional<std::string> gaze_filter;
   std::string window = "1280x720";
   bool full_screen = false;
   int monitor = 0;
-  std::optional<std::uint64_t> seed;
-  std::optional<int> first_row;
-  int threads = 0;
-  bool resumes = false;
-  bool undoes_end = false;
-  bool despite_changes = false;
-  bool is_blind = false;
   bool takes_amendment = false;
   std::string screens;
   std::string receipt;
   std::string backup_folder;
-  bool json = false;
 };
 
 void require_code(const std::string& code) {
@@ -78,26 +67,15 @@ std::optional<GazeFilterSettings> gaze_filter_of(const RunArguments& arguments) 
 
 void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
              const std::stop_token& stop) {
-  require_code(arguments.participant);
-  RunSettings settings{.protocol = find_protocol(arguments.protocol),
-                       .database = arguments.database,
-                       .participant = arguments.participant,
-                       .kind = arguments.is_pilot ? SessionKind::pilot : SessionKind::human,
-                       .seed = arguments.seed,
-                       .first_row = arguments.first_row,
-                       .display = arguments.display,
-                       .tracker = arguments.tracker,
-                       .gaze_filter = gaze_filter_of(arguments),
-                       .window = parse_size("--window", arguments.window),
-                       .threads = arguments.threads,
-                       .resumes = arguments.resumes,
-                       .undoes_end = arguments.undoes_end,
-                       .is_blind = arguments.is_blind,
-                       .despite_changes = arguments.despite_changes,
-                       .other_protocol = arguments.takes_amendment
-                                             ? OtherProtocol::take_as_amendment
-                                             : OtherProtocol::refuse,
-                       .json = arguments.json};
+  require_code(arguments.settings.participant);
+  RunSettings settings = arguments.settings;
+  settings.protocol = find_protocol(arguments.protocol);
+  settings.database = arguments.database;
+  settings.kind = arguments.is_pilot ? SessionKind::pilot : SessionKind::human;
+  settings.gaze_filter = gaze_filter_of(arguments);
+  settings.window = parse_size("--window", arguments.window);
+  settings.other_protocol =
+      arguments.takes_amendment ? OtherProtocol::take_as_amendment : OtherProtocol::refuse;
   if (arguments.full_screen) {
     settings.monitor = arguments.monitor;
   }
@@ -107,7 +85,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
   }
   if (!arguments.receipt.empty()) {
     require_writable(arguments.receipt);
-    if (std::filesystem::exists(arguments.receipt) && !arguments.resumes) {
+    if (std::filesystem::exists(arguments.receipt) && !arguments.settings.resumes) {
       throw Error(arguments.receipt, "is there already", "name another file for this receipt");
     }
     settings.receipt = arguments.receipt;
@@ -117,17 +95,17 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
     settings.backup_folder = arguments.backup_folder;
   }
   const RunReport report = run_person(settings, find_scene, stop);
-  if (arguments.json) {
-    print_text("{}\n", json_line("end", {{"participant", arguments.participant},
+  if (arguments.settings.json) {
+    print_text("{}\n", json_line("end", {{"participant", arguments.settings.participant},
                                          {"phase", name_of(report.phase)},
                                          {"backup", report.backup.string()},
                                          {"copy", report.copy.string()}}));
     return;
   }
   if (!report.is_blind || report.phase != Phase::interrupted) {
-    print_text("{}", session_summary(arguments.database, arguments.participant));
+    print_text("{}", session_summary(arguments.database, arguments.settings.participant));
   }
-  print_text("{}: {} {}; backup {}{}\n", arguments.database, arguments.participant,
+  print_text("{}: {} {}; backup {}{}\n", arguments.database, arguments.settings.participant,
              name_of(report.phase), report.backup.string(),
              report.copy.empty() ? "" : fmt::format("; copy {}", report.copy.string()));
   if (report.phase == Phase::interrupted) {
@@ -149,20 +127,20 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
           "The study's database file; made if there is none, else it must be of the same protocol")
       ->required();
   command
-      ->add_option("--participant", arguments->participant,
+      ->add_option("--participant", arguments->settings.participant,
                    "The participant's code (letters, digits, - and _), never a name")
       ->required();
   command->add_flag("--pilot", arguments->is_pilot,
                     "A rehearsal: its session is kept apart and not analysed, and a scene is shown "
                     "anew when its file changes");
   command->add_option(
-      "--display", arguments->display,
+      "--display", arguments->settings.display,
       "The display's profile: a name or a file (default: the protocol's, or desktop)");
-  command->add_option("--tracker", arguments->tracker,
+  command->add_option("--tracker", arguments->settings.tracker,
                       "The eye tracker's profile: a name or a file; pointer takes the mouse for "
                       "the eye (default: the "
                       "protocol's, or pointer)");
-  add_headset_option(*command, arguments->display, arguments->tracker);
+  add_headset_option(*command, arguments->settings.display, arguments->settings.tracker);
   command->add_option("--gaze-filter", arguments->gaze_filter,
                       std::string("What a pilot's gaze goes through before frames use it (default: "
                                   "the protocol's): ") +
@@ -176,31 +154,28 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
       ->needs(full_screen)
       ->capture_default_str();
   command->add_option(
-      "--seed", arguments->seed,
+      "--seed", arguments->settings.seed,
       "The seed of orders and noise (default: drawn at random; the record keeps it)");
   command
-      ->add_option("--first-row", arguments->first_row,
+      ->add_option("--first-row", arguments->settings.first_row,
                    "The row of the design that the file's first participant gets, so that sites "
                    "begin with different ones; the others follow it (default: 0)")
       ->check(CLI::Range(0, row_limit));
-  command
-      ->add_option("--threads", arguments->threads, "The number of threads; 0: one for every core")
-      ->check(CLI::Range(0, thread_limit))
-      ->capture_default_str();
-  CLI::Option* resume = command->add_flag("--resume", arguments->resumes,
+  add_threads(command, arguments->settings.threads);
+  CLI::Option* resume = command->add_flag("--resume", arguments->settings.resumes,
                                           "Go on with this participant's unfinished session");
   command
-      ->add_flag("--undo-end", arguments->undoes_end,
+      ->add_flag("--undo-end", arguments->settings.undoes_end,
                  "Take back the withdrawal or exclusion that ended it, and go on")
       ->needs(resume);
-  command->add_flag("--despite-changes", arguments->despite_changes,
+  command->add_flag("--despite-changes", arguments->settings.despite_changes,
                     "Accept another program, scene, display, machine or tracker than the session, "
                     "or the study's others, had; the session's record will say so");
   command->add_flag("--amended-protocol", arguments->takes_amendment,
                     "Accept a protocol whose words or time-outs have changed since the study "
                     "began; the session's "
                     "record will say so");
-  command->add_flag("--blind", arguments->is_blind,
+  command->add_flag("--blind", arguments->settings.is_blind,
                     "Hide the methods from the experimenter until the session is over; the "
                     "session's record will say so");
   mark_output(
@@ -212,7 +187,7 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   mark_output(command->add_option("--backup-to", arguments->backup_folder,
                                   "A folder, best on another disk, that gets a copy of the study "
                                   "after the session, besides the backup"));
-  command->add_flag("--json", arguments->json,
+  command->add_flag("--json", arguments->settings.json,
                     "The experimenter's console for machines: a JSON object a line, and how the "
                     "session stands every second");
   command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });

@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,37 +19,27 @@ namespace foveola::study {
 namespace {
 
 struct SimulateArguments {
+  SimulateSettings settings{.warns = true};  ///< all but what the next three say
   std::string protocol;
   std::string database;
-  int participants = 0;
-  std::uint64_t seed = 0;
-  std::string people = "adults";
-  std::string injected = "none";
-  std::string shard;  ///< empty: all participants
-  int threads = 0;
-  int jobs = 1;
-  double scale = 1.0;
-  std::optional<double> samples_per_second;
-  bool predicted = false;
-  bool real_time = false;
+  std::string shard;   ///< empty: all participants
   std::string report;  ///< folder; empty: none
-  bool resume = false;
   bool prepare = false;
   bool json = false;
 };
 
 nlohmann::json json_report(const SimulateArguments& arguments, const SimulateReport& report) {
   return {{"database", arguments.database},
-          {"seed", arguments.seed},
+          {"seed", arguments.settings.seed},
           {"shard", arguments.shard.empty() ? nlohmann::json() : nlohmann::json(arguments.shard)},
           {"sessions_before", report.sessions_before},
           {"sessions_completed", report.sessions_completed},
           {"sessions_refused", report.sessions_refused},
           {"sessions_withdrawn", report.sessions_withdrawn},
-          {"scale", arguments.scale},
-          {"predicted", arguments.predicted},
-          {"real_time", arguments.real_time},
-          {"injected", arguments.injected},
+          {"scale", arguments.settings.scale},
+          {"predicted", arguments.settings.predicted},
+          {"real_time", arguments.settings.real_time},
+          {"injected", arguments.settings.injected},
           {"trials", report.trials},
           {"wall_seconds", report.wall_s},
           {"sessions_wall_seconds", report.sessions_wall_s},
@@ -59,27 +48,14 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"non_finite", report.non_finite}};
 }
 
-std::optional<Shard> shard_of(const SimulateArguments& arguments) {
-  return arguments.shard.empty() ? std::nullopt
-                                 : std::optional(parse_shard("--shard", arguments.shard));
-}
-
 SimulateSettings settings_of(const SimulateArguments& arguments) {
-  return {.protocol = find_protocol(arguments.protocol),
-          .database = arguments.database,
-          .participants = arguments.participants,
-          .shard = shard_of(arguments),
-          .seed = arguments.seed,
-          .people = arguments.people,
-          .injected = arguments.injected,
-          .threads = arguments.threads,
-          .jobs = arguments.jobs,
-          .scale = arguments.scale,
-          .samples_per_second = arguments.samples_per_second,
-          .predicted = arguments.predicted,
-          .real_time = arguments.real_time,
-          .resume = arguments.resume,
-          .warns = true};
+  SimulateSettings settings = arguments.settings;
+  settings.protocol = find_protocol(arguments.protocol);
+  settings.database = arguments.database;
+  if (!arguments.shard.empty()) {
+    settings.shard = parse_shard("--shard", arguments.shard);
+  }
+  return settings;
 }
 
 /// What is made of sessions, of which there are none.
@@ -90,17 +66,17 @@ void require_only_preparing(const SimulateArguments& arguments) {
   if (!arguments.report.empty()) {
     throw UsageError("--report", "is of a study, and --prepare makes none; leave one of them out");
   }
-  if (arguments.resume) {
+  if (arguments.settings.resume) {
     throw UsageError("--resume",
                      "is of a study; --prepare goes on with what the caches lack anyway");
   }
 }
 
 nlohmann::json json_report(const SimulateArguments& arguments, const PrepareReport& report) {
-  return {{"prepared", arguments.predicted ? "pilots" : "references"},
-          {"seed", arguments.seed},
+  return {{"prepared", arguments.settings.predicted ? "pilots" : "references"},
+          {"seed", arguments.settings.seed},
           {"shard", arguments.shard.empty() ? nlohmann::json() : nlohmann::json(arguments.shard)},
-          {"scale", arguments.scale},
+          {"scale", arguments.settings.scale},
           {"items", report.items},
           {"rendered", report.rendered},
           {"stopped", report.stopped},
@@ -115,7 +91,8 @@ std::string text_of(const SimulateArguments& arguments, const PrepareReport& rep
     return "Stopped. What was rendered is kept; the same command goes on.\n";
   }
   return fmt::format("{} of {} {} rendered in {}{}\n", report.rendered, report.items,
-                     arguments.predicted ? "pilots" : "references", human_duration(report.wall_s),
+                     arguments.settings.predicted ? "pilots" : "references",
+                     human_duration(report.wall_s),
                      report.rendered < report.items ? "; the others were in the cache" : "");
 }
 
@@ -153,7 +130,7 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& f
   print_text("{}: {} of {} simulated sessions completed, {} trials in {} ({} of {} time)\n",
              arguments.database, report.sessions_completed, settings.participants_in_file(),
              report.trials, human_duration(report.wall_s), human_duration(report.simulated_s),
-             arguments.real_time ? "real" : "virtual");
+             arguments.settings.real_time ? "real" : "virtual");
   if (report.sessions_before > 0) {
     print_text("{} sessions were over before\n", report.sessions_before);
   }
@@ -181,39 +158,39 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
   command->add_option("--db", arguments->database,
                       "The study's database file; made if there is none, else it must be of the "
                       "same protocol (required, but for --prepare)");
-  add_participants_and_seed(command, arguments->participants, arguments->seed);
-  add_threads(command, arguments->threads);
+  add_participants_and_seed(command, arguments->settings.participants, arguments->settings.seed);
+  add_threads(command, arguments->settings.threads);
   command->add_option("--shard", arguments->shard,
                       "Only the Kth of N parts of the participants, as K/N, in a file of its own: "
                       "foveola study merge makes one study of all of them, as if they had been "
                       "simulated together");
   command->add_option(
-      "--jobs", arguments->jobs,
+      "--jobs", arguments->settings.jobs,
       "The number of sessions side by side; with more than one, a session reaches the "
       "disk when it is over");
   command->add_option(
-      "--scale", arguments->scale,
+      "--scale", arguments->settings.scale,
       "Divide the pixels and the samples per second by this, for speed: a pixel's noise at "
       "any second stays what it was");
-  command->add_option("--samples-per-second", arguments->samples_per_second,
+  command->add_option("--samples-per-second", arguments->settings.samples_per_second,
                       "The machine's speed at full size, instead of the protocol's");
-  command->add_flag("--predicted", arguments->predicted,
+  command->add_flag("--predicted", arguments->settings.predicted,
                     "Instead of every frame, render only pilots of each object, and predict "
                     "from them what participants see: a thousand times faster");
   command->add_flag(
-      "--real-time", arguments->real_time,
+      "--real-time", arguments->settings.real_time,
       "Show the sessions in a real window, as to people: at this machine's speed, which --scale "
       "does not change");
   command->add_option(
-      "--people", arguments->people,
+      "--people", arguments->settings.people,
       "The simulated population: a name in data/participants, or a file of your own (default: "
       "adults)");
-  command->add_option("--inject", arguments->injected, injected_effect_help);
+  command->add_option("--inject", arguments->settings.injected, injected_effect_help);
   mark_output(command->add_option(
       "--report", arguments->report,
       "A folder that gets every published number beside the study's, with differences and "
       "intervals"));
-  command->add_flag("--resume", arguments->resume,
+  command->add_flag("--resume", arguments->settings.resume,
                     "Go on where the same command was stopped or killed");
   command->add_flag("--prepare", arguments->prepare,
                     "Simulate nobody, but render what the caches lack for it: the references, or "
