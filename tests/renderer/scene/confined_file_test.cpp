@@ -3,17 +3,16 @@
 #include <optional>
 #include <stdexcept>
 
-#include <gmock/gmock.h>
 #include <sys/stat.h>
 
 #include "renderer/scene/foreign_references.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 
 class ConfinedFile : public InTemporaryFolder {
  protected:
@@ -44,9 +43,6 @@ TEST_F(ConfinedFile, FindsFilesInTheFolderAndBelow) {
             fs::canonical(scene() / "wood grain+1.png"));
   EXPECT_EQ(confined_file(scene(), "./maps/100%25.png"),
             fs::canonical(scene() / "maps" / "100%.png"));
-}
-
-TEST_F(ConfinedFile, KeepsAPercentThatEncodesNothing) {
   EXPECT_EQ(confined_file(scene(), "maps/100%.png"), fs::canonical(scene() / "maps" / "100%.png"));
 }
 
@@ -81,9 +77,9 @@ TEST_F(ConfinedFile, TwoFoldersThatBecomeOneAreNamed) {
   }
   EXPECT_EQ(warnings.cases(), 0U);
   references.add("C:\\b\\wood.png", warnings);
-  EXPECT_THAT(warnings.lines(), ::testing::ElementsAre(
-                                    "/a/wood.png and a file of the same name in another folder are "
-                                    "shown as one, the only wood.png here (C:\\b\\wood.png)"));
+  EXPECT_THAT(warnings.lines(),
+              ElementsAre("/a/wood.png and a file of the same name in another folder are "
+                          "shown as one, the only wood.png here (C:\\b\\wood.png)"));
 }
 
 TEST_F(ConfinedFile, RefusesSchemes) {

@@ -7,21 +7,19 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <sys/inotify.h>
 #include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 /// Which files of a folder have been opened since it was made.
 class OpenedFiles {

@@ -6,21 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/encoded_image.h"
+#include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -48,12 +43,7 @@ class LoadEnvironment : public InTemporaryFolder {
   }
 
   static std::string error_of(const std::filesystem::path& path) {
-    try {
-      load(path);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { load(path); });
   }
 };
 
@@ -230,7 +220,7 @@ TEST_F(LoadEnvironment, RefusesSmallFilesThatAskForMuchMemory) {
   const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8192 +X 16384\n";
   EXPECT_THAT(error_of(write("huge.hdr", header)),
               HasSubstr("huge.hdr: is damaged: 52 bytes cannot hold 134217728 pixels"));
-  std::string palette = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  std::string palette = one_pixel(1, 2, 3);
   palette.replace(16, 8, std::string("\0\0\x40\0\0\0\x20\0", 8));
   palette.replace(29, 4, "\xAD\x1C\xCB\x36");
   palette.append(100000, '\0');

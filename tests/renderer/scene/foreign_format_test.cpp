@@ -2,27 +2,18 @@
 
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 /// What is said of a file of that name and content; empty if it may be read.
 std::string complaint(const std::string& name, const std::string& content) {
   const test::TemporaryFolder folder;
-  try {
-    require_readable_format(folder.write(name, content));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
+  return test::error_of([&] { require_readable_format(folder.write(name, content)); });
 }
 
 TEST(ForeignFormat, BlendersOwnFilesAreKnownByTheirFirstBytes) {

@@ -1,18 +1,12 @@
 // OBJ files as other programs and systems write them, and that lack a texture.
 #include <cmath>
 
-#include <gmock/gmock.h>
-
 #include "tests/encoded_image.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/obj_text.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class ForeignObj : public ObjText {};
 
@@ -42,7 +36,7 @@ TEST_F(ForeignObj, SmoothingGroupsHaveSmoothNormals) {
 
 /// Blender's exporter writes absolute paths by default.
 TEST_F(ForeignObj, TexturesOfAnotherMachineAreThoseBesideTheScene) {
-  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0});
+  const std::string image = one_pixel(255, 0, 0);
   write("wood.png", image);
   write("sub/stone.png", image);
   for (const char* library : {"m.mtl", "sub/m.mtl"}) {

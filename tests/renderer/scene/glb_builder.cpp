@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "renderer/base/error.h"
 #include "tests/encoded_image.h"
+#include "tests/error_of.h"
 
 namespace foveola::test {
 
 GlbBuilder textured_triangle(const std::string& buffer_uri, const std::string& image_uri) {
   GlbBuilder glb = one_triangle();
-  Json& primitive = glb.document["meshes"][0]["primitives"][0];
+  Json& primitive = glb.primitive();
   primitive["attributes"]["TEXCOORD_0"] = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
   glb.document["buffers"] = {{{"byteLength", glb.buffer.size()}, {"uri", buffer_uri}}};
   glb.add("images", {{"uri", image_uri}});
@@ -25,13 +25,9 @@ Scene LoadGltf::load_bytes(const std::string& bytes, const std::string& name) co
 
 std::string LoadGltf::error_of_bytes(const std::string& bytes, const std::string& name,
                                      const SceneReading& reading) const {
-  try {
-    load_gltf(write(name, bytes), reading);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "loaded without an error";
-  return {};
+  const std::string error = test::error_of([&] { load_gltf(write(name, bytes), reading); });
+  EXPECT_FALSE(error.empty()) << "loaded without an error";
+  return error;
 }
 
 std::string png(int width, int height, int channels, const std::vector<std::uint8_t>& samples) {
@@ -50,10 +46,6 @@ std::string huge_png(std::size_t size) {
   return image;
 }
 
-std::string exr(int width, int height, const std::vector<float>& values) {
-  return encoded_image({"openexr", width, height, 3, values});
-}
-
 std::string jpeg(int width, int height, std::uint8_t grey) {
   const std::vector<std::uint8_t> samples(static_cast<std::size_t>(3) * width * height, grey);
   return encoded_image({"jpeg", width, height, 3, samples});
@@ -63,7 +55,7 @@ GlbBuilder with_material(const Json& material) {
   GlbBuilder glb = one_triangle();
   const int first = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
   const int second = glb.add_uvs({{5, 5}, {6, 5}, {5, 6}});
-  Json& primitive = glb.document["meshes"][0]["primitives"][0];
+  Json& primitive = glb.primitive();
   primitive["attributes"]["TEXCOORD_0"] = first;
   primitive["attributes"]["TEXCOORD_1"] = second;
   primitive["material"] = glb.add("materials", material);

@@ -45,6 +45,17 @@ struct GlbBuilder : GlbDocument<Json> {
     return add("meshes", {{"primitives", Json::array({std::move(primitive)})}});
   }
 
+  /// The first primitive of the first mesh.
+  Json& primitive() { return document["meshes"][0]["primitives"][0]; }
+
+  /// A punctual light at a root with these properties.
+  void add_light(const Json& light, Json node = Json::object()) {
+    Json& lights = document["extensions"]["KHR_lights_punctual"]["lights"];
+    node["extensions"]["KHR_lights_punctual"]["light"] = lights.size();
+    lights.push_back(light);
+    add_root(node);
+  }
+
   /// An image of these encoded bytes, in the buffer, and a texture of it.
   int add_texture(const std::string& encoded) {
     const int view = add_view(encoded.data(), encoded.size());
@@ -64,6 +75,11 @@ inline GlbBuilder one_triangle() {
 /// one_triangle for a .gltf file: its buffer, which is not written, at one uri, and in its material
 /// the image at the other.
 GlbBuilder textured_triangle(const std::string& buffer_uri, const std::string& image_uri);
+
+inline void expect_vec_near(const Vec3& actual, const Vec3& expected) {
+  EXPECT_NEAR(glm::distance(actual, expected), 0.0F, 1e-6F)
+      << actual.x << ' ' << actual.y << ' ' << actual.z;
+}
 
 /// A test with a folder of its own.
 class InTemporaryFolder : public ::testing::Test {
@@ -100,9 +116,6 @@ std::string png(int width, int height, int channels, const std::vector<std::uint
 /// A PNG image whose header announces 16384 x 16384 pixels of 8-bit red, green and blue, padded to
 /// `size` bytes where it has less.
 std::string huge_png(std::size_t size);
-
-/// An EXR image of floats: red, green and blue of each pixel.
-std::string exr(int width, int height, const std::vector<float>& values);
 
 /// A small JPEG image of one colour.
 std::string jpeg(int width, int height, std::uint8_t grey);

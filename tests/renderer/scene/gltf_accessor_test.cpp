@@ -1,23 +1,19 @@
 #include <array>
 #include <cmath>
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-
 const std::string position_place = "meshes[0].primitives[0].attributes.POSITION: ";
 
 /// A textured triangle whose texture coordinates are accessor `uv`.
 void use_uvs(GlbBuilder& glb, int uv) {
-  glb.document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uv;
-  glb.document["meshes"][0]["primitives"][0]["material"] = 0;
-  const int texture = glb.add_texture(png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3}));
+  glb.primitive()["attributes"]["TEXCOORD_0"] = uv;
+  glb.primitive()["material"] = 0;
+  const int texture = glb.add_texture(one_pixel(1, 2, 3));
   glb.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
 }
 
@@ -103,7 +99,7 @@ TEST_F(Accessors, ReadsQuantisedMeshes) {
   const int mesh = glb.add_mesh({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}});
   glb.add_root({{"mesh", mesh}, {"scale", {0.01, 0.01, 0.01}}});
   const Scene scene = load(glb);
-  EXPECT_THAT(scene.warnings, ::testing::IsEmpty());
+  EXPECT_THAT(scene.warnings, IsEmpty());
   EXPECT_THAT(scene.meshes.at(0).positions,
               ElementsAre(Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0.5F)));
   EXPECT_EQ(scene.meshes[0].normals[0], Vec3(0, 0, 1));
@@ -112,7 +108,7 @@ TEST_F(Accessors, ReadsQuantisedMeshes) {
 
 TEST_F(Accessors, RefusesOtherTypes) {
   GlbBuilder wide = one_triangle();
-  wide.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+  wide.primitive()["attributes"]["POSITION"] =
       wide.add_accessor<std::uint32_t>({0, 0, 0, 1, 0, 0, 0, 1, 0}, uint32, "VEC3", 3);
   EXPECT_THAT(error_of(wide),
               HasSubstr(position_place + "accessors[1] holds 3 x 32-bit unsigned, but 3 x float or "
@@ -123,11 +119,11 @@ TEST_F(Accessors, RefusesOtherTypes) {
   EXPECT_THAT(error_of(plane), HasSubstr("accessors[0] holds 2 x float, but 3 x float or"));
 
   GlbBuilder indices = one_triangle();
-  indices.document["meshes"][0]["primitives"][0]["indices"] = 0;
+  indices.primitive()["indices"] = 0;
   EXPECT_THAT(error_of(indices), HasSubstr("meshes[0].primitives[0].indices: accessors[0] holds"));
 
   GlbBuilder colors = one_triangle();
-  colors.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+  colors.primitive()["attributes"]["COLOR_0"] =
       colors.add_accessor<std::uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0}, uint8, "VEC3", 3);
   EXPECT_THAT(error_of(colors),
               HasSubstr("attributes.COLOR_0: accessors[1] holds 3 x 8-bit unsigned, but float or"));
@@ -197,7 +193,7 @@ TEST_F(Accessors, IndicesMayBeSparse) {
       {"count", 1},
       {"indices", {{"bufferView", view}, {"componentType", static_cast<int>(uint8)}}},
       {"values", {{"bufferView", view}, {"byteOffset", 1}}}};
-  glb.document["meshes"][0]["primitives"][0]["indices"] = accessor;
+  glb.primitive()["indices"] = accessor;
   EXPECT_THAT(load(glb).meshes.at(0).triangles, ElementsAre(std::array<std::uint32_t, 3>{0, 1, 2}));
 }
 

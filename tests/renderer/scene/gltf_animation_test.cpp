@@ -2,17 +2,12 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// one_triangle, whose node 0 an animation moves.
 struct Animated {
@@ -101,7 +96,7 @@ TEST_F(GltfAnimation, OfTwoTheLaterHolds) {
 TEST_F(GltfAnimation, MovesMorphTargets) {
   Animated animated;
   const int target = animated.glb.add_vectors({{0, 0, 0}, {0, 0, 8}, {0, 0, 0}});
-  animated.glb.document["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", target}}};
+  animated.glb.primitive()["targets"] = {{{"POSITION", target}}};
   animated.add("weights", {0, 1}, {0, 1}, 1);
   EXPECT_EQ(second_at(animated, 0.25), Vec3(1, 0, 2));
 }
@@ -154,14 +149,14 @@ TEST(GltfClips, OneIsChosenOrTheLastHoldsWithAWarning) {
   EXPECT_EQ(corner_in("", &warnings), Vec3(4.5F, -0.5F, 0.0F));
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("the clips 'Idle', 'Run' move the same nodes")));
   EXPECT_THAT([] { (void)corner_in("Walk"); },
-              ::testing::ThrowsMessage<UsageError>(
+              ThrowsMessage<UsageError>(
                   HasSubstr("--clip: the file has no clip 'Walk'; it has 'Idle', 'Run'")));
 }
 
 TEST(GltfClips, KeysOutOfOrderAreRefused) {
   const std::string file = TEST_DATA_DIR "/gltf/unsorted_keys.gltf";
   EXPECT_THAT([&] { (void)load_gltf(file, {.time_s = 0.5}); },
-              ::testing::ThrowsMessage<Error>(
+              ThrowsMessage<Error>(
                   HasSubstr("animations[0].samplers[0]: has times that are not in order")));
   EXPECT_THAT(load_gltf(file).clips, ElementsAre("clip 1"));
 }

@@ -1,26 +1,18 @@
 #include <cmath>
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
 using GltfDeformation = LoadGltf;
-
-Json& first_primitive(GlbBuilder& glb) { return glb.document["meshes"][0]["primitives"][0]; }
 
 /// Targets that lift the second corner by 2 and the third by 4.
 GlbBuilder morphed() {
   GlbBuilder glb = one_triangle();
-  first_primitive(glb)["targets"] = {
-      {{"POSITION", glb.add_vectors({{0, 0, 0}, {0, 0, 2}, {0, 0, 0}})}},
-      {{"POSITION", glb.add_vectors({{0, 0, 0}, {0, 0, 0}, {0, 0, 4}})}}};
+  glb.primitive()["targets"] = {{{"POSITION", glb.add_vectors({{0, 0, 0}, {0, 0, 2}, {0, 0, 0}})}},
+                                {{"POSITION", glb.add_vectors({{0, 0, 0}, {0, 0, 0}, {0, 0, 4}})}}};
   return glb;
 }
 
@@ -48,8 +40,8 @@ TEST_F(GltfDeformation, ANodesWeightsAreItsOwn) {
 
 TEST_F(GltfDeformation, MorphsNormals) {
   GlbBuilder glb = one_triangle();
-  first_primitive(glb)["attributes"]["NORMAL"] = glb.add_vectors({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
-  first_primitive(glb)["targets"] = {
+  glb.primitive()["attributes"]["NORMAL"] = glb.add_vectors({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+  glb.primitive()["targets"] = {
       {{"NORMAL", glb.add_vectors({{3, 0, 3}, {3, 0, 3}, {3, 0, 3}})}, {"TEXCOORD_0", 0}}};
   glb.document["meshes"][0]["weights"] = {1};
   const Scene scene = load(glb);
@@ -70,8 +62,8 @@ GlbBuilder skinned() {
       glb.add_accessor<std::uint8_t>({1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, uint8, "VEC4", 4);
   const int weights =
       glb.add_accessor<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0}, float32, "VEC4", 4);
-  first_primitive(glb)["attributes"]["JOINTS_0"] = joints;
-  first_primitive(glb)["attributes"]["WEIGHTS_0"] = weights;
+  glb.primitive()["attributes"]["JOINTS_0"] = joints;
+  glb.primitive()["attributes"]["WEIGHTS_0"] = weights;
   glb.add("skins", {{"joints", {bones, bone}}});
   glb.document["nodes"][0]["skin"] = 0;
   return glb;
@@ -98,7 +90,7 @@ TEST_F(GltfDeformation, InverseBindMatricesComeFirst) {
 TEST_F(GltfDeformation, SkinsTurnNormals) {
   GlbBuilder glb = skinned();
   glb.document["nodes"][1]["scale"] = {2, 1, 1};
-  first_primitive(glb)["attributes"]["NORMAL"] =
+  glb.primitive()["attributes"]["NORMAL"] =
       glb.add_vectors({{0.6F, 0, 0.8F}, {0.6F, 0, 0.8F}, {0.6F, 0, 0.8F}});
   const Scene scene = load(glb);
   const float length = std::hypot(1.5F, 4.0F);
@@ -110,7 +102,7 @@ TEST_F(GltfDeformation, SkinsTurnNormals) {
 
 TEST_F(GltfDeformation, ASkinWithoutJointsInItsMeshIsIgnored) {
   GlbBuilder glb = skinned();
-  first_primitive(glb)["attributes"].erase("WEIGHTS_0");
+  glb.primitive()["attributes"].erase("WEIGHTS_0");
   const Scene scene = load(glb);
   EXPECT_EQ(scene.from_file({100, 0, 0}), scene.meshes.at(0).positions.at(0));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("a skin is ignored")));

@@ -2,18 +2,13 @@
 #include <array>
 #include <tuple>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/draco_square.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// A file that holds `encoded`, with a material that shows texture coordinates.
 GlbBuilder with_draco(const std::string& encoded) {
@@ -27,7 +22,7 @@ GlbBuilder with_draco(const std::string& encoded) {
   };
   const Json compression = {{"bufferView", view},
                             {"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}};
-  glb.document["meshes"][0]["primitives"][0] = {
+  glb.primitive() = {
       {"attributes",
        {{"POSITION", accessor(float32, "VEC3", 4)}, {"TEXCOORD_0", accessor(float32, "VEC2", 4)}}},
       {"indices", accessor(uint16, "SCALAR", 6)},
@@ -37,8 +32,6 @@ GlbBuilder with_draco(const std::string& encoded) {
   glb.document["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   return glb;
 }
-
-Json& primitive_of(GlbBuilder& glb) { return glb.document["meshes"][0]["primitives"][0]; }
 
 bool comes_before(const Vec3& a, const Vec3& b) {
   return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -65,20 +58,20 @@ TEST_F(GltfDraco, IsDecoded) {
 
 TEST_F(GltfDraco, NeedsNoIndices) {
   GlbBuilder glb = with_draco(draco_square(methods[0]));
-  primitive_of(glb).erase("indices");
+  glb.primitive().erase("indices");
   EXPECT_EQ(load(glb).triangle_count(), 2U);
 }
 
 TEST_F(GltfDraco, RefusesMoreThanItsAccessorsState) {
   for (const DracoMethod method : methods) {
     GlbBuilder glb = with_draco(draco_square(method));
-    const auto accessor = primitive_of(glb)["indices"].get<std::size_t>();
+    const auto accessor = glb.primitive()["indices"].get<std::size_t>();
     glb.document["accessors"][accessor]["count"] = 3;
     EXPECT_THAT(error_of(glb), HasSubstr("KHR_draco_mesh_compression: has 4 vertices and 2 "
                                          "triangles, more than the 4 and 1 that its accessors"));
   }
   GlbBuilder glb = with_draco(draco_square(methods[0]));
-  for (const auto& [name, accessor] : primitive_of(glb)["attributes"].items()) {
+  for (const auto& [name, accessor] : glb.primitive()["attributes"].items()) {
     glb.document["accessors"][accessor.get<std::size_t>()]["count"] = 3;
   }
   EXPECT_THAT(error_of(glb), HasSubstr("has 4 vertices and 2 triangles, more than the 3 and 2"));
@@ -86,16 +79,16 @@ TEST_F(GltfDraco, RefusesMoreThanItsAccessorsState) {
 
 TEST_F(GltfDraco, RefusesToTakeMuchMemoryForFewBytes) {
   GlbBuilder glb = with_draco(draco_square(methods[0]));
-  const auto accessor = primitive_of(glb)["indices"].get<std::size_t>();
+  const auto accessor = glb.primitive()["indices"].get<std::size_t>();
   glb.document["accessors"][accessor]["count"] = 4294967295U;
   EXPECT_THAT(error_of(glb), HasSubstr("KHR_draco_mesh_compression: would take 174763 MiB"));
 }
 
 TEST_F(GltfDraco, RefusesAttributesThatItDoesNotHave) {
   GlbBuilder glb = with_draco(draco_square(methods[0]));
-  primitive_of(glb)["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"] = 7;
+  glb.primitive()["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"] = 7;
   EXPECT_THAT(error_of(glb), HasSubstr("names attribute 7, which the mesh does not have"));
-  primitive_of(glb)["attributes"].erase("POSITION");
+  glb.primitive()["attributes"].erase("POSITION");
   EXPECT_THAT(error_of(glb), HasSubstr("has no accessor for POSITION"));
 }
 

@@ -3,35 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <gmock/gmock.h>
+#include <tuple>
 
 #include "renderer/scene/load_scene.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::ElementsAre;
 using ::testing::FloatEq;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// One triangle, and `light` at a node with `transform`.
-GlbBuilder lit(const Json& light, Json transform = Json::object()) {
+GlbBuilder lit(const Json& light, const Json& transform = Json::object()) {
   GlbBuilder glb = one_triangle();
   glb.document["extensionsUsed"] = {"KHR_lights_punctual"};
-  glb.document["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
-  transform["extensions"]["KHR_lights_punctual"]["light"] = 0;
-  glb.add_root(transform);
+  glb.add_light(light, transform);
   return glb;
-}
-
-void expect_light_near(const Vec3& actual, const Vec3& expected) {
-  EXPECT_NEAR(actual.x, expected.x, 1e-6F);
-  EXPECT_NEAR(actual.y, expected.y, 1e-6F);
-  EXPECT_NEAR(actual.z, expected.z, 1e-6F);
 }
 
 using GltfLights = LoadGltf;
@@ -63,7 +51,7 @@ TEST_F(GltfLights, AbsentPropertiesAreTheExtensions) {
   EXPECT_EQ(scene.lights[0].intensity, Rgb(1.0F));
   EXPECT_EQ(scene.lights[0].inner_cone_rad, 0.0F);
   EXPECT_FLOAT_EQ(scene.lights[0].outer_cone_rad, std::numbers::pi_v<float> / 4.0F);
-  expect_light_near(scene.lights[0].direction, {0, 0, -1});
+  expect_vec_near(scene.lights[0].direction, {0, 0, -1});
   EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
@@ -75,7 +63,7 @@ TEST_F(GltfLights, APointHasAPositionAndAnIntensity) {
   EXPECT_EQ(light.kind, PunctualLight::Kind::point);
   EXPECT_EQ(light.name, "bulb");
   EXPECT_EQ(light.intensity, Rgb(8, 4, 2)) << "scale does not change it";
-  expect_light_near(light.position, {1, 2, 3});
+  expect_vec_near(light.position, {1, 2, 3});
   EXPECT_EQ(light.radius_m, 0.0F);
 }
 
@@ -87,14 +75,8 @@ TEST_F(GltfLights, ADirectionalLightShinesAlongItsNodesMinusZ) {
                {{"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}, {"scale", {1, 1, 5}}}));
   const PunctualLight& light = scene.lights.at(0);
   EXPECT_EQ(light.kind, PunctualLight::Kind::directional);
-  expect_light_near(light.direction, {0, -1, 0});
+  expect_vec_near(light.direction, {0, -1, 0});
   EXPECT_EQ(light.intensity, Rgb(3.0F));
-}
-
-TEST_F(GltfLights, OfUnknownTypesAreLeftOut) {
-  const Scene scene = load(lit({{"type", "area"}}));
-  EXPECT_TRUE(scene.lights.empty());
-  EXPECT_THAT(scene.warnings, ElementsAre("lights of type \"area\" are left out (lights[0])"));
 }
 
 TEST_F(GltfLights, ASpotHasACone) {
@@ -105,7 +87,7 @@ TEST_F(GltfLights, ASpotHasACone) {
   EXPECT_EQ(light.kind, PunctualLight::Kind::spot);
   EXPECT_EQ(light.inner_cone_rad, 0.25F);
   EXPECT_EQ(light.outer_cone_rad, 0.5F);
-  expect_light_near(light.position, {0, 4, 0});
+  expect_vec_near(light.position, {0, 4, 0});
 }
 
 /// tests/data/blender/README.md: a sun of 2 W/m^2, lights of 4 pi W, and an emission of 3.
@@ -204,31 +186,30 @@ TEST_F(GltfLights, ConesAreLimitedWithAWarning) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the cone of a spot light is limited")));
 }
 
-TEST_F(GltfLights, ARoundedRightAngleIsNoReasonToWarn) {
-  EXPECT_THAT(load(lit({{"type", "spot"}, {"spot", {{"outerConeAngle", 1.570797}}}})).warnings,
-              IsEmpty());
-}
-
-TEST_F(GltfLights, ARangeIsIgnoredWithAWarning) {
-  const Scene scene = load(lit({{"type", "point"}, {"range", 5}}));
-  EXPECT_EQ(scene.lights.size(), 1U);
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the range of a light is ignored")));
+TEST_F(GltfLights, WhatIsLeftOutOrIgnoredIsWarnedOf) {
+  const Json none = Json::object();
+  for (const auto& [light, transform, lights, warning] :
+       std::vector<std::tuple<Json, Json, std::size_t, std::string>>{
+           {{{"type", "area"}}, none, 0, "lights of type \"area\" are left out (lights[0])"},
+           {{{"type", "point"}, {"range", 5}}, none, 1, "the range of a light is ignored"},
+           {{{"type", "directional"}},
+            {{"scale", {0, 0, 0}}},
+            0,
+            "no direction is left out (nodes[1])"},
+           {{{"type", "point"}, {"intensity", 0}}, none, 0, ""},
+           // A rounded right angle is no reason to warn.
+           {{{"type", "spot"}, {"spot", {{"outerConeAngle", 1.570797}}}}, none, 1, ""}}) {
+    const Scene scene = load(lit(light, transform));
+    EXPECT_THAT(scene.lights, SizeIs(lights)) << light;
+    EXPECT_THAT(scene.warnings, SizeIs(warning.empty() ? 0 : 1)) << light;
+    EXPECT_THAT(scene.warnings, Each(HasSubstr(warning)));
+  }
 }
 
 TEST_F(GltfLights, IntensitiesAreLimitedWithAWarning) {
   const Scene scene = load(lit({{"type", "point"}, {"color", {1, -1, 1}}, {"intensity", 2}}));
   EXPECT_EQ(scene.lights.at(0).intensity, Rgb(2, 0, 2));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the intensity of a light is limited")));
-}
-
-TEST_F(GltfLights, DarkLightsAreLeftOut) {
-  EXPECT_THAT(load(lit({{"type", "point"}, {"intensity", 0}})).lights, IsEmpty());
-}
-
-TEST_F(GltfLights, OneWithoutADirectionIsLeftOut) {
-  const Scene scene = load(lit({{"type", "directional"}}, {{"scale", {0, 0, 0}}}));
-  EXPECT_THAT(scene.lights, IsEmpty());
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("no direction is left out (nodes[1])")));
 }
 
 Json with_own_extras(Json light, const Json& own) {
@@ -293,7 +274,7 @@ TEST_F(GltfLights, EveryNodeHasALightOfItsOwn) {
   const Scene scene = load(glb);
   ASSERT_EQ(scene.lights.size(), 2U);
   EXPECT_EQ(scene.lights[1].name, "second");
-  expect_light_near(scene.lights[1].position, {5, 0, 0});
+  expect_vec_near(scene.lights[1].position, {5, 0, 0});
 }
 
 }  // namespace

@@ -1,23 +1,18 @@
 #include <cmath>
 #include <limits>
 
-#include <gmock/gmock.h>
-
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class MaterialExtensions : public LoadGltf {
  protected:
   /// A textured triangle whose material has `extensions`; textures 0 to 3 exist.
   Scene scene_with(const Json& extensions, Json material = Json::object()) const {
     GlbBuilder glb = one_triangle();
-    Json& primitive = glb.document["meshes"][0]["primitives"][0];
+    Json& primitive = glb.primitive();
     primitive["attributes"]["TEXCOORD_0"] = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
     material["extensions"] = extensions;
     primitive["material"] = glb.add("materials", material);

@@ -2,17 +2,13 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 const Json plain = Json::object();
 
@@ -42,7 +38,7 @@ TEST_F(GltfMaterials, AbsentFactorsAreTheSpecifications) {
 
 TEST_F(GltfMaterials, APrimitiveWithoutOneHasTheDefault) {
   GlbBuilder glb = with_material({{"name", "unused"}});
-  glb.document["meshes"][0]["primitives"][0].erase("material");
+  glb.primitive().erase("material");
   const Scene scene = load(glb);
   ASSERT_EQ(scene.materials.size(), 2U);
   EXPECT_EQ(scene.meshes.at(0).material, 1);
@@ -102,13 +98,6 @@ TEST_F(GltfMaterials, AlphaModesAreReadAsTheyAre) {
   EXPECT_EQ(mode("BLEND"), AlphaMode::blend);
 }
 
-TEST_F(GltfMaterials, BlendKeepsItsAlpha) {
-  const auto [material, warnings] = read(
-      {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
-  EXPECT_EQ(material.alpha, 0.25F);
-  EXPECT_THAT(warnings, IsEmpty());
-}
-
 TEST_F(GltfMaterials, ColoursAreSrgbAndFactorsLinear) {
   GlbBuilder glb = with_material(plain);
   const int texture = glb.add_texture(one_pixel(188, 188, 188));
@@ -127,12 +116,6 @@ TEST_F(GltfMaterials, ColoursAreSrgbAndFactorsLinear) {
   };
   EXPECT_NEAR(red(material.base_color_texture), 0.502886F, 1e-5F);
   EXPECT_NEAR(red(material.metallic_roughness_texture), 188.0F / 255.0F, 1e-6F);
-}
-
-TEST_F(GltfMaterials, UnusedImagesAreNotDecoded) {
-  GlbBuilder glb = with_material(plain);
-  glb.add_texture("this is no image");
-  EXPECT_TRUE(load(glb).textures.empty());
 }
 
 TEST_F(GltfMaterials, ImagesOfMaterialsThatNothingHasAreNotDecoded) {
@@ -273,19 +256,6 @@ TEST_F(GltfMaterials, WithoutOneOfItsCoordinatesAMeshShowsNoTexture) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates are missing")));
 }
 
-TEST_F(GltfMaterials, UntexturedSurfacesKeepNoCoordinates) {
-  EXPECT_THAT(load(with_material(plain)).meshes.at(0).uv_sets, IsEmpty());
-}
-
-TEST_F(GltfMaterials, WarnsOfMissingCoordinates) {
-  GlbBuilder glb = one_triangle();
-  glb.document["meshes"][0]["primitives"][0]["material"] =
-      glb.add("materials", textured(glb.add_texture(one_pixel(1, 2, 3))));
-  const Scene scene = load(glb);
-  EXPECT_THAT(scene.meshes.at(0).uv_sets, IsEmpty());
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates are missing")));
-}
-
 TEST_F(GltfMaterials, EachThingIgnoredIsOneWarning) {
   GlbBuilder glb = with_material(plain);
   const Json volume = {{"thicknessFactor", 1}, {"attenuationDistance", 0}};
@@ -302,26 +272,10 @@ TEST_F(GltfMaterials, EachThingIgnoredIsOneWarning) {
                           "attenuationDistance)"));
 }
 
-TEST_F(GltfMaterials, ReadsImagesByUri) {
-  write("red.png", one_pixel(255, 0, 0));
-  GlbBuilder glb = with_material(plain);
-  glb.add("images", {{"uri", "red.png"}});
-  glb.add("textures", {{"source", 0}});
-  glb.document["materials"][0] = textured(0);
-  EXPECT_EQ(load(glb).textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1));
-}
-
 TEST_F(GltfMaterials, RefusesATextureWithoutAnImage) {
   GlbBuilder glb = with_material(plain);
   glb.document["materials"][0] = textured(glb.add("textures", Json::object()));
   EXPECT_THAT(strict_error_of(glb), HasSubstr("textures[0]: has no source image"));
-}
-
-TEST_F(GltfMaterials, RefusesADamagedImage) {
-  GlbBuilder glb = with_material(plain);
-  glb.add_texture(one_pixel(1, 2, 3));
-  glb.document["materials"][0] = textured(glb.add_texture("this is no image"));
-  EXPECT_THAT(strict_error_of(glb), HasSubstr("images[1]: is no PNG, JPEG or WebP image"));
 }
 
 /// 768 MiB each, in files that a constant colour could be so small in.
@@ -340,7 +294,7 @@ TEST_F(GltfMaterials, RefusesMoreTexelsThanHalfOfTheMemoryHolds) {
   const double limit_mib = std::max(2048.0, memory_mib / 2.0);
   const int images = static_cast<int>(limit_mib / 768.0) + 1;
   GlbBuilder glb = with_material(plain);
-  Json primitive = glb.document["meshes"][0]["primitives"][0];
+  Json primitive = glb.primitive();
   const std::string large = huge_png(50000);
   for (int i = 0; i < images; ++i) {
     primitive["material"] = glb.add("materials", textured(glb.add_texture(large)));

@@ -1,15 +1,11 @@
-#include <gmock/gmock.h>
 #include <meshoptimizer.h>
 
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 const std::vector<Vec3> square_positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const std::vector<unsigned> square_corners = {0, 1, 2, 0, 2, 3};
@@ -103,9 +99,9 @@ TEST_F(GltfMeshopt, AppliesFilters) {
   glb.document["bufferViews"][view]["byteStride"] = 4;
   const int accessor = add_accessor_of(glb, view, int8, "VEC3", 4);
   glb.document["accessors"][accessor]["normalized"] = true;
-  glb.document["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = accessor;
+  glb.primitive()["attributes"]["NORMAL"] = accessor;
   glb.document["buffers"][0]["byteLength"] = glb.buffer.size();
-  EXPECT_THAT(load(glb).meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
+  EXPECT_THAT(load(glb).meshes.at(0).normals, Each(Vec3(0, 0, 1)));
 }
 
 /// 2^-1 * 3 and 2^2 * 1: an exponent in the upper 8 bits, a mantissa in the lower 24.

@@ -1,24 +1,15 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-
-#include <gmock/gmock.h>
+#include <tuple>
+#include <vector>
 
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
-void expect_placed_near(const Vec3& actual, const Vec3& expected) {
-  EXPECT_NEAR(actual.x, expected.x, 1e-6F);
-  EXPECT_NEAR(actual.y, expected.y, 1e-6F);
-  EXPECT_NEAR(actual.z, expected.z, 1e-6F);
-}
 
 /// The unit quaternion (x, y, z, w) of a quarter turn about +Z.
 Json quarter_turn() { return {0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)}; }
@@ -50,32 +41,32 @@ using Nodes = LoadGltf;
 TEST_F(Nodes, ScaleThenRotationThenTranslation) {
   const Scene scene = load(nested(
       {{{"translation", {10, 20, 30}}, {"rotation", quarter_turn()}, {"scale", {2, 3, 4}}}}));
-  expect_placed_near(world_position(scene, 0, 0), {10, 20, 30});
-  expect_placed_near(world_position(scene, 0, 1), {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
-  expect_placed_near(world_position(scene, 0, 2), {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
+  expect_vec_near(world_position(scene, 0, 0), {10, 20, 30});
+  expect_vec_near(world_position(scene, 0, 1), {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
+  expect_vec_near(world_position(scene, 0, 2), {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
 }
 
 TEST_F(Nodes, ParentsApplyAfterTheirChildren) {
   const Scene scene = load(nested(
       {{{"translation", {1, 0, 0}}}, {{"rotation", quarter_turn()}}, {{"scale", {2, 2, 2}}}}));
-  expect_placed_near(world_position(scene, 0, 0), {0, 2, 0});
-  expect_placed_near(world_position(scene, 0, 1), {0, 4, 0});
-  expect_placed_near(world_position(scene, 0, 2), {-2, 2, 0});
+  expect_vec_near(world_position(scene, 0, 0), {0, 2, 0});
+  expect_vec_near(world_position(scene, 0, 1), {0, 4, 0});
+  expect_vec_near(world_position(scene, 0, 2), {-2, 2, 0});
 }
 
 TEST_F(Nodes, MatrixIsColumnMajor) {
   const Scene scene =
       load(nested({{{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}}));
-  expect_placed_near(world_position(scene, 0, 0), {5, 6, 7});
-  expect_placed_near(world_position(scene, 0, 1), {5, 7, 7});
-  expect_placed_near(world_position(scene, 0, 2), {4, 6, 7});
+  expect_vec_near(world_position(scene, 0, 0), {5, 6, 7});
+  expect_vec_near(world_position(scene, 0, 1), {5, 7, 7});
+  expect_vec_near(world_position(scene, 0, 2), {4, 6, 7});
 }
 
 /// In float, 1e8 + 0.5 is 1e8.
 TEST_F(Nodes, ComposesInDoublePrecision) {
   const Scene scene =
       load(nested({{{"translation", {1e8 + 0.5, 0, 0}}}, {{"translation", {-1e8, 0, 0}}}}));
-  expect_placed_near(world_position(scene, 0, 0), {0.5F, 0, 0});
+  expect_vec_near(world_position(scene, 0, 0), {0.5F, 0, 0});
 }
 
 TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
@@ -86,8 +77,8 @@ TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
   ASSERT_EQ(scene.meshes.size(), 2U);
   EXPECT_EQ(scene.meshes[0].name, "chair");
   EXPECT_EQ(scene.meshes[1].name, "left chair");
-  expect_placed_near(world_position(scene, 0, 1), {1, 0, 0});
-  expect_placed_near(world_position(scene, 1, 1), {-4, 0, 0});
+  expect_vec_near(world_position(scene, 0, 1), {1, 0, 0});
+  expect_vec_near(world_position(scene, 1, 1), {-4, 0, 0});
 }
 
 TEST_F(Nodes, OnlyTheDefaultSceneIsShown) {
@@ -122,7 +113,7 @@ TEST_F(Nodes, PerspectiveCamerasLookAlongMinusZ) {
   const Scene scene = load(glb);
   ASSERT_EQ(scene.cameras.size(), 2U);
   EXPECT_EQ(scene.cameras[0].name, "eye");
-  expect_placed_near(scene.cameras[0].position, {1, 2, 3});
+  expect_vec_near(scene.cameras[0].position, {1, 2, 3});
   EXPECT_NEAR(scene.cameras[0].heading.azimuth_rad, 0.0, 1e-6);
   EXPECT_NEAR(scene.cameras[0].heading.elevation_rad, 0.0, 1e-6);
   EXPECT_NEAR(scene.cameras[1].heading.azimuth_rad, -std::numbers::pi / 4.0, 1e-6);
@@ -205,31 +196,22 @@ TEST_F(Nodes, OrthographicCamerasAreIgnoredWithAWarning) {
   EXPECT_THAT(scene.warnings.at(0), HasSubstr("orthographic cameras"));
 }
 
-TEST_F(Nodes, RefusesCycles) {
-  GlbBuilder glb = one_triangle();
-  glb.document["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"children", {1}}}};
-  EXPECT_THAT(error_of(glb), HasSubstr("nodes[1]: the nodes form a cycle"));
-  glb.document["nodes"] = {{{"mesh", 0}, {"children", {0}}}};
-  EXPECT_THAT(error_of(glb), HasSubstr("nodes[0]: the nodes form a cycle"));
-}
-
-TEST_F(Nodes, RefusesTwoParents) {
-  GlbBuilder glb = one_triangle();
-  glb.document["nodes"] = {{{"mesh", 0}}, {{"children", {0}}}, {{"children", {0}}}};
-  EXPECT_THAT(error_of(glb),
-              HasSubstr("nodes[2].children[0]: node 0 has two parents, nodes 1 and 2"));
-}
-
-TEST_F(Nodes, RefusesSceneNodesThatAreNoRoots) {
-  GlbBuilder glb = one_triangle();
-  glb.document["nodes"] = {{{"mesh", 0}}, {{"children", {0}}}};
-  EXPECT_THAT(error_of(glb), HasSubstr("scenes[0].nodes[0]: node 0 is not a root"));
-}
-
-TEST_F(Nodes, RefusesANodeListedTwice) {
-  GlbBuilder glb = one_triangle();
-  glb.document["scenes"][0]["nodes"] = {0, 0};
-  EXPECT_THAT(error_of(glb), HasSubstr("scenes[0].nodes[1]: node 0 is listed twice"));
+TEST_F(Nodes, RefusesWhatIsNoForest) {
+  const Json mesh = {{"mesh", 0}};
+  const auto parent_of = [](int node) { return Json{{"children", {node}}}; };
+  for (const auto& [nodes, roots, fault] : std::vector<std::tuple<Json, Json, const char*>>{
+           {{mesh, parent_of(2), parent_of(1)}, {0}, "nodes[1]: the nodes form a cycle"},
+           {{{{"mesh", 0}, {"children", {0}}}}, {0}, "nodes[0]: the nodes form a cycle"},
+           {{mesh, parent_of(0), parent_of(0)},
+            {0},
+            "nodes[2].children[0]: node 0 has two parents, nodes 1 and 2"},
+           {{mesh, parent_of(0)}, {0}, "scenes[0].nodes[0]: node 0 is not a root"},
+           {Json::array({mesh}), {0, 0}, "scenes[0].nodes[1]: node 0 is listed twice"}}) {
+    GlbBuilder glb = one_triangle();
+    glb.document["nodes"] = nodes;
+    glb.document["scenes"][0]["nodes"] = roots;
+    EXPECT_THAT(error_of(glb), HasSubstr(fault));
+  }
 }
 
 TEST_F(Nodes, RefusesARotationOfNoLength) {
@@ -271,9 +253,9 @@ TEST_F(Nodes, InstancesStandWhereTheirAttributesSay) {
   const Scene scene = load(glb);
   EXPECT_THAT(scene.warnings, IsEmpty());
   ASSERT_EQ(scene.meshes.size(), 3U);
-  expect_placed_near(world_position(scene, 0, 1), {0, 10, 0});
-  expect_placed_near(world_position(scene, 1, 1), {2, 10, 0});
-  expect_placed_near(world_position(scene, 2, 1), {1, 11, 5});  // (1, 0, 0) turned to (0, 1, 0)
+  expect_vec_near(world_position(scene, 0, 1), {0, 10, 0});
+  expect_vec_near(world_position(scene, 1, 1), {2, 10, 0});
+  expect_vec_near(world_position(scene, 2, 1), {1, 11, 5});  // (1, 0, 0) turned to (0, 1, 0)
   attributes["SCALE"] = glb.add_vectors({{1, 1, 1}});
   EXPECT_THAT(error_of(glb), HasSubstr("attributes.SCALE: is of another number of instances"));
 }

@@ -1,14 +1,10 @@
-#include <gmock/gmock.h>
 
 #include "tests/encoded_image.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 const Json no_values = Json::object();
 

@@ -1,11 +1,9 @@
 #include "renderer/scene/image_channels.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::ElementsAre;
 
 DecodedImage row(int channels, const std::vector<std::uint8_t>& texels) {
   return {.width = static_cast<int>(texels.size()) / channels,

@@ -1,15 +1,13 @@
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// A material with a texture, and factors that need it, in every place.
 Json rich_material(int texture) {
@@ -89,42 +87,14 @@ TEST_F(LoadGltf, LoadsTheRichScene) {
   EXPECT_EQ(scene.bounds().upper, Vec3(2, 2, 3));
 }
 
-TEST_F(LoadGltf, AnEmptySceneLoadsAndSaysSo) {
-  const Scene scene = load(GlbBuilder{});
-  EXPECT_EQ(scene.triangle_count(), 0U);
-  EXPECT_THAT(scene.warnings, ::testing::ElementsAre("the scene has no triangles"));
-}
-
-TEST_F(LoadGltf, RefusesMissingFilesAndFolders) {
-  const auto error_of_path = [](const std::filesystem::path& path) -> std::string {
-    try {
-      load_gltf(path);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
-  };
-  EXPECT_THAT(error_of_path(folder() / "gone.glb"), HasSubstr("gone.glb: no such file"));
-  EXPECT_THAT(error_of_path(folder()), HasSubstr("is a folder"));
-}
-
 TEST_F(LoadGltf, ErrorsNameTheFileThePlaceAndARemedy) {
   GlbBuilder glb = one_triangle();
-  glb.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 5;
+  glb.primitive()["attributes"]["POSITION"] = 5;
   const std::string path = (folder() / "scene.glb").string();
   EXPECT_EQ(error_of(glb), path +
                                ": meshes[0].primitives[0].attributes.POSITION: is 5, but accessors "
                                "has 1 elements; export it again, or look at it with a glTF "
                                "validator");
-}
-
-TEST_F(LoadGltf, NamesAnUnsupportedRequiredExtension) {
-  GlbBuilder glb = one_triangle();
-  glb.document["extensionsUsed"] = {"EXT_mesh_manifold"};
-  EXPECT_THAT(load(glb).warnings,
-              ::testing::ElementsAre("the extension EXT_mesh_manifold is ignored"));
-  glb.document["extensionsRequired"] = {"EXT_mesh_manifold"};
-  EXPECT_THAT(error_of(glb), HasSubstr("the extension EXT_mesh_manifold is not supported"));
 }
 
 template <typename T>

@@ -3,18 +3,14 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/random.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/obj_text.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 const std::string square_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -38,7 +34,7 @@ TEST_F(LoadObj, ReadsATriangle) {
 TEST_F(LoadObj, HashCoversLibrariesAndImages) {
   const std::string text = "mtllib m.mtl\n" + three_corners + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
   const std::string library = "newmtl m\nmap_Kd a.png\n";
-  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  const std::string image = one_pixel(1, 2, 3);
   write("m.mtl", library);
   write("a.png", image);
   const std::string before = load(text).sha256;
@@ -46,7 +42,7 @@ TEST_F(LoadObj, HashCoversLibrariesAndImages) {
   write("m.mtl", library + "Kd 0 1 0\n");
   EXPECT_NE(load(text).sha256, before);
   write("m.mtl", library);
-  write("a.png", png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 4}));
+  write("a.png", one_pixel(1, 2, 4));
   EXPECT_NE(load(text).sha256, before);
 }
 
@@ -92,9 +88,11 @@ TEST_F(LoadObj, FacesWithoutNormalsAmongOthersAreFlat) {
 }
 
 TEST_F(LoadObj, UselessNormalsAreReplaced) {
-  const Scene scene = load(three_corners + "vn 0 0 0\nf 1//1 2//1 3//1\n");
-  EXPECT_THAT(scene.meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
+  for (const std::string normal : {"0 0 0", "0 nan 1"}) {
+    const Scene scene = load(three_corners + "vn " + normal + "\nf 1//1 2//1 3//1\n");
+    EXPECT_THAT(scene.meshes.at(0).normals, Each(Vec3(0, 0, 1)));
+    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
+  }
 }
 
 TEST_F(LoadObj, AMeshIsAnObjectInAMaterial) {
@@ -153,12 +151,6 @@ TEST_F(LoadObj, ReadsNumbersAsTheyAreWritten) {
             Vec3(0.0F));
 }
 
-TEST_F(LoadObj, NormalsThatAreNoNumbersAreReplaced) {
-  const Scene scene = load(three_corners + "vn 0 nan 1\nf 1//1 2//1 3//1\n");
-  EXPECT_THAT(scene.meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
-}
-
 TEST_F(LoadObj, EndsOfLinesAndContinuedLines) {
   for (const std::string& text :
        {std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3"),
@@ -193,7 +185,7 @@ TEST_F(LoadObj, RefusesWhatIsNoText) {
 
 TEST_F(LoadObj, FindsLibrariesAndTextures) {
   write("my library.mtl", "newmtl m\nmap_Kd textures\\100% red.png\n");
-  write("textures/100% red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  write("textures/100% red.png", one_pixel(255, 0, 0));
   const Scene scene = load("mtllib my library.mtl\n" + three_corners + textured_face);
   EXPECT_THAT(scene.warnings, IsEmpty());
   ASSERT_EQ(scene.textures.size(), 1U);
@@ -204,7 +196,7 @@ TEST_F(LoadObj, FindsLibrariesAndTextures) {
 TEST_F(LoadObj, TexturesAreNamedFromTheirLibrarysFolder) {
   write("materials/m.mtl", "newmtl m\nKd 1 1 1\nmap_Kd red.png\n");
   write("other.mtl", "newmtl o\nKd 1 0 0\n");
-  write("materials/red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  write("materials/red.png", one_pixel(255, 0, 0));
   const Scene scene = load("mtllib other.mtl materials\\m.mtl\n" + three_corners + textured_face);
   EXPECT_EQ(scene.textures.size(), 1U);
   EXPECT_EQ(scene.materials.size(), 1U) << "only what is used";
@@ -225,7 +217,7 @@ TEST_F(LoadObj, TextureCoordinatesRunUpwards) {
 
 TEST_F(LoadObj, TextureCoordinatesThatAreNoNumbersAreReplaced) {
   write("m.mtl", "newmtl m\nmap_Kd red.png\n");
-  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  write("red.png", one_pixel(255, 0, 0));
   const Scene scene = load("mtllib m.mtl\n" + three_corners +
                            "vt 0.5 nan\nvt 1 0 nan\nvt 1 # v is 0\nusemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_THAT(scene.meshes.at(0).uv_sets,
@@ -240,7 +232,7 @@ TEST_F(LoadObj, UntexturedSurfacesKeepNoCoordinates) {
 
 TEST_F(LoadObj, NormalTexturesBringTangents) {
   write("m.mtl", "newmtl m\nKd 1 1 1\nnorm n.png\n");
-  write("n.png", png(1, 1, 3, std::vector<std::uint8_t>{128, 128, 255}));
+  write("n.png", one_pixel(128, 128, 255));
   const Scene scene = load("mtllib m.mtl\n" + three_corners + textured_face);
   const Mesh& mesh = scene.meshes.at(0);
   ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
@@ -265,38 +257,10 @@ TEST_F(LoadObj, RefusesFilesOutsideItsFolder) {
   EXPECT_THAT(error("link.mtl"), HasSubstr("symbolic link"));
 }
 
-TEST_F(LoadObj, RefusesTexturesOutsideItsFolder) {
-  const TemporaryFolder outside;
-  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0});
-  outside.write("secret.png", image);
-  write("secret.png", image);
-  std::filesystem::create_symlink(outside / "secret.png", folder() / "link.png");
-  for (const std::string& library : {std::string("m.mtl"), std::string("sub/m.mtl")}) {
-    for (const std::string& name :
-         {std::string("../secret.png"), std::string("..\\secret.png"), std::string("link.png")}) {
-      write(library, "newmtl m\nmap_Kd " + name + "\n");
-      EXPECT_THAT(strict_error_of("mtllib " + library + "\n" + three_corners + textured_face),
-                  HasSubstr("m.mtl: m: refers to"))
-          << library << " " << name;
-      const bool stays_inside = library == "sub/m.mtl" && !name.starts_with("..");
-      EXPECT_EQ(error_of("mtllib " + library + "\n" + three_corners + textured_face) == "no error",
-                stays_inside)
-          << library << " " << name;
-    }
-  }
-}
-
-TEST_F(LoadObj, RefusesImagesThatAreNone) {
-  write("m.mtl", "newmtl m\nmap_Kd red.tga\n");
-  write("red.tga", "this is no image");
-  EXPECT_THAT(strict_error_of("mtllib m.mtl\n" + three_corners + textured_face),
-              HasSubstr("red.tga: is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image; convert it"));
-}
-
 /// A texture of two images is as large as the larger, in four channels: 1 GiB here.
 TEST_F(LoadObj, RefusesSmallImagesThatAskForMuchMemory) {
   write("m.mtl", "newmtl m\nmap_Kd red.png\nmap_d huge.png\n");
-  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  write("red.png", one_pixel(255, 0, 0));
   write("huge.png", huge_png(100000));
   EXPECT_THAT(error_of("mtllib m.mtl\n" + three_corners + textured_face),
               HasSubstr("scene.obj: its textures would take 1024 MiB of memory, more than 256"));
@@ -323,7 +287,7 @@ void expect_obj_or_error(const std::filesystem::path& path, const std::string& t
 }
 
 TEST_F(LoadObj, SurvivesOtherBytes) {
-  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  write("red.png", one_pixel(255, 0, 0));
   const std::string mtl =
       "newmtl m\nKd 1 .5 0\nKs 1 1 1\nNs 9e1\nillum 2\nmap_Kd -clamp on red.png\n"
       "map_d red.png\nnewmtl n\nPr 0.5\nmap_Pr red.png\nnorm -bm 2 red.png\n";

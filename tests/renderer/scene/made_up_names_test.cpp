@@ -1,7 +1,6 @@
 #include "renderer/scene/made_up_names.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
@@ -16,15 +15,15 @@ std::vector<std::string> names_of(const std::vector<std::string>& in_the_file) {
 
 TEST(CameraNames, AreTheFilesOrNumbers) {
   EXPECT_THAT(names_of({"Left", "", "Right", ""}),
-              testing::ElementsAre("Left", "camera 2", "Right", "camera 4"));
-  EXPECT_THAT(names_of({}), testing::IsEmpty());
+              ElementsAre("Left", "camera 2", "Right", "camera 4"));
+  EXPECT_THAT(names_of({}), IsEmpty());
 }
 
 TEST(CameraNames, BelongToOneCameraEach) {
-  EXPECT_THAT(names_of({"Left", "Left"}), testing::ElementsAre("Left", "camera 2"));
-  EXPECT_THAT(names_of({"", "camera 1"}), testing::ElementsAre("another camera 1", "camera 1"));
+  EXPECT_THAT(names_of({"Left", "Left"}), ElementsAre("Left", "camera 2"));
+  EXPECT_THAT(names_of({"", "camera 1"}), ElementsAre("another camera 1", "camera 1"));
   EXPECT_THAT(names_of({"", "camera 1", "another camera 1"}),
-              testing::ElementsAre("another another camera 1", "camera 1", "another camera 1"));
+              ElementsAre("another another camera 1", "camera 1", "another camera 1"));
 }
 
 }  // namespace

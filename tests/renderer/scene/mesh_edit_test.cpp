@@ -2,17 +2,13 @@
 
 #include <limits>
 
-#include <glm/gtc/matrix_transform.hpp>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
-using ::testing::ElementsAre;
 using Corners = std::array<std::uint32_t, 3>;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 TEST(MeshEdit, DropsTogetherWhatOnlyDegenerateTrianglesUsed) {
@@ -37,49 +33,6 @@ TEST(MeshEdit, KeepsTinyTriangles) {
   mesh.positions = {{0, 0, 0}, {1e-30F, 0, 0}, {0, 1e-30F, 0}};
   mesh.triangles = {{0, 1, 2}};
   EXPECT_EQ(drop_degenerate_triangles(mesh), 0U);
-}
-
-TEST(MeshEdit, RepairsOnlyNormalsWithoutDirection) {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  mesh.normals = {{0, 0, 0}, {infinity, 0, 0}, {0, 3, 4}};
-  mesh.triangles = {{0, 1, 2}};
-  EXPECT_EQ(repair_normals(mesh), 2U);
-  EXPECT_THAT(mesh.normals, ElementsAre(Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0.6F, 0.8F)));
-}
-
-TEST(MeshEdit, RepairsTextureCoordinates) {
-  Mesh mesh;
-  mesh.uv_sets = {{{1, 2}, {nan, 1}}, {{1, infinity}, {3, 4}}};
-  EXPECT_EQ(repair_uvs(mesh), 2U);
-  EXPECT_THAT(mesh.uv_sets, ElementsAre(ElementsAre(Vec2(1, 2), Vec2(0, 0)),
-                                        ElementsAre(Vec2(0, 0), Vec2(3, 4))));
-}
-
-TEST(MeshEdit, RepairsColours) {
-  Mesh mesh;
-  mesh.colors = {{0.5F, 1, 0, 1}, {infinity, -infinity, nan, 2}};
-  EXPECT_EQ(repair_colors(mesh), 1U);
-  EXPECT_THAT(mesh.colors, ElementsAre(Vec4(0.5F, 1, 0, 1), Vec4(1, 0, 1, 1)));
-}
-
-/// Positions far from the origin come out as exact as floats near it can be.
-TEST(MeshEdit, TransformsInDoublePrecision) {
-  Mesh mesh;
-  mesh.positions = {{0.25F, 0, 0}};
-  transform(mesh, glm::translate(DMat4(1.0), DVec3(1e9, 0, 0)) *
-                      glm::translate(DMat4(1.0), DVec3(-1e9, 0, 0)));
-  EXPECT_EQ(mesh.positions[0], Vec3(0.25F, 0, 0));
-}
-
-TEST(MeshEdit, AMirrorTurnsTrianglesAndTangentsSigns) {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  mesh.tangents = {{1, 0, 0, 1}, {1, 0, 0, -1}, {0, 1, 0, 1}};
-  mesh.triangles = {{0, 1, 2}};
-  transform(mesh, glm::scale(DMat4(1.0), DVec3(-2.0, 1.0, 1.0)));
-  EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 2, 1}));
-  EXPECT_THAT(mesh.tangents, ElementsAre(Vec4(-1, 0, 0, -1), Vec4(-1, 0, 0, 1), Vec4(0, 1, 0, -1)));
 }
 
 }  // namespace

@@ -2,15 +2,12 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/random.h"
 #include "renderer/scene/srgb.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 

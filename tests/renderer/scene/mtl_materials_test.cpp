@@ -6,17 +6,13 @@
 #include <tuple>
 #include <utility>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 class MtlMaterials : public InTemporaryFolder {
  protected:
@@ -189,7 +185,7 @@ TEST_F(MtlMaterials, ClampedOrNotAMapIsDecodedOnce) {
 
 /// Blender writes normal maps so.
 TEST_F(MtlMaterials, ABumpMapInColoursIsANormalMap) {
-  write("n.png", png(1, 1, 3, std::vector<std::uint8_t>{218, 128, 218}));
+  write("n.png", one_pixel(218, 128, 218));
   const Scene bump = scene_of("Kd 1 1 1\nmap_Bump -bm 0.5 n.png\n");
   const Scene norm = scene_of("Kd 1 1 1\nnorm -bm 0.5 n.png\n");
   for (const Scene* scene : {&bump, &norm}) {

@@ -1,12 +1,9 @@
 #include "renderer/scene/obj_colors.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 TEST(ObjColors, FollowTheCoordinates) {
   EXPECT_THAT(vertex_colors_in("v 1 2 3 0 1 0\nv 1 2 3\r\nvn 0 0 1\nv 1 2 3 1 0 0 # red\n"),

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "renderer/base/error.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/error_of.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
@@ -18,12 +18,7 @@ class ObjText : public InTemporaryFolder {
   Scene load(const std::string& obj) const { return load_obj(write("scene.obj", obj)); }
 
   std::string error_of(const std::string& obj, const SceneReading& reading = {}) const {
-    try {
-      load_obj(write("scene.obj", obj), reading);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { load_obj(write("scene.obj", obj), reading); });
   }
   std::string strict_error_of(const std::string& obj) const {
     return error_of(obj, {.strict = true});

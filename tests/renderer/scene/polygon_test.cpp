@@ -5,12 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::ElementsAre;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 

@@ -5,9 +5,8 @@
 namespace foveola {
 namespace {
 
-TEST(Sanitised, KeepsPrintableText) { EXPECT_EQ(sanitised("Fenêtre 2 (ö)"), "Fenêtre 2 (ö)"); }
-
 TEST(Sanitised, ReplacesControlCharacters) {
+  EXPECT_EQ(sanitised("Fenêtre 2 (ö)"), "Fenêtre 2 (ö)");
   EXPECT_EQ(sanitised(std::string_view("a\x1b[2J\0b\nc\x7f", 10)), "a?[2J?b c?");
 }
 

@@ -2,14 +2,10 @@
 
 #include <memory>
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::Contains;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 Mesh triangle(int material) {
   Mesh mesh;

@@ -91,15 +91,21 @@ TEST(Tangents, VerticesOnASeamOfMirroringAreDoubled) {
   EXPECT_EQ(mesh.positions[mesh.triangles[1][1]], Vec3(0, 1, 0)) << "copies stand where they stood";
 }
 
+const float h = std::sqrt(0.5F);
+
 /// The edge of a roof of two slopes, whose tangents leave it to both sides in a right angle. Each
 /// slope's corners at the edge have the angle 90 degrees in one triangle, and share the normal +Z.
-TEST(Tangents, AreAveragedInThePlaneOfTheNormal) {
-  const float h = std::sqrt(0.5F);
+Mesh roof() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 1, 0}, {h, 0, -h}, {-h, 0, -h}};
   mesh.normals = {{0, 0, 1}, {0, 0, 1}, {h, 0, h}, {-h, 0, h}};
   mesh.uv_sets = {{{0, 0}, {0, -1}, {1, 0}, {-1, 0}}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}};
+  return mesh;
+}
+
+TEST(Tangents, AreAveragedInThePlaneOfTheNormal) {
+  Mesh mesh = roof();
   add_tangents(mesh, 0, identity);
   expect_near(Vec3(mesh.tangents[0]), {1, 0, 0});
   expect_near(Vec3(mesh.tangents[1]), {1, 0, 0});
@@ -139,12 +145,7 @@ TEST(Tangents, OfFlatMeshesLieInEachTriangle) {
 
 /// Without an index list every triangle has vertices of its own; they are smooth all the same.
 TEST(Tangents, EqualVerticesAreOne) {
-  const float h = std::sqrt(0.5F);
-  Mesh shared;
-  shared.positions = {{0, 0, 0}, {0, 1, 0}, {h, 0, -h}, {-h, 0, -h}};
-  shared.normals = {{0, 0, 1}, {0, 0, 1}, {h, 0, h}, {-h, 0, h}};
-  shared.uv_sets = {{{0, 0}, {0, -1}, {1, 0}, {-1, 0}}};
-  shared.triangles = {{0, 2, 1}, {0, 1, 3}};
+  const Mesh shared = roof();
   Mesh own;
   own.uv_sets.resize(1);
   for (const auto& triangle : shared.triangles) {

@@ -1,21 +1,14 @@
 #include "renderer/scene/text_lines.h"
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
+#include "tests/error_of.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::HasSubstr;
-
 std::string fault_of(const std::string& bytes) {
-  try {
-    utf8_text("a.obj", bytes);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of([&] { utf8_text("a.obj", bytes); });
 }
 
 TEST(Utf8Text, KeepsUtf8AndBlanksItsByteOrderMark) {

@@ -1,6 +1,6 @@
 #include "renderer/scene/warnings.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
@@ -13,10 +13,9 @@ TEST(Warnings, SaysEachKindOnceInOrder) {
   warnings.add("points are skipped", "meshes[7]", 5);
   warnings.add("nothing happened", "nowhere", 0);
   warnings.add("one curtain", "meshes[2]");
-  EXPECT_THAT(
-      warnings.lines(),
-      ::testing::ElementsAre("points are skipped (6 times, first at meshes[1])", "lamps are dark",
-                             "faces are lost (4 times)", "one curtain (meshes[2])"));
+  EXPECT_THAT(warnings.lines(),
+              ElementsAre("points are skipped (6 times, first at meshes[1])", "lamps are dark",
+                          "faces are lost (4 times)", "one curtain (meshes[2])"));
 }
 
 }  // namespace
