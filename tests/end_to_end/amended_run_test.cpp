@@ -9,52 +9,6 @@
 namespace foveola::test {
 namespace {
 
-const char* const keys = R"(
-methods = ["od"]
-phases = ["trials"]
-)";
-const char* const begun_with = "[timing]\nrating_s = 0.2\n";
-const char* const amended = "[timing]\nrating_s = 0.3\n[texts]\nready = \"Turn to it.\"\n";
-
-class AmendedRun : public ::testing::Test {
- protected:
-  AmendedRun() {
-    participant_.write_protocol(keys, begun_with);
-    participant_.begin();
-    quit();
-  }
-
-  void quit() {
-    participant_.wait_for_page();
-    participant_.quit();
-  }
-
-  std::string refusal(const std::vector<std::string>& options) {
-    return participant_.run_besides("P1", options).errors;
-  }
-
-  SeatedParticipant participant_;
-};
-
-TEST_F(AmendedRun, OtherWordsAndTimeOutsAreTakenWhereThatIsSaid) {
-  participant_.write_protocol(keys, amended);
-  EXPECT_THAT(refusal({"--resume"}),
-              AllOf(HasSubstr("another protocol"), HasSubstr("--amended-protocol")));
-
-  participant_.begin({"--resume", "--amended-protocol"});
-  participant_.program().wait_for("goes by an amended protocol");
-  quit();
-  const Rows notes = participant_.ask(
-      "SELECT text FROM note WHERE text LIKE 'goes by an amended protocol%' ORDER BY sequence");
-  ASSERT_THAT(notes, SizeIs(1));
-  EXPECT_THAT(notes.front(), AllOf(HasSubstr("; changed: texts.ready, timing.rating_s\n"),
-                                   HasSubstr("Turn to it."), HasSubstr("scenes = [\"hall\"]")))
-      << "the keys and the whole text";
-  EXPECT_THAT(participant_.status().output,
-              AllOf(HasSubstr("P1 went by a protocol of SHA-256 "),
-                    HasSubstr(": texts.ready, timing.rating_s changed")));
-}
-
 TEST(AmendedConsent, IsAskedForAnewAndBothAreInTheReceipt) {
   constexpr const char* with_consent = "\nmethods = [\"od\"]\nphases = [\"consent\", \"trials\"]\n";
   SeatedParticipant participant;

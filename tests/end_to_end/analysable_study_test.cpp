@@ -12,8 +12,6 @@
 namespace foveola::test {
 namespace {
 
-const std::string third_mark = "[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n";
-
 class AnalysableStudy : public testing::Test, protected Hall {
  protected:
   AnalysableStudy() { std::filesystem::create_directory(own_folder()); }
@@ -34,13 +32,6 @@ class AnalysableStudy : public testing::Test, protected Hall {
     return run(joined({"study", "simulate", path_of("p.toml"), "--db", path_of("study.sqlite"),
                        "--participants", "2", "--predicted"},
                       options));
-  }
-  /// Analyses the study into the folder out.
-  ProgramResult analyse() const {
-    return run_foveola({"analyze", path_of("study.sqlite"), "-o", path_of("out")});
-  }
-  std::string written(const std::string& name) const {
-    return read_file(own_folder() / "out" / name);
   }
   std::vector<NamedFields> rows_in(const std::string& name) const {
     return rows_of_csv(own_folder() / "out" / name);
@@ -144,8 +135,7 @@ class EveryMeasure : public AnalysableStudy {
                            "../../protocols/questionnaires/nasa-tlx.toml"));
     write_protocol(every_measure);
     succeeded(simulate({"--inject", "order:1"}));
-    analysed_ = analyse();
-    EXPECT_EQ(analysed_.exit_code, 0) << analysed_.errors;
+    succeeded(run_foveola({"analyze", path_of("study.sqlite"), "-o", path_of("out")}));
   }
 
   /// Of every timing, whether it counts or not.
@@ -156,8 +146,6 @@ class EveryMeasure : public AnalysableStudy {
     }
     return rows;
   }
-
-  ProgramResult analysed_;
 };
 
 TEST_F(EveryMeasure, PassesTheCheckWithoutAWarning) { EXPECT_THAT(check().errors, IsEmpty()); }
@@ -245,36 +233,6 @@ TEST_F(EveryMeasure, PlannedComparisonsComeFirstInTheirOrder) {
     }
   }
   EXPECT_THAT(planned, ElementsAre("noise fv od", "third od fv", "comfort fv od", "effort fv od"));
-}
-
-TEST_F(EveryMeasure, TheProtocolsWordsAreInTheReport) {
-  EXPECT_THAT(written("report.html"),
-              AllOf(HasSubstr("0 not at all to 100 very"), HasSubstr("0.5 (a little)"),
-                    HasSubstr("NASA-TLX"), HasSubstr("False alarms in catch trials"),
-                    HasSubstr("4 primary comparisons"), Not(HasSubstr("artifacts"))));
-  EXPECT_THAT(analysed_.output, HasSubstr("0 not at all to 100 very"));
-}
-
-TEST_F(AnalysableStudy, SimulatedParticipantsRefuseWhatTheyCannotJudge) {
-  write_protocol("[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n" + third_mark);
-  expect_one_line(simulate(), 1, "cannot judge the mark third");
-  EXPECT_FALSE(std::filesystem::exists(path_of("study.sqlite")));
-  succeeded(simulate({"--inject", "order:1"}));
-  write_protocol("[[rating]]\nid = \"comfort\"\ntext = \"?\"\n");
-  expect_one_line(simulate(), 1, "cannot judge the rating comfort");
-  std::filesystem::remove(path_of("study.sqlite"));
-  write_protocol(third_mark + "simulated = \"outline\"\n");
-  succeeded(simulate());
-}
-
-TEST_F(AnalysableStudy, LabelsAreTheProtocolsFromTheProtocolToTheReport) {
-  write_protocol(
-      "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\nlabels = [\"keine & <b>\", \"überall\"]\n");
-  succeeded(simulate({"--inject", "order:1"}));
-  const ProgramResult analysed = succeeded(analyse());
-  EXPECT_THAT(analysed.output,
-              AllOf(HasSubstr("1 keine & <b> to 5 überall"), Not(HasSubstr("not discernible"))));
-  EXPECT_THAT(written("report.html"), HasSubstr("1 keine &amp; &lt;b&gt; to 5 überall"));
 }
 
 TEST_F(AnalysableStudy, AForgottenParticipantIsInNoFileOfTheNextAnalysis) {

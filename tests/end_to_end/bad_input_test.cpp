@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
 #include "renderer/base/files.h"
@@ -91,45 +90,6 @@ TEST_F(BadInput, NoCommandAndUnknownCommandsAreUsageErrors) {
   expect_one_line(run_foveola({"study", "simulate"}), 2, "see foveola study simulate --help");
 }
 
-TEST_F(BadInput, ProtocolsAreRefusedWithLineAndColumn) {
-  const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
-  const auto check = [&](const std::string& text) {
-    write_file(folder_ / "p.toml", text);
-    return run_foveola({"study", "simulate", (folder_ / "p.toml").string(), "--db",
-                        (folder_ / "study.sqlite").string(), "--participants", "1"});
-  };
-  expect_one_line(check("colour = 1\n" + protocol), 1, "p.toml:1:1");
-  expect_one_line(check(replaced(protocol, "\"arcade\"", "\"no-such-scene\"")), 1, "no-such-scene");
-  EXPECT_THAT(check(replaced(protocol, "\"arcade\"", "\"no-such-scene\"")).errors,
-              ContainsRegex("p\\.toml:[0-9]+:[0-9]+"));
-  expect_one_line(check("= ["), 1, "p.toml:1:1");
-  EXPECT_THAT(folder_.entries(), ElementsAre("p.toml", "room.gltf"));
-}
-
-TEST_F(BadInput, FilesThatNestOrListWithoutEndAreRefused) {
-  std::string deep = "a";
-  std::string scenes = "\"arcade\"";
-  for (int i = 0; i < 50'000; ++i) {
-    deep += ".a";
-    scenes += ", \"scene-" + std::to_string(i) + "\"";
-  }
-  deep += " = 1\n";
-  write_file(folder_ / "deep.toml", deep);
-  const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
-  write_file(folder_ / "long.toml", replaced(protocol, "\"arcade\"", scenes));
-  write_file(folder_ / "asks.toml",
-             protocol + "\n[[questionnaire]]\nid = \"q\"\nfile = \"./deep.toml\"\n");
-  const auto path = [&](const char* name) { return (folder_ / name).string(); };
-  expect_one_line(run_foveola({"study", "check", path("deep.toml")}), 1, "deep.toml:1:32");
-  expect_one_line(run_foveola({"study", "check", path("asks.toml")}), 1, "deep.toml:1:32");
-  expect_one_line(run_foveola({"study", "check", path("long.toml")}), 1,
-                  "scenes has 50003 entries, and at most 1000 are read");
-  expect_one_line(run_foveola({"study", "simulate", "demo", "--db", path("new.sqlite"),
-                               "--participants", "1", "--people", path("deep.toml")}),
-                  1, "deep.toml:1:32");
-  EXPECT_THAT(folder_.entries(), ElementsAre("asks.toml", "deep.toml", "long.toml", "room.gltf"));
-}
-
 TEST_F(BadInput, PipesDevicesAndFoldersEndACommandAtOnce) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   fs::create_symlink("pipe", folder_ / "pipe.glb");
@@ -169,21 +129,6 @@ TEST_F(BadInput, PipesDevicesAndFoldersEndACommandAtOnce) {
     expect_one_line(run_foveola({"compare", path(name), path(name)}), 1, "is not a regular file");
   }
   EXPECT_THAT(folder_.entries(), ElementsAre("pipe", "pipe.glb", "pipe.toml", "room.gltf"));
-}
-
-TEST_F(BadInput, NamesInAProtocolDoNotControlTheTerminal) {
-  const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
-  const std::string file = (folder_ / "p.toml").string();
-  const std::string title = "\"\\u001b]0;mine\\u0007\\u009b31m\\u202e\\u200b\\uFEFFA small ";
-  write_file(file, replaced(protocol, "\"A small ", title));
-  const ProgramResult checked = succeeded(run_foveola({"study", "check", file}));
-  EXPECT_THAT(checked.output, HasSubstr("?]0;mine??31m???A small "));
-  const ProgramResult in_json = run_foveola({"study", "check", file, "--json"});
-  EXPECT_THAT(in_json.output, HasSubstr("\\u001b]0;mine\\u0007\\u009b31m\\u202e\\u200b\\ufeffA"));
-  EXPECT_THAT(nlohmann::json::parse(in_json.output).at("title").get<std::string>(),
-              StartsWith("\x1b]0;mine\x07\u009b31m\u202e\u200b\uFEFFA small "));
-  write_file(file, replaced(protocol, "\"arcade\"", "\"\\u001b[2J\\u2066arcade\""));
-  expect_one_line(run_foveola({"study", "check", file}), 1, ": ?[2J?arcade: no such scene");
 }
 
 }  // namespace

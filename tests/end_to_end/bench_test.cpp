@@ -1,5 +1,4 @@
 // The benchmarks as a user runs them: what they print and what they leave behind.
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -69,54 +68,6 @@ TEST_F(BenchConvergence, RefusesBadWishesBeforeTheWork) {
   expect_refused({"-o", results(), "--spp", "1"}, 2, "--spp");
   expect_refused({"-o", (folder_ / "no" / "where").string()}, 1, "where");
   expect_refused({"-o", (folder_ / "room.gltf").string()}, 1, "is read by the command, too");
-}
-
-/// Two gazes with two repetitions each.
-const std::vector<std::string> small = {
-    "--gazes", "2",     "--repetitions", "2",  "--methods",   "od,vp", "--options",   "none",
-    "--size",  "32x16", "--spp",         "16", "--view-size", "32",    "--max-depth", "3"};
-
-TEST_F(BenchConvergence, PoolsRunsWithDifferentSeeds) {
-  const std::string first = (folder_ / "first").string();
-  const std::string second = (folder_ / "second").string();
-  succeeded(run(joined(small, {"-o", first})));
-  succeeded(run(joined(small, {"-o", second, "--seed", "1"})));
-  const ProgramResult pooled = succeeded(
-      run_foveola({"bench", "convergence", "--from", first, second, "-o", results(), "--json"}));
-  EXPECT_EQ(pooled.output, read_file(folder_ / "results" / "convergence.json"));
-  const auto json = nlohmann::json::parse(pooled.output);
-  EXPECT_EQ(json["measured"][1]["repetitions"], 4);
-  const auto plan_of = [](const std::string& text) { return nlohmann::json::parse(text)["plan"]; };
-  EXPECT_EQ(json["plan"], plan_of(read_file(folder_ / "first" / "convergence.json")));
-  EXPECT_TRUE(fs::exists(folder_ / "results" / "error-2-rmse-sphere.svg"));
-  const auto expect_refused = [&](const std::vector<std::string>& options, int exit_code,
-                                  const std::string& says) {
-    expect_one_line(run_foveola(joined({"bench", "convergence", "--from", first}, options)),
-                    exit_code, says);
-  };
-  const std::string output = (folder_ / "refused").string();
-  expect_refused({first, "-o", output}, 1, "with seed 0, as has a run before it");
-  expect_refused({"-o", output, "--spp", "16"}, 2, "--from: cannot be combined with --spp");
-  expect_refused({}, 2, "--output: is required");
-  EXPECT_FALSE(fs::exists(output));
-  expect_one_line(run_foveola({"bench", "convergence", "-o", output}), 2, "SCENE: is required");
-}
-
-TEST_F(BenchConvergence, RendersShardsOfItsReferences) {
-  // References, each of which has a file with its digest beside it.
-  const auto cached = [this] {
-    return std::ranges::count_if(
-        fs::directory_iterator(folder_ / "cache" / "foveola" / "references"),
-        [](const fs::directory_entry& entry) { return entry.path().extension() == ".exr"; });
-  };
-  const ProgramResult third = succeeded(run(joined(small, {"--references", "--shard", "3/4"})));
-  EXPECT_THAT(third.output, HasSubstr("1 half of a reference"));
-  EXPECT_EQ(cached(), 1);
-  succeeded(run(joined(small, {"--references"})));
-  EXPECT_EQ(cached(), 4);
-  succeeded(run(joined(small, {"-o", results()})));
-  EXPECT_EQ(cached(), 4) << "nothing was rendered again under another name";
-  expect_one_line(run({"-o", results(), "--shard", "1/2"}), 2, "--references");
 }
 
 // Seeds are pooled by their counts, as docs/CLUSTER.md shows.

@@ -1,13 +1,9 @@
 // A session that is cut off in mid-trial ends with a line on what is safe and how to go on, and it
 // goes on.
-#include <algorithm>
 #include <csignal>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
-#include <sqlite3.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include "study/record/maintenance.h"
@@ -80,60 +76,6 @@ TEST_F(CutOffRun, ATerminalThatIsClosedTakesNothingAlong) {
   ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
-}
-
-/// As if a program of this version had begun the sessions, but for the hashes of their logs.
-void set_version(const fs::path& study, const std::string& version) {
-  const std::string guards =
-      value_of(study,
-               "SELECT group_concat(sql, ';') FROM sqlite_schema WHERE type = 'trigger' AND"
-               " tbl_name = 'session'");
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(study.c_str(), &database), SQLITE_OK);
-  const std::string sql =
-      "DROP TRIGGER session_changes_state_only; DROP TRIGGER session_ends_once;"
-      " DROP TRIGGER session_stays; UPDATE session SET program_version = '" +
-      version + "'; " + guards;
-  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-      << sqlite3_errmsg(database);
-  sqlite3_close(database);
-}
-
-TEST_F(CutOffRun, AnotherProgramContinuesItWhereThatIsSaidAndNamesBoth) {
-  begin_trial();
-  participant_.program().kill(SIGKILL);
-  participant_.program().wait_for_end();
-  set_version(participant_.database(), "0.0.9");
-  expect_one_line(participant_.run_besides("P1", {"--resume"}), 1,
-                  "participant P1: has a session by Foveola 0.0.9 (");
-  participant_.begin({"--resume", "--despite-changes"});
-  time_trial();
-  rate("3");
-  end_by_enter();
-  EXPECT_THAT(participant_.ask("SELECT text FROM note WHERE text LIKE '% instead of %'"),
-              ElementsAre(AllOf(HasSubstr("goes on with Foveola "),
-                                HasSubstr(" instead of Foveola 0.0.9 ("))));
-  EXPECT_THAT(participant_.ask("SELECT attempt, outcome FROM attempt ORDER BY attempt"),
-              ElementsAre("1|interrupted", "2|rated"));
-  EXPECT_THAT(participant_.status().output, HasSubstr("P1 by Foveola 0.0.9 ("));
-}
-
-/// No file may grow beyond the largest that the study has now.
-void let_no_file_grow(pid_t process, const fs::path& study) {
-  std::uintmax_t largest = 0;
-  for (const char* const suffix : {"", "-wal"}) {
-    largest = std::max(largest, fs::file_size(study.string() + suffix));
-  }
-  const rlimit limit{.rlim_cur = largest, .rlim_max = RLIM_INFINITY};
-  ASSERT_EQ(::prlimit(process, RLIMIT_FSIZE, &limit, nullptr), 0);
-}
-
-TEST_F(CutOffRun, ADiskThatTakesNoMoreEndsItWithOneLine) {
-  begin_trial();
-  let_no_file_grow(participant_.program().process(), participant_.database());
-  write_more_than_a_journal_keeps_free();
-  expect_end_with_one_line();
-  go_on_to_the_end();
 }
 
 TEST_F(CutOffRun, AFullDiskEndsItWithOneLineUntilThereIsRoom) {

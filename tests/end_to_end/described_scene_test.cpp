@@ -1,4 +1,5 @@
-// `foveola scene describe` as a user types it.
+// A user's own scene, whose descriptor lies beside its file and beside the protocol of a study, and
+// `foveola scene describe`, which writes one.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -11,11 +12,64 @@
 #include "renderer/base/files.h"
 #include "renderer/glb/glb_document.h"
 #include "renderer/image/image_file.h"
-#include "tests/end_to_end/own_scene.h"
+#include "tests/end_to_end/hall.h"
 #include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
+
+class OwnScene : public testing::Test {
+ protected:
+  OwnScene() {
+    write("kitchen.glb", room_glb());
+    write("kitchen.toml", descriptor("Stove"));
+    write("study.toml",
+          "name = \"cooking\"\ntitle = \"A study\"\nscenes = [\"kitchen\"]\n"
+          "methods = [\"od\"]\n[timing]\nmark_timeout_s = 5\n" +
+              std::string(small_tables));
+  }
+
+  static std::string descriptor(const std::string& object) {
+    return "title = \"A kitchen\"\nfile = \"kitchen.glb\"\nexposure_stops = 1.5\n"
+           "[camera]\nposition = [0, 1, 0]\nazimuth_deg = 0\nelevation_deg = 0\n"
+           "[[object]]\nname = \"" +
+           object + "\"\nposition = [0, 1, -1]\nradius_deg = 5\n";
+  }
+
+  void write(const std::string& name, const std::string& content) {
+    folder_.write("mine/" + name, content);
+  }
+  std::string path(const std::string& name) const { return folder_ / ("mine/" + name); }
+
+  ProgramResult run(const std::vector<std::string>& arguments) const {
+    return run_foveola(arguments, {{"XDG_DATA_HOME", (folder_ / "data").string()},
+                                   {"XDG_CACHE_HOME", (folder_ / "cache").string()}});
+  }
+
+  ProgramResult simulate() const {
+    return run({"study", "simulate", path("study.toml"), "--db", path("study.sqlite"),
+                "--participants", "1"});
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(OwnScene, AChangedDescriptorIsAnotherScene) {
+  succeeded(simulate());
+  write("kitchen.toml", descriptor("Fridge"));
+  const ProgramResult refused = run({"study", "simulate", path("study.toml"), "--db",
+                                     path("study.sqlite"), "--participants", "2"});
+  expect_one_line(refused, 1, "kitchen");
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("Stove"), HasSubstr("Fridge")));
+}
+
+TEST_F(OwnScene, WithoutObjectsIsToldHowToGetThem) {
+  write("kitchen.toml", "title = \"Not a descriptor\"\n");
+  const ProgramResult result = run({"study", "check", path("study.toml")});
+  expect_one_line(result, 1, "study.toml:3:11");
+  EXPECT_THAT(result.errors, HasSubstr("foveola scene describe"));
+}
 
 /// The room, in which small boxes of these names stand before the camera, in a row from the left.
 std::string room_with(const std::vector<std::string>& names) {
@@ -93,35 +147,6 @@ TEST_F(DescribedScene, IsTheSamePictureToTheBit) {
   EXPECT_EQ(after.height, 720);
   EXPECT_TRUE(after.pixels == before.pixels);
   EXPECT_TRUE(read_file(path("after.png")) == read_file(path("before.png"))) << "as bright";
-}
-
-TEST_F(DescribedScene, HasTheCameraThatIsChosen) {
-  write("kitchen.glb", room_with_rolled_camera());
-  succeeded(describe());
-  const std::string of_the_file = read_file(path("kitchen.toml"));
-  EXPECT_THAT(of_the_file, AllOf(HasSubstr("roll_deg = -22.918"),
-                                 HasSubstr("vertical_fov_deg = 40\naspect_ratio = 1.25\n")));
-  succeeded(describe({"--force", "--head", "0,0"}));
-  EXPECT_THAT(read_file(path("kitchen.toml")),
-              AllOf(HasSubstr("vertical_fov_deg = 40"), Not(HasSubstr("roll_deg"))));
-}
-
-TEST_F(DescribedScene, MayHaveItsExtensionInCapitals) {
-  write("K\"che.GLB", room_with({"Crate"}));
-  const std::string file = path("K\"che.GLB");
-  succeeded(run({"scene", "describe", file}));
-  const ProgramResult render =
-      succeeded(run({"render", file, "-o", path("x.png"), "--size", "16x8", "--spp", "1"}));
-  EXPECT_THAT(render.errors, HasSubstr("is shown as K\"che.toml beside it says"));
-}
-
-TEST_F(DescribedScene, IsNotWrittenIfNobodyCouldReadIt) {
-  const ProgramResult result =
-      describe({"--environment", "1,1,1", "--environment-strength", "1e9"});
-  expect_one_line(result, 1, "environment_strength is out of range");
-  EXPECT_FALSE(std::filesystem::exists(path("kitchen.toml")));
-  EXPECT_FALSE(std::filesystem::exists(path("kitchen-objects.png")));
-  expect_one_line(run({"scene", "describe", ""}), 1, "no such file");
 }
 
 TEST_F(DescribedScene, ComesWithAPictureOfEachObject) {

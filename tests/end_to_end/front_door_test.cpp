@@ -1,7 +1,6 @@
 // The front-door script on machines that lack something, played by small stand-ins on its PATH.
+#include <algorithm>
 #include <fstream>
-
-#include <fmt/format.h>
 
 #include "renderer/base/files.h"
 #include "tests/end_to_end/program.h"
@@ -31,32 +30,8 @@ class FrontDoor : public testing::Test {
     return run_program({(folder_ / "foveola").string(), command}, environment);
   }
 
-  /// How the compiler would be called; nothing is compiled.
-  std::string compiler_calls(const std::string& warnings_are_errors) {
-    stand_in("dpkg-query", "for p; do echo \"ii  $p\"; done");
-    stand_in("cmake", fmt::format("[ \"$1\" != --build ] || exit 1\ncd {} && PATH={} exec cmake "
-                                  "\"$@\" -B {}",
-                                  fs::path(FRONT_DOOR).parent_path().string(), std::getenv("PATH"),
-                                  (folder_ / "build" / "release").string()));
-    EXPECT_THAT(open({{"FOVEOLA_WARNINGS_ARE_ERRORS", warnings_are_errors}}).errors,
-                HasSubstr("building failed"));
-    return read_file(folder_ / "build" / "release" / "compile_commands.json");
-  }
-
   TemporaryFolder folder_;
 };
-
-TEST_F(FrontDoor, WithoutRootItNamesTheCommandToRun) {
-  stand_in("dpkg-query", "exit 1");
-  stand_in("id", "echo 1000");
-  stand_in("sudo", "exit 1");
-  const ProgramResult result = open();
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.errors, StartsWith("foveola: error: "));
-  EXPECT_THAT(result.errors, HasSubstr("apt-get install"));
-  EXPECT_THAT(result.errors, HasSubstr("libembree-dev"));
-  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-}
 
 TEST_F(FrontDoor, NamesOnlyWhatIsMissing) {
   stand_in("dpkg-query",
@@ -65,7 +40,8 @@ TEST_F(FrontDoor, NamesOnlyWhatIsMissing) {
   stand_in("sudo", "exit 1");
   const ProgramResult result = open();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.errors, HasSubstr("apt-get install libembree-dev\n"));
+  EXPECT_THAT(result.errors, MatchesRegex("foveola: error: .*apt-get install libembree-dev\n"));
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
 }
 
 TEST_F(FrontDoor, SaysPlainlyThatTheNetworkFailed) {
@@ -104,14 +80,6 @@ touch build.ninja)");
             "--preset release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON\n"
             "in what was configured:\n"
             "--preset release -DBUILD_TESTING=ON\n");
-}
-
-TEST_F(FrontDoor, ANewerCompilersWarningsDoNotStopAUsersBuild) {
-  EXPECT_THAT(compiler_calls(""), AllOf(HasSubstr("-Wall"), Not(HasSubstr("-Werror"))));
-}
-
-TEST_F(FrontDoor, WarningsAreErrorsWhereThatIsAskedFor) {
-  EXPECT_THAT(compiler_calls("ON"), HasSubstr("-Werror"));
 }
 
 }  // namespace

@@ -146,14 +146,6 @@ TEST_F(InjectedEffectsStudy, EffectsOnAnyMarkAndRatingLieInTheIntervals) {
   EXPECT_LE(missed.size(), 4U) << testing::PrintToString(missed);
 }
 
-TEST_F(InjectedEffectsStudy, AnUnknownRatingIsRefusedWithThoseThereAre) {
-  write_protocol(other_measures);
-  const ProgramResult refused =
-      simulate("shift-rating:comfrt:fv:1", 1, (folder / "none.sqlite").string());
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, HasSubstr("no rating 'comfrt'; choose one of comfort, effort"));
-}
-
 TEST_F(InjectedEffectsStudy, NothingIsFoundWhereNothingWasInjected) {
   // Times are drawn, as with an effect, which "none" would leave to the eye.
   const nlohmann::json analysis = analysis_of("order:1");

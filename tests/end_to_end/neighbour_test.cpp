@@ -230,25 +230,6 @@ TEST_F(RunWithNeighbours, AnothersLockIsWaitedForAndSaid) {
   EXPECT_THAT(study::verify_study(study()).faults, IsEmpty());
 }
 
-TEST_F(RunWithNeighbours, ASessionWhoseLogIsTakenAwayEndsAndIsSaved) {
-  begin(1);
-  note("before");
-  fs::remove(participant_.database().string() + "-wal");
-  participant_.program().type_line("note after");
-  EXPECT_EQ(participant_.program().wait_for_end(), 1);
-  EXPECT_THAT(participant_.program().said(),
-              AllOf(HasSubstr("its log (-wal) was removed"), HasSubstr("study.saved-"),
-                    HasSubstr("give the same command with that file and --resume")));
-  for (const fs::directory_entry& entry : fs::directory_iterator(participant_.folder().path())) {
-    if (entry.path().filename().string().starts_with("study.saved-")) {
-      EXPECT_EQ(rows_of(entry.path(), "SELECT text FROM note ORDER BY sequence"),
-                Rows({"before", "after"}));
-      return;
-    }
-  }
-  ADD_FAILURE() << "nothing was saved";
-}
-
 class OutputsApart : public Render {};
 
 TEST_F(OutputsApart, NoCommandWritesOverWhatItReads) {

@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
-#include "renderer/glb/glb_document.h"
 #include "tests/end_to_end/preview_command.h"
+#include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
@@ -46,37 +44,16 @@ TEST_F(PreviewCommand, ShowsTheSceneThatTakesItsFilesPlace) {
   EXPECT_EQ(json.at("last_view"), "--camera 0,-0.4,0 --head 45,0 --fov 60") << "as before";
 }
 
-TEST_F(PreviewCommand, KeepsTheSceneWhereTheChangedOneDoesNotLoad) {
-  const auto json = preview_while(
-      [&](XUser& user, RunningProgram& program) {
-        const auto is_scene_shown = [&] {
-          return user.brightness_at(title_, 100, above_messages_px) > 0.2;
-        };
-        wait_until("the first picture", is_scene_shown);
-        for (int i = 0; i < 10; ++i) {
-          std::filesystem::rename(folder_.write("new", "no scene at all"), scene_);
-          program.wait_for("does not load: " + scene_);
-        }
-        wait_until("the old scene", is_scene_shown);
-        user.ask_to_close(title_);
-      },
-      {"--fill-unsampled"});
-  for (const auto& change : json.at("changes")) {
-    EXPECT_TRUE(change.at("is_refused"));
-  }
-}
-
 /// A wall of 20 000 triangles, 2 m in front of the origin, that shines or does not. Its waves make
 /// each version's vertices others.
 std::string wall_glb(int version, bool shines) {
   constexpr int side = 100;
-  std::vector<float> positions;
+  std::vector<Vec3> positions;
   std::vector<std::uint32_t> indices;
   for (int y = 0; y <= side; ++y) {
     for (int x = 0; x <= side; ++x) {
-      const auto wave = static_cast<float>(0.01 * std::sin(x + version));
-      positions.insert(positions.end(), {0.1F * static_cast<float>(x - side / 2),
-                                         0.1F * static_cast<float>(y - side / 2), wave - 2.0F});
+      const double wave = 0.01 * std::sin(x + version);
+      positions.emplace_back(0.1 * (x - side / 2), 0.1 * (y - side / 2), wave - 2.0);
     }
   }
   for (int i = 0; i < side * side; ++i) {
@@ -84,36 +61,15 @@ std::string wall_glb(int version, bool shines) {
     const std::uint32_t above = corner + side + 1;
     indices.insert(indices.end(), {corner, corner + 1, above, corner + 1, above + 1, above});
   }
-  const std::size_t position_bytes = positions.size() * sizeof(float);
-  const std::size_t index_bytes = indices.size() * sizeof(std::uint32_t);
-  std::string buffer(reinterpret_cast<const char*>(positions.data()), position_bytes);
-  buffer.append(reinterpret_cast<const char*>(indices.data()), index_bytes);
+  GlbBuilder glb;
   const float emission = shines ? 1.0F : 0.0F;
-  const nlohmann::json document = {
-      {"asset", {{"version", "2.0"}}},
-      {"scenes", {{{"nodes", {0}}}}},
-      {"nodes", {{{"mesh", 0}}}},
-      {"materials",
-       {{{"emissiveFactor", {emission, emission, emission}},
-         {"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 0, 1}}}}}}},
-      {"meshes",
-       {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}}}}}}},
-      {"accessors",
-       {{{"bufferView", 0},
-         {"componentType", 5126},
-         {"type", "VEC3"},
-         {"count", positions.size() / 3},
-         {"min", {-5.0, -5.0, -2.1}},
-         {"max", {5.0, 5.0, -1.9}}},
-        {{"bufferView", 1},
-         {"componentType", 5125},
-         {"type", "SCALAR"},
-         {"count", indices.size()}}}},
-      {"bufferViews",
-       {{{"buffer", 0}, {"byteLength", position_bytes}},
-        {{"buffer", 0}, {"byteOffset", position_bytes}, {"byteLength", index_bytes}}}},
-      {"buffers", {{{"byteLength", buffer.size()}}}}};
-  return glb_container(document.dump(), buffer);
+  const Json material = {{"emissiveFactor", {emission, emission, emission}},
+                         {"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 0, 1}}}}};
+  const Json primitive = {{"attributes", {{"POSITION", glb.add_vectors(positions)}}},
+                          {"indices", glb.add_accessor(indices, uint32, "SCALAR", 1)},
+                          {"material", glb.add("materials", material)}};
+  glb.add_root({{"mesh", glb.add_mesh(primitive)}});
+  return glb.bytes();
 }
 
 /// What a process has in memory.

@@ -4,27 +4,19 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "renderer/base/files.h"
 #include "tests/matchers.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::test {
 namespace {
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return std::move(content).str();
-}
 
 void write_into(const fs::path& output, const fs::path& errors) {
   constexpr mode_t mode = 0600;
@@ -75,8 +67,8 @@ ProgramResult run_program(const std::vector<std::string>& command, const Environ
     throw std::runtime_error("cannot run " + command.front());
   }
   return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          .output = content_of(folder / "output"),
-          .errors = content_of(folder / "errors")};
+          .output = read_file(folder / "output"),
+          .errors = read_file(folder / "errors")};
 }
 
 ProgramResult run_foveola(std::vector<std::string> arguments, const Environment& environment) {

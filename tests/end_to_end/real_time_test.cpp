@@ -158,15 +158,6 @@ TEST_F(RealTime, WhatWasKilledGoesOn) {
   verify();
 }
 
-TEST_F(RealTime, WhoWantsToMayStop) {
-  write_protocol("methods = [\"od\", \"fv\"]\nphases = [\"trials\"]\n", "");
-  simulate({"--inject", "dropout:1"});
-  EXPECT_THAT(ask("SELECT state FROM session"), ElementsAre("withdrawn"));
-  EXPECT_THAT(events(), ElementsAre("session_started", "object_chosen", "trial_started",
-                                    "first_frame_presented", "marked", "marked", "rated",
-                                    "pause_requested", "withdrawn"));
-}
-
 TEST_F(RealTime, WhatExcludesItIsRefused) {
   write_protocol("methods = [\"fv\"]\nphases = [\"trials\"]\n", "");
   expect_one_line(run_foveola(command({"--predicted"}), environment()), 2, "--predicted");

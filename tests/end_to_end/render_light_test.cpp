@@ -54,26 +54,6 @@ TEST_F(Render, ExposesPicturesAndLeavesRadiances) {
   EXPECT_EQ(render("a.png", {"--exposure", "fixed:41"}).exit_code, 2);
 }
 
-TEST_F(Render, LightsOfBlendersExportsAreInWatts) {
-  const auto run = [&](const std::string& mode, const std::vector<std::string>& options) {
-    return run_foveola(
-        joined({"render", TEST_DATA_DIR "/blender/" + mode + ".gltf", "-o", folder_ / "b.exr",
-                "--size", "64x32", "--spp", "4", "--camera", "0,1,3"},
-               options));
-  };
-  const auto picture = [&] { return read_film_image(folder_ / "b.exr").color.pixels; };
-  EXPECT_THAT(run("standard", {}).errors, HasSubstr("divided by 683 lm/W"));
-  const auto by_default = picture();
-  EXPECT_EQ(run("unitless", {"--light-units", "radiometric"}).errors.find("683"),
-            std::string::npos);
-  EXPECT_EQ(picture(), by_default);
-  EXPECT_EQ(run("standard", {"--light-units", "photometric"}).errors.find("683"),
-            std::string::npos);
-  EXPECT_EQ(picture(), by_default);
-  run("standard", {"--light-units", "radiometric"});
-  EXPECT_NE(picture(), by_default);
-}
-
 // Not at the strength of the scene's own, which its descriptor gives.
 TEST_F(Render, AnotherEnvironmentShinesAsItIsGiven) {
   const std::string image = (folder_ / "court.exr").string();

@@ -14,18 +14,6 @@
 namespace foveola::test {
 namespace {
 
-TEST_F(Render, OdGivesEveryPixelItsSamples) {
-  succeeded(render("a.exr", {"--panorama", "--size", "64x32", "--spp", "4"}));
-  const FilmImage image = read_film_image(folder_ / "a.exr");
-  ASSERT_EQ(image.color.width, 64);
-  ASSERT_EQ(image.color.height, 32);
-  EXPECT_THAT(image.samples, Each(4U));
-  for (const Rgb& pixel : image.color.pixels) {
-    EXPECT_TRUE(is_finite(pixel));
-    EXPECT_GT(luminance(pixel), 0.0F);
-  }
-}
-
 // All samples of a view of 60 x 30 degrees lie within 15 degrees of the horizon, a pixel's height
 // aside, and some near its edges.
 TEST_F(Render, AViewHasTwoFieldsOfView) {

@@ -92,7 +92,7 @@ void SeatedParticipant::begin(const std::vector<std::string>& options) {
   screens_ = folder() / ("screens-" + std::to_string(++runs_));
   pages_ = 0;
   program_ = std::make_unique<RunningProgram>(
-      joined(joined(command(), {"--screens", screens_.string()}), options), environment_);
+      joined(joined(command(), {"--screens", screens_.string()}), options), hall_.environment());
   const std::string line = program_->wait_for("Session time 0 is ");
   zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
   point_at(320, 240);

@@ -41,11 +41,6 @@ class SeatedParticipant {
   /// Of the windows that open from now on.
   void set_window(std::string size) { window_ = std::move(size); }
 
-  /// Of the programs that begin from now on.
-  void set_environment(const std::string& name, const std::string& value) {
-    environment_.emplace_back(name, value);
-  }
-
   /// Starts the program for the participant, with more options if there are any, and waits until
   /// the session has begun.
   void begin(const std::vector<std::string>& options = {});
@@ -113,7 +108,6 @@ class SeatedParticipant {
   std::optional<WindowManager> manager_;
   std::optional<XUser> user_{std::in_place, server_.display()};
   Hall hall_;
-  Environment environment_ = hall_.environment();
   std::filesystem::path database_ = hall_.folder / "study.sqlite";
   std::string code_ = "P1";
   std::string window_ = "640x480";

@@ -1,7 +1,5 @@
 // From a protocol to a report, with the built program, and the results read back.
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,7 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/angles.h"
 #include "renderer/base/files.h"
 #include "study/record/study_records.h"
 #include "tests/end_to_end/study_of_a_hall.h"
@@ -102,26 +99,6 @@ TEST(Study, IsPreparedWithoutADatabase) {
   EXPECT_THAT(folder.entries(), ElementsAre("small.toml"));
 }
 
-TEST(Study, TheSameSeedGivesTheSameMarks) {
-  const TemporaryFolder folder;
-  write_file(folder / "small.toml", small_protocol);
-  const auto marks = [&](const std::string& name, const std::string& seed,
-                         const std::string& threads) {
-    succeeded(run_foveola({"study", "simulate", (folder / "small.toml").string(), "--db",
-                           (folder / name).string(), "--participants", "1", "--seed", seed,
-                           "--threads", threads}));
-    const study::StudyRecords records = study::read_study(folder / name);
-    std::vector<std::pair<int, double>> values;
-    for (const study::Value& value : records.values) {
-      values.emplace_back(static_cast<int>(value.state), value.number);
-    }
-    return values;
-  };
-  const auto first = marks("a.sqlite", "5", "1");
-  EXPECT_EQ(first, marks("b.sqlite", "5", "2"));
-  EXPECT_NE(first, marks("c.sqlite", "6", "2"));
-}
-
 std::string recorded_digest(const fs::path& database) {
   return value_of(database, "SELECT file_sha256 FROM session_scene");
 }
@@ -140,65 +117,6 @@ TEST_F(StudyOfAHall, AnotherFileIsWarnedOfAndNotMixedIn) {
   const ProgramResult alone = succeeded(simulate("other.sqlite"));
   EXPECT_THAT(alone.errors, HasSubstr("hall.glb is not the file that the descriptor"));
   EXPECT_NE(recorded_digest(folder / "other.sqlite"), digest);
-}
-
-TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
-  copy_published_numbers();
-  const std::string study = (folder / "study.sqlite").string();
-  const ProgramResult nowhere =
-      run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--predicted",
-           "--report", (folder / "missing/report").string()});
-  EXPECT_EQ(nowhere.exit_code, 1);
-  EXPECT_FALSE(fs::exists(study)) << "refused before the work";
-  const ProgramResult reported =
-      succeeded(run({"study", "simulate", "hall", "--db", study, "--participants", "4",
-                     "--predicted", "--report", (folder / "report").string()}));
-  EXPECT_THAT(reported.output,
-              HasSubstr("Table 2, OD: of 10 published means, 0 of which this study "
-                        "has, "));
-  const std::string page = read_file(folder / "report/published_comparison.html");
-  EXPECT_THAT(page, HasSubstr("imulated"));
-  EXPECT_THAT(page, HasSubstr("<td>41.8 [36.6, 47.0] %</td>"));
-}
-
-// The published study in five halls that have its scenes' names.
-TEST_F(StudyOfAHall, AMachineIsFittedUntilTheBaselineTakesAsLongAsPublished) {
-  const std::string published_scenes = R"(["bmw", "classroom", "conference", "sibenik", "sponza"])";
-  for (const char* scene : {"bmw", "classroom", "conference", "sibenik", "sponza"}) {
-    folder.write(fmt::format("share/scenes/{}.toml", scene),
-                 "sha256 = \"" + digest + "\"\n" +
-                     replaced(hall_descriptor, "radius_deg = 5.0", "radius_deg = 20.0"));
-  }
-  copy_published_numbers();
-  std::string protocol = replaced(hall_protocol(), R"(["hall"])", published_scenes);
-  protocol = replaced(protocol, "mark_timeout_s = 5", "mark_timeout_s = 3600");
-  protocol = replaced(protocol, "width = 32\nheight = 16", "width = 128\nheight = 64");
-  protocol =
-      replaced(protocol, "view_width = 16\nview_height = 16", "view_width = 64\nview_height = 64");
-  folder.write("share/protocols/hall.toml", protocol);
-  const ProgramResult result = succeeded(run({"bench", "calibration", "hall", "--participants", "4",
-                                              "-o", (folder / "calibration").string(), "--json"}));
-  const nlohmann::json calibration = nlohmann::json::parse(result.output);
-  EXPECT_EQ(calibration.at("participant_kind"), "simulated");
-  double log_ratio = 0.0;
-  for (const nlohmann::json& cell : calibration.at("cells")) {
-    log_ratio +=
-        std::log(cell.at("simulated_s").get<double>() / cell.at("published_s").get<double>());
-  }
-  EXPECT_EQ(calibration.at("cells").size(), 10U);
-  EXPECT_NEAR(log_ratio / 10.0, 0.0, 0.002);
-  const nlohmann::json& speeds = calibration.at("samples_per_second");
-  ASSERT_EQ(speeds.size(), 3U);
-  const nlohmann::json& both = speeds[0];
-  EXPECT_EQ(both.at("name"), "both marks");
-  EXPECT_LT(both.at("low").get<double>(), both.at("value").get<double>());
-  EXPECT_GT(both.at("high").get<double>(), both.at("value").get<double>());
-  const std::string study = fmt::format("{:.10g}.sqlite", both.at("value").get<double>());
-  EXPECT_NEAR(std::stod(value_of(folder / "calibration" / study,
-                                 "SELECT devices ->> '$.simulation.samples_per_second' FROM"
-                                 " session")),
-              both.at("value").get<double>(), 1e-6);
-  EXPECT_TRUE(fs::exists(folder / "calibration/published_comparison.html"));
 }
 
 TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {
@@ -231,44 +149,6 @@ TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {
   }
   EXPECT_EQ(people.size(), 3U);
   EXPECT_EQ(bench("decision.lapse_s").output, first.output) << "gone on with";
-}
-
-/// A camera that sees the eye 2 degrees off.
-std::string biased_tracker() {
-  return tracker_profile("simulated", 120) + R"([simulated]
-precision_deg = 0.1
-bias_right_deg = 2.0
-)";
-}
-
-std::string biased_hall(const std::string& validation) {
-  return hall_protocol() + "[tracker]\nprofile = \"biased\"\n[tracker.validation]\n" + validation;
-}
-
-/// Of the first gaze sample of the only trial, in the head's axes.
-double first_azimuth_deg(const fs::path& database) {
-  const std::string recording = database.string() + ".csv";
-  succeeded(run_foveola({"study", "gaze", database.string(), "--participant", "P001", "--trial",
-                         "0", "-o", recording}));
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-  EXPECT_EQ(std::sscanf(read_file(recording).c_str(), "%*[^\n] 0,%lf,%lf,%lf,1", &x, &y, &z), 3);
-  return degrees(std::atan2(x, -z));
-}
-
-// The same person looks at the same place; what is left of the difference is noise of 0.1 degrees.
-TEST_F(StudyOfAHall, ACorrectionIsAppliedToTheGazeOfTheTrials) {
-  folder.write("share/data/trackers/biased.toml", biased_tracker());
-  folder.write("share/protocols/hall.toml", biased_hall("max_accuracy_deg = 5\n"));
-  succeeded(simulate("biased.sqlite"));
-  folder.write("share/protocols/hall.toml", biased_hall("correct = true\n"));
-  succeeded(simulate("corrected.sqlite"));
-  EXPECT_EQ(value_of(folder / "corrected.sqlite", "SELECT group_concat(passed) FROM gaze_run"),
-            "0,1");
-  EXPECT_NEAR(
-      first_azimuth_deg(folder / "biased.sqlite") - first_azimuth_deg(folder / "corrected.sqlite"),
-      2.0, 0.5);
 }
 
 // At 120 Hz, of which the attempt's frames say how long it was.
