@@ -76,6 +76,28 @@ TEST_P(BadFiles, AreRefusedByReaderAndWriterAndLeftAsTheyWere) {
   EXPECT_EQ(folder.content(), before);
 }
 
+using Change = std::function<void(const fs::path&)>;
+
+/// A small study that was changed like this.
+Change spoilt(const Change& change) {
+  return [change](const fs::path& path) {
+    write_small_study(path);
+    change(path);
+  };
+}
+
+Change with_bytes(std::int64_t offset, const std::string& bytes) {
+  return spoilt([offset, bytes](const fs::path& path) { overwrite(path, offset, bytes); });
+}
+
+Change after_sql(const std::string& sql) {
+  return spoilt([sql](const fs::path& path) { run_sql(path, sql); });
+}
+
+Change of_size(const std::function<std::uintmax_t(std::uintmax_t)>& size) {
+  return spoilt([size](const fs::path& path) { fs::resize_file(path, size(fs::file_size(path))); });
+}
+
 std::vector<BadFile> bad_files() {
   return {
       {"Text", [](const fs::path& path) { write_bytes(path, std::string(5000, 'x')); },
@@ -86,70 +108,26 @@ std::vector<BadFile> bad_files() {
       {"Pipe", [](const fs::path& path) { ::mkfifo(path.c_str(), 0600); }, "is not a regular file"},
       {"OtherDatabase", [](const fs::path& path) { run_sql(path, "CREATE TABLE t (x)"); },
        "is no study of Foveola"},
-      {"OtherApplication",
-       [](const fs::path& path) {
-         write_small_study(path);
-         overwrite(path, 68, "Abcd");
-       },
-       "is no study of Foveola"},
-      {"SecondName",
-       [](const fs::path& path) {
-         write_small_study(path);
+      {"OtherApplication", with_bytes(68, "Abcd"), "is no study of Foveola"},
+      {"SecondName", spoilt([](const fs::path& path) {
          fs::create_hard_link(path, path.parent_path() / "other.sqlite");
-       },
+       }),
        "has 2 names (hard links)"},
-      {"NewerSchema",
-       [](const fs::path& path) {
-         write_small_study(path);
-         overwrite(path, 63, "\x06");
-       },
+      {"NewerSchema", with_bytes(63, "\x06"),
        "has schema 6, and this program knows only 4 and 5; use a newer Foveola"},
-      {"OlderSchema",
-       [](const fs::path& path) {
-         write_small_study(path);
-         overwrite(path, 63, "\x03");
-       },
+      {"OlderSchema", with_bytes(63, "\x03"),
        "has schema 3, and this program knows only 4 and 5; go on with the Foveola that began it, "
-       "or "
-       "begin "
-       "a new study"},
-      {"Truncated",
-       [](const fs::path& path) {
-         write_small_study(path);
-         fs::resize_file(path, fs::file_size(path) / 2);
-       },
-       "is damaged"},
-      {"OverwrittenPages",
-       [](const fs::path& path) {
-         write_small_study(path);
-         overwrite(path, 8192, std::string(8192, '\x5a'));
-       },
-       "is damaged"},
-      {"GuardRemoved",
-       [](const fs::path& path) {
-         write_small_study(path);
-         run_sql(path, "DROP TRIGGER event_stays");
-       },
+       "or begin a new study"},
+      {"Truncated", of_size([](std::uintmax_t size) { return size / 2; }), "is damaged"},
+      {"OverwrittenPages", with_bytes(8192, std::string(8192, '\x5a')), "is damaged"},
+      {"GuardRemoved", after_sql("DROP TRIGGER event_stays"),
        "its trigger event_stays is missing or was changed"},
-      {"ByteMissing",
-       [](const fs::path& path) {
-         write_small_study(path);
-         fs::resize_file(path, fs::file_size(path) - 1);
-       },
-       "is damaged (has "},
-      {"PageAppended",
-       [](const fs::path& path) {
-         write_small_study(path);
-         fs::resize_file(path, fs::file_size(path) + 4096);
-       },
+      {"ByteMissing", of_size([](std::uintmax_t size) { return size - 1; }), "is damaged (has "},
+      {"PageAppended", of_size([](std::uintmax_t size) { return size + 4096; }),
        "is damaged (has "},
       {"EndlessView",
-       [](const fs::path& path) {
-         write_small_study(path);
-         run_sql(path,
-                 "DROP VIEW trial_result; CREATE VIEW trial_result AS WITH RECURSIVE n(i) AS"
-                 " (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n ORDER BY i");
-       },
+       after_sql("DROP VIEW trial_result; CREATE VIEW trial_result AS WITH RECURSIVE n(i) AS"
+                 " (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n ORDER BY i"),
        "its view trial_result is missing or was changed"},
   };
 }
@@ -157,89 +135,82 @@ std::vector<BadFile> bad_files() {
 INSTANTIATE_TEST_SUITE_P(Database, BadFiles, testing::ValuesIn(bad_files()),
                          [](const auto& parameter) { return parameter.param.name; });
 
-TEST(Database, WriterRefusesWhatCouldChangeWhatItWrites) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  write_small_study(path);
-  const std::string whole = folder.content().at("study.sqlite");
+using Database = StudyFile;
+
+TEST_F(Database, WriterRefusesWhatCouldChangeWhatItWrites) {
+  write_small_study(path_);
+  const std::string whole = folder_.content().at("study.sqlite");
   for (const auto& [sql, words] :
        {std::pair("CREATE TRIGGER faster AFTER INSERT ON mark BEGIN SELECT 1; END",
                   "has the trigger faster on mark, which is not Foveola's and could change what is "
                   "recorded; remove it (DROP TRIGGER in sqlite3)"),
         std::pair("CREATE UNIQUE INDEX one ON session (kind)",
                   "has the index one on session, which is not Foveola's")}) {
-    folder.write("study.sqlite", whole);
-    run_sql(path, sql);
-    const auto before = folder.content();
-    EXPECT_THAT(refusal([&] { const StudyStore store(path, small_protocol()); }),
-                AllOf(StartsWith(path.string()), HasSubstr(words)));
-    EXPECT_EQ(folder.content(), before);
-    EXPECT_EQ(read_study(path).sessions.size(), 1U) << "it can still be read";
+    folder_.write("study.sqlite", whole);
+    run_sql(path_, sql);
+    const auto before = folder_.content();
+    EXPECT_THAT(refusal([&] { const StudyStore store(path_, small_protocol()); }),
+                AllOf(StartsWith(path_.string()), HasSubstr(words)));
+    EXPECT_EQ(folder_.content(), before);
+    EXPECT_EQ(read_study(path_).sessions.size(), 1U) << "it can still be read";
   }
-  folder.write("study.sqlite", whole);
-  run_sql(path,
+  folder_.write("study.sqlite", whole);
+  run_sql(path_,
           "CREATE VIEW marks AS SELECT * FROM mark;"
           " CREATE TABLE remark (session INTEGER UNIQUE, text TEXT); ANALYZE");
-  const StudyStore store(path, small_protocol());
+  const StudyStore store(path_, small_protocol());
 }
 
-TEST(Database, ReaderRefusesWhatIsNotThereAndMakesNothing) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(refusal([&] { read_study(folder / "none.sqlite"); }), HasSubstr("no such file"));
-  EXPECT_TRUE(folder.content().empty());
+TEST_F(Database, ReaderRefusesWhatIsNotThereAndMakesNothing) {
+  EXPECT_THAT(refusal([&] { read_study(folder_ / "none.sqlite"); }), HasSubstr("no such file"));
+  EXPECT_TRUE(folder_.content().empty());
 }
 
-TEST(Database, WriterRefusesFoldersThatAreMissingOrClosed) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(refusal([&] { const StudyStore store(folder / "none/a.sqlite", small_protocol()); }),
+TEST_F(Database, WriterRefusesFoldersThatAreMissingOrClosed) {
+  EXPECT_THAT(refusal([&] { const StudyStore store(folder_ / "none/a.sqlite", small_protocol()); }),
               HasSubstr("does not exist"));
-  fs::permissions(folder.path(), fs::perms(0555));
+  fs::permissions(folder_.path(), fs::perms(0555));
   const OrdinaryUser user;
-  EXPECT_THAT(refusal([&] { const StudyStore store(folder / "a.sqlite", small_protocol()); }),
+  EXPECT_THAT(refusal([&] { const StudyStore store(folder_ / "a.sqlite", small_protocol()); }),
               HasSubstr("cannot be written"));
-  EXPECT_TRUE(folder.content().empty());
+  EXPECT_TRUE(folder_.content().empty());
 }
 
-TEST(Database, WriterRefusesAFileItMayOnlyRead) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  write_small_study(path);
-  fs::permissions(path, fs::perms(0444));
-  fs::permissions(folder.path(), fs::perms(0777));
-  const auto before = folder.content();
+TEST_F(Database, WriterRefusesAFileItMayOnlyRead) {
+  write_small_study(path_);
+  fs::permissions(path_, fs::perms(0444));
+  fs::permissions(folder_.path(), fs::perms(0777));
+  const auto before = folder_.content();
   {
     const OrdinaryUser user;
-    EXPECT_THAT(refusal([&] { const StudyStore store(path, small_protocol()); }),
+    EXPECT_THAT(refusal([&] { const StudyStore store(path_, small_protocol()); }),
                 HasSubstr("cannot be written"));
   }
-  EXPECT_EQ(folder.content(), before);
+  EXPECT_EQ(folder_.content(), before);
 }
 
-TEST(Database, WriterRefusesAnotherProtocol) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  write_small_study(path);
-  const auto before = folder.content();
+TEST_F(Database, WriterRefusesAnotherProtocol) {
+  write_small_study(path_);
+  const auto before = folder_.content();
   for (const auto& [protocol, words] :
        {std::pair(other_protocol(), "with another protocol than other.toml"),
         std::pair(protocol_with_another_file(), "with another file as a.png (SHA-256 eeee"),
         std::pair(protocol_with_another_tracker(), "with another tracker than camera, as its")}) {
-    EXPECT_THAT(refusal([&] { const StudyStore store(path, protocol); }),
-                AllOf(StartsWith(path.string()), HasSubstr(words)));
-    EXPECT_EQ(folder.content(), before);
+    EXPECT_THAT(refusal([&] { const StudyStore store(path_, protocol); }),
+                AllOf(StartsWith(path_.string()), HasSubstr(words)));
+    EXPECT_EQ(folder_.content(), before);
   }
 }
 
 // What a crash leaves: the file, and beside it a log that holds the newest commits.
-TEST(Database, LogOfACrashIsReadAndSurvivesARefusal) {
-  const TemporaryFolder folder;
+TEST_F(Database, LogOfACrashIsReadAndSurvivesARefusal) {
   const TemporaryFolder crashed;
   const fs::path path = crashed / "study.sqlite";
   {
-    StudyStore store(folder / "study.sqlite", small_protocol());
+    StudyStore store(folder_ / "study.sqlite", small_protocol());
     PlayedSession session = begun_session(store);
-    fs::copy(folder / "study.sqlite", path);
-    fs::copy(folder / "study.sqlite-wal", crashed / "study.sqlite-wal");
+    fs::copy(folder_ / "study.sqlite", path);
+    fs::copy(folder_ / "study.sqlite-wal", crashed / "study.sqlite-wal");
   }
   const auto before = crashed.content();
   refusal([&] { const StudyStore store(path, other_protocol()); });
@@ -254,33 +225,28 @@ TEST(Database, LogOfACrashIsReadAndSurvivesARefusal) {
   EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "2");
 }
 
-TEST(Database, ReadsInAFolderThatCannotBeWritten) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  write_small_study(path);
-  fs::permissions(path, fs::perms(0644));
-  fs::permissions(folder.path(), fs::perms(0555));
+TEST_F(Database, ReadsInAFolderThatCannotBeWritten) {
+  write_small_study(path_);
+  fs::permissions(path_, fs::perms(0644));
+  fs::permissions(folder_.path(), fs::perms(0555));
   {
     const OrdinaryUser user;
-    EXPECT_EQ(read_study(path).trials.size(), 4U);
+    EXPECT_EQ(read_study(path_).trials.size(), 4U);
   }
-  EXPECT_THAT(folder.content(), SizeIs(1));
+  EXPECT_THAT(folder_.content(), SizeIs(1));
 }
 
-TEST(Database, PathsMayHoldWhatIsSpecialInAUri) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "50%20? a#b&immutable=0.sqlite";
+TEST_F(Database, PathsMayHoldWhatIsSpecialInAUri) {
+  const fs::path path = folder_ / "50%20? a#b&immutable=0.sqlite";
   write_small_study(path);
   EXPECT_EQ(read_study(path).sessions.size(), 1U);
-  EXPECT_EQ(folder.content().count("50%20? a#b&immutable=0.sqlite"), 1U);
-  EXPECT_EQ(folder.content().size(), 1U);
+  EXPECT_EQ(folder_.content().count("50%20? a#b&immutable=0.sqlite"), 1U);
+  EXPECT_EQ(folder_.content().size(), 1U);
 }
 
-TEST(Database, WritersConnectionIsDurable) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  create_study(path, small_protocol());
-  SQLite::Database database = open_study_to_write(path);
+TEST_F(Database, WritersConnectionIsDurable) {
+  create_study(path_, small_protocol());
+  SQLite::Database database = open_study_to_write(path_);
   EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "wal");
   constexpr int full = 2;
   EXPECT_EQ(database.execAndGet("PRAGMA synchronous").getInt(), full);
@@ -288,59 +254,29 @@ TEST(Database, WritersConnectionIsDurable) {
   EXPECT_GT(database.execAndGet("PRAGMA busy_timeout").getInt(), 0);
 }
 
-TEST(Database, NewStudyNeverTakesTheNameOfAnother) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  write_small_study(path);
-  const auto before = folder.content();
-  create_study(path, small_protocol());
-  EXPECT_EQ(folder.content(), before);
+TEST_F(Database, NewStudyNeverTakesTheNameOfAnother) {
+  write_small_study(path_);
+  const auto before = folder_.content();
+  create_study(path_, small_protocol());
+  EXPECT_EQ(folder_.content(), before);
 }
 
-TEST(Database, HalfMadeStudyOfAKilledProgramIsNoObstacle) {
-  const TemporaryFolder folder;
-  const fs::path half = folder / ".study.sqlite.0123456789abcdef.partial";
+TEST_F(Database, HalfMadeStudyOfAKilledProgramIsNoObstacle) {
+  const fs::path half = folder_ / ".study.sqlite.0123456789abcdef.partial";
   write_bytes(half, "half");
   write_bytes(half.string() + "-wal", "half");
-  create_study(folder / "study.sqlite", small_protocol());
-  EXPECT_EQ(folder.content().size(), 1U);
-  EXPECT_TRUE(read_study(folder / "study.sqlite").sessions.empty());
+  create_study(folder_ / "study.sqlite", small_protocol());
+  EXPECT_EQ(folder_.content().size(), 1U);
+  EXPECT_TRUE(read_study(folder_ / "study.sqlite").sessions.empty());
 }
 
 // Another machine's process has a number that means nothing here.
-TEST(Database, WhatARunningProgramMakesStays) {
-  const TemporaryFolder folder;
-  const TemporaryDatabase another(folder / "other.sqlite");
+TEST_F(Database, WhatARunningProgramMakesStays) {
+  const TemporaryDatabase another(folder_ / "other.sqlite");
   write_bytes(another.path().string() + "-journal", "in use");
-  write_bytes(folder / ".notes.partial", "of another kind");
-  create_study(folder / "study.sqlite", small_protocol());
-  EXPECT_EQ(folder.content().size(), 4U);
-}
-
-TEST(Database, FullDiskIsNamed) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  create_study(path, small_protocol());
-  SQLite::Database database = open_study_to_write(path);
-  database.exec("CREATE TABLE filler (x)");
-  database.execAndGet("PRAGMA max_page_count = 1");
-  EXPECT_THAT(refusal([&] {
-                with_clear_errors(
-                    path, [&] { database.exec("INSERT INTO filler VALUES (zeroblob(1000000))"); });
-              }),
-              AllOf(StartsWith(path.string()), HasSubstr("the disk is full; free some space")));
-}
-
-TEST(Database, BusyFileIsNamed) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  create_study(path, small_protocol());
-  SQLite::Database first = open_study_to_write(path);
-  SQLite::Database second = open_study_to_write(path);
-  second.setBusyTimeout(0);
-  first.exec("BEGIN IMMEDIATE");
-  EXPECT_THAT(refusal([&] { with_clear_errors(path, [&] { second.exec("BEGIN IMMEDIATE"); }); }),
-              HasSubstr("is in use by another program"));
+  write_bytes(folder_ / ".notes.partial", "of another kind");
+  create_study(folder_ / "study.sqlite", small_protocol());
+  EXPECT_EQ(folder_.content().size(), 4U);
 }
 
 }  // namespace

@@ -135,11 +135,6 @@ TEST_F(VerifiedStudy, FindsReferencesToWhatIsNotThere) {
               Contains(FieldsAre("", HasSubstr("a row of mark refers to one of attempt"))));
 }
 
-TEST_F(VerifiedStudy, RefusesAFileWithoutItsGuards) {
-  SQLite::Database(path_, SQLite::OPEN_READWRITE).exec("DROP TRIGGER event_stays");
-  EXPECT_THAT(refusal([&] { verify_study(path_); }), HasSubstr("trigger event_stays is missing"));
-}
-
 TEST_F(VerifiedStudy, NamesWhatStandsBesideItsSchema) {
   const std::string whole = folder_.content().at("study.sqlite");
   for (const auto& [sql, object] :
