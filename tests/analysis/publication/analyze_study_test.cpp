@@ -173,13 +173,5 @@ TEST_F(AnalyzeStudy, SaysWhatLimitsTheResult) {
   }
 }
 
-TEST_F(AnalyzeStudy, WarnsOfAPlannedComparisonWithoutP) {
-  study::StudyRecords records = complete_study(3);
-  records.protocol.analysis.primary = {{"outline", "fv", "od"}, {"comfort", "fv", "od"}};
-  const AnalysisOutput output = analyze_records(records, {}, folder);
-  EXPECT_THAT(output.warnings,
-              Contains(HasSubstr("The planned comparison of fv and od in comfort has no P-value")));
-}
-
 }  // namespace
 }  // namespace foveola::analysis

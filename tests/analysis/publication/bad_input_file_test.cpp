@@ -50,17 +50,6 @@ class BadInputFile : public study::StudyFile {
   const fs::path results_ = folder_ / "results";
 };
 
-TEST_F(BadInputFile, OneThatIsNotThere) { EXPECT_THAT(refusal(), HasSubstr("no such file")); }
-
-TEST_F(BadInputFile, ATruncatedStudy) {
-  write_study(2);
-  const std::string whole = read_file(path_);
-  for (const std::size_t length : {std::size_t{100}, std::size_t{4096}, whole.size() / 2}) {
-    write_file(path_, whole.substr(0, length));
-    EXPECT_THAT(refusal(), HasSubstr("is damaged")) << length;
-  }
-}
-
 /// Whatever is flipped, the end is an analysis or a refusal.
 TEST_F(BadInputFile, FlippedBytes) {
   write_study(2);

@@ -130,6 +130,7 @@ TEST(Report, RaisesAFlagWhereAGateWasMissed) {
   const std::string html = report_of(balanced_study(), quality);
   EXPECT_THAT(html, HasSubstr("class=\"flags\""));
   EXPECT_THAT(html, HasSubstr("⚑ Validation of the gaze: 0 of 3 participants passed"));
+  EXPECT_THAT(html, HasSubstr("<td>⚑ flagged</td>"));
 }
 
 TEST(Report, WhatWasPlannedStandsApart) {
@@ -192,6 +193,73 @@ TEST(Report, HostileStringsStayText) {
   const std::string html = report_of(records);
   EXPECT_THAT(html, Not(HasSubstr("<script")));
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;&amp;&quot; scene"));
+}
+
+// The markup that readers who see, hear or print the report rely on.
+
+std::string simulated_report() {
+  study::DataQualityRecords quality;
+  quality.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
+  return report_of(of_kind(golden_study_records(), "simulated"), quality);
+}
+
+/// The texts from each `begin` to the next `end`.
+std::vector<std::string> parts(const std::string& html, const std::string& begin,
+                               const std::string& end) {
+  std::vector<std::string> found;
+  for (std::size_t at = html.find(begin); at != std::string::npos; at = html.find(begin, at + 1)) {
+    found.push_back(html.substr(at, html.find(end, at) - at));
+  }
+  return found;
+}
+
+TEST(ReportLook, ThePageNamesItsLanguageAndFitsNarrowScreens) {
+  const std::string html = simulated_report();
+  EXPECT_THAT(html, HasSubstr("<html lang=\"en\">"));
+  EXPECT_THAT(html, HasSubstr("content=\"width=device-width, initial-scale=1\""));
+  EXPECT_EQ(parts(html, "<main>", "</main>").size(), 1U);
+}
+
+TEST(ReportLook, OneHeadingOfThePageAndOneOfEachSection) {
+  const std::string html = simulated_report();
+  EXPECT_EQ(parts(html, "<h1>", "</h1>").size(), 1U);
+  EXPECT_GE(parts(html, "<section>", "</section>").size(), 8U);
+  EXPECT_THAT(parts(html, "<section>\n", "</h2>"), Each(StartsWith("<section>\n<h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("<h3")));
+}
+
+TEST(ReportLook, EveryTableHasACaptionAndHeadingsForRowsAndColumns) {
+  const std::vector<std::string> tables = parts(simulated_report(), "<table", "</table>");
+  EXPECT_GE(tables.size(), 10U);
+  EXPECT_THAT(tables, Each(HasSubstr("<caption><span class=\"tag\">Simulated data</span>")));
+  EXPECT_THAT(tables, Each(HasSubstr("<th scope=\"col\">")));
+  EXPECT_THAT(tables, Each(HasSubstr("<tr><th scope=\"row\">")));
+}
+
+TEST(ReportLook, EveryFigureHasANameACaptionAndAMark) {
+  const std::vector<std::string> figures = parts(simulated_report(), "<figure>", "</figure>");
+  EXPECT_EQ(figures.size(), 6U);
+  EXPECT_THAT(figures, Each(ContainsRegex("<svg role=\"img\" aria-label=\"[A-Z]")));
+  EXPECT_THAT(figures, Each(HasSubstr("<figcaption><span class=\"tag\">Simulated data</span>")));
+  EXPECT_THAT(figures, Each(HasSubstr("<text>Simulated data</text>")));
+}
+
+/// Parts that are wider than the screen can be scrolled by keys.
+TEST(ReportLook, WhateverScrollsIsReachedByKeys) {
+  const std::string html = simulated_report();
+  const std::vector<std::string> boxes = parts(html, "<div class=\"scroll\"", ">");
+  EXPECT_EQ(boxes.size(), parts(html, "<table", ">").size() + parts(html, "<figure", ">").size());
+  EXPECT_THAT(boxes, Each(HasSubstr("role=\"group\" aria-label=\"")));
+  EXPECT_THAT(boxes, Each(HasSubstr("tabindex=\"0\"")));
+}
+
+TEST(ReportLook, MethodsDifferByShapeAsWellAsColor) {
+  const std::vector<Figure> figures = draw_figures(tabulate_study(complete_study(4)));
+  ASSERT_FALSE(figures.empty());
+  // gnuplot's names: point type 5, a square, is gpPt4, and 9, a triangle, gpPt8.
+  for (const char* point : {"#gpPt4'", "#gpPt8'"}) {
+    EXPECT_THAT(figures[0].svg, HasSubstr(point));
+  }
 }
 
 }  // namespace
