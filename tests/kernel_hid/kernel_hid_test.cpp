@@ -11,11 +11,10 @@
 #include <vector>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/gaze/hid_eye_tracker.h"
 #include "tests/kernel_hid/uhid_device.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"
 #include "tests/waiting.h"
 
@@ -28,9 +27,6 @@ using test::from_hex;
 using test::operator+;
 using test::UhidDevice;
 using test::UhidSettings;
-using ::testing::AnyOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 constexpr std::uint16_t reference_product = 0xABC0;
 constexpr std::uint16_t hostile_product = 0xABC1;

@@ -8,10 +8,10 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <gmock/gmock.h>
 
 #include "tests/end_to_end/headset_run.h"
 #include "tests/end_to_end/preview_command.h"
+#include "tests/matchers.h"
 #include "tests/openxr/monado/monado_service.h"
 #include "tests/renderer/headset/worn_headset.h"
 #include "tests/renderer/window/patterned_film.h"
@@ -20,11 +20,6 @@ namespace foveola::test {
 namespace {
 
 using std::chrono::milliseconds;
-using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// How the simulated head is turned so long after its service made it: Monado's simulated_hmd.c.
 Quat swaying_head(double since_s) {

@@ -1,15 +1,13 @@
 #include "renderer/base/build_info.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 // In virtual machines many are called "AMD EPYC".
 TEST(MachineInfoTest, TellsProcessorsOfOneNameApart) {
-  EXPECT_THAT(machine_info().processor,
-              testing::MatchesRegex(".+ \\(family [0-9]+, model [0-9]+\\)"));
+  EXPECT_THAT(machine_info().processor, MatchesRegex(".+ \\(family [0-9]+, model [0-9]+\\)"));
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,15 +13,13 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
-using testing::Optional;
 
 std::string with_flipped_bit(std::string content, std::size_t byte) {
   content[byte] = static_cast<char>(content[byte] ^ 0x10);
@@ -109,7 +105,7 @@ TEST(Cache, AFolderThatCannotBeMadeIsNamed) {
   EXPECT_TRUE(fs::is_directory(folder / "a" / "b"));
   folder.write("taken", "a file");
   EXPECT_THAT([&] { make_cache_folder(folder / "taken" / "b"); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("set XDG_CACHE_HOME")));
+              ThrowsMessage<Error>(HasSubstr("set XDG_CACHE_HOME")));
 }
 
 /// A file that shows whether it is whole: what it says of itself, as often as it says.
@@ -203,7 +199,7 @@ TEST(Cache, AWriterThatIsKilledWhileItWritesLeavesNone) {
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_THAT(folder.entries(), ElementsAre(testing::MatchesRegex("\\.x\\..*\\.partial\\.bin")));
+  EXPECT_THAT(folder.entries(), ElementsAre(MatchesRegex("\\.x\\..*\\.partial\\.bin")));
   EXPECT_FALSE(is_kept(file));
   keep_content(file, "all of it");
   EXPECT_THAT(kept_content(file), Optional(std::string("all of it")));

@@ -1,16 +1,14 @@
 #include "renderer/base/clock.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/progress.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 TEST(UtcNow, IsIso8601) {
-  EXPECT_THAT(utc_now(), testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:"
-                                               "[0-9]{2}\\.[0-9]{3}Z"));
+  EXPECT_THAT(utc_now(), MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:"
+                                      "[0-9]{2}\\.[0-9]{3}Z"));
 }
 
 TEST(UtcText, CountsFrom1970) {

@@ -1,16 +1,10 @@
 #include "renderer/base/csv.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(Csv, QuotesAsRfc4180Asks) {
   EXPECT_EQ(format_csv({{"a", "b,c", "say \"hi\"", "two\nlines", ""}}),

@@ -3,12 +3,11 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"
 #include "tests/unprivileged.h"
@@ -17,9 +16,6 @@ namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 class Files : public testing::Test {
  protected:

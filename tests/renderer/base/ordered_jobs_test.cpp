@@ -6,13 +6,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
 
 std::vector<std::size_t> taken_by(int jobs, std::size_t count) {
   OrderedJobs<std::size_t> work(count, 4, [](std::size_t index) { return index * index; });
@@ -80,7 +77,7 @@ TEST(OrderedJobs, TheFirstFaultInOrderComesOut) {
   });
   std::size_t taken = 0;
   EXPECT_THAT([&] { work.run(2, [&](std::size_t, int) { return ++taken > 0; }); },
-              testing::ThrowsMessage<std::runtime_error>("piece 2"));
+              ThrowsMessage<std::runtime_error>("piece 2"));
   EXPECT_EQ(taken, 2U);
 }
 

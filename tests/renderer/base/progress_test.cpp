@@ -6,18 +6,15 @@
 #include <string>
 
 #include <fcntl.h>
-#include <gmock/gmock.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 
 namespace foveola {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 /// What a progress line writes to a terminal of this kind that is 20 columns wide.
 std::string shown_on(const char* kind) {

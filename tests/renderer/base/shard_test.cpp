@@ -1,9 +1,7 @@
 #include "renderer/base/shard.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
@@ -31,7 +29,7 @@ TEST(Shard, IsReadAsItIsWritten) {
        {"", "3", "/", "3/", "/16", "0/16", "17/16", "3/16/2", "3 / 16", "-1/16", "+3/16",
         "3/100001", "3.0/16", "three/16", "3/99999999999999999999"}) {
     EXPECT_THAT([&] { parse_shard("--shard", text); },
-                testing::ThrowsMessage<UsageError>(testing::HasSubstr("--shard: \"")))
+                ThrowsMessage<UsageError>(HasSubstr("--shard: \"")))
         << text;
   }
 }

@@ -2,15 +2,12 @@
 
 #include <array>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::ElementsAre;
 
 /// Reads such a file; whether a size is required depends on the word.
 void read_file_with(const char* content, int default_count, TomlKeys& keys) {

@@ -6,17 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/toml_file.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 using Read = std::function<void(TomlReader&)>;
 
@@ -103,7 +99,7 @@ TEST(TomlNames, AreThoseOfTheTomlFilesInOrder) {
   folder.write("b.toml", "");
   folder.write("a.toml", "");
   folder.write("c.txt", "");
-  EXPECT_THAT(toml_names_in(folder.path()), ::testing::ElementsAre("a", "b"));
+  EXPECT_THAT(toml_names_in(folder.path()), ElementsAre("a", "b"));
   EXPECT_THROW(toml_names_in(folder / "none"), Error);
 }
 
@@ -204,11 +200,11 @@ TEST(TomlFile, OfEndlessContentIsRefusedBeforeAllOfItIsRead) {
   EXPECT_EQ(read_toml_file(folder / "a.toml"), "a = 1\n");
   std::filesystem::resize_file(folder.write("large.toml", ""), std::uintmax_t{1} << 40);
   EXPECT_THAT([&] { read_toml_file(folder / "large.toml"); },
-              ::testing::ThrowsMessage<Error>(HasSubstr("large.toml: has over 4000000 bytes, which "
-                                                        "are the most that are read; name a TOML "
-                                                        "file")));
+              ThrowsMessage<Error>(HasSubstr("large.toml: has over 4000000 bytes, which "
+                                             "are the most that are read; name a TOML "
+                                             "file")));
   EXPECT_THAT([&] { read_toml_file(folder.path()); },
-              ::testing::ThrowsMessage<Error>(HasSubstr("is a folder")));
+              ThrowsMessage<Error>(HasSubstr("is a folder")));
 }
 
 TEST(TomlReader, SaysWhereTheFileIsNoToml) {

@@ -4,14 +4,11 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 class Description : public testing::Test {
  protected:

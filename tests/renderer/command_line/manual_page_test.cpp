@@ -4,13 +4,10 @@
 #include <sstream>
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::HasSubstr;
 
 const OptionDescription help{.names = {"-h", "--help"}, .description = "Print help"};
 

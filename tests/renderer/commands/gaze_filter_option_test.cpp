@@ -1,17 +1,10 @@
 #include "renderer/commands/gaze_filter_option.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
-using testing::ThrowsMessage;
 
 TEST(GazeFilterOption, NamesTheFiltersThatAreWanted) {
   EXPECT_EQ(parse_gaze_filter("none"), GazeFilterSettings{});

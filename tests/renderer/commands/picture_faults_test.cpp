@@ -1,17 +1,11 @@
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 #include "renderer/commands/render_report.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 /// 1000 pixels, of which the first `count` have this value and the others a middle grey.
 FilmImage image_of(float value, int count) {

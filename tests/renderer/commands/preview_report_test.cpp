@@ -3,14 +3,12 @@
 #include <cstdint>
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::HasSubstr;
 
 /// Frames at 100 Hz that trace 1, 2, ... 8 ms, of gaze that is 15, 16, ... 22 ms old: seen for 4
 /// ms, and older than 20 in two of them.

@@ -7,15 +7,12 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::HasSubstr;
 
 class TypedCommand : public testing::Test {
  protected:

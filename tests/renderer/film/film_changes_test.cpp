@@ -3,17 +3,12 @@
 #include <map>
 #include <tuple>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/film/equirect_film.h"
+#include "tests/matchers.h"
 #include "tests/renderer/film/film_samples.h"
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
-using testing::FieldsAre;
 
 /// What a film says of its tiles' cells.
 using Cells =

@@ -2,21 +2,18 @@
 
 #include <limits>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
 
 using test::TemporaryFolder;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 constexpr FilmStatistics with_squares = FilmStatistics::mean_and_variance;
 

@@ -6,12 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/image_samplers.h"
+#include "tests/matchers.h"
 #include "tests/renderer/view/every_method.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
@@ -52,7 +50,7 @@ TEST(SamplePass, WholeNetsGiveEveryPixelTheSame) {
     SamplePass pass;
     pass.run(*od, {.first = 0, .count = 128 * 64 * 8, .seed = seed}, trace_direction, film,
              workers);
-    EXPECT_THAT(film.resolve().samples, testing::Each(8U));
+    EXPECT_THAT(film.resolve().samples, Each(8U));
   }
 }
 

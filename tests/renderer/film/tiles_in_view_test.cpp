@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 /// Eight times the same.
 Vec2s middle_of(const EquirectFilm& film, int x, int y) {

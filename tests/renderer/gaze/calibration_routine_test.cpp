@@ -3,11 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/angles.h"
 #include "renderer/gaze/gaze_correction.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/test_eye_tracker.h"
 
 namespace foveola {
@@ -28,7 +26,7 @@ TEST(CalibrationTargets, AreTheMiddleAndTheCornersOrAGrid) {
   for (std::size_t i = 1; i < five.size(); ++i) {
     EXPECT_NE(five[i].x, 0.0F);
     EXPECT_NE(five[i].y, 0.0F);
-    EXPECT_THAT(nine, testing::Contains(five[i]));
+    EXPECT_THAT(nine, Contains(five[i]));
   }
   for (std::size_t i = 0; i < nine.size(); ++i) {
     EXPECT_NEAR(glm::length(nine[i]), 1.0F, 1e-6F);

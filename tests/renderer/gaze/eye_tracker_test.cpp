@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/angles.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/newest_gaze.h"
 
 namespace foveola {
@@ -13,8 +11,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using test::NewestGaze;
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 const Vec3 ahead(0.0F, 0.0F, -1.0F);
 

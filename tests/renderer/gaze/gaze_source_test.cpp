@@ -1,8 +1,7 @@
 #include "renderer/gaze/gaze_source.h"
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/newest_gaze.h"
 #include "tests/temporary_folder.h"
 #include "tracker_server.h"
@@ -11,7 +10,6 @@ namespace foveola {
 namespace {
 
 using test::NewestGaze;
-using ::testing::HasSubstr;
 
 const Screen screen{
     .width_m = 0.5, .height_m = 0.3, .horizontal_fov_deg = 50.0, .vertical_fov_deg = 30.0};

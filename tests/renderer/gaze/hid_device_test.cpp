@@ -1,15 +1,10 @@
 #include "renderer/gaze/hid_device.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 TEST(HidDeviceChoice, HasToAgreeInAllThatItSays) {
   const HidDeviceInfo device{.vendor_id = 0x1234, .product_id = 0xABCD, .serial_number = "7"};

@@ -2,10 +2,8 @@
 
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {
@@ -14,8 +12,6 @@ namespace {
 using test::Bytes;
 using test::from_hex;
 using test::operator+;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 HidEyeReports reports_of(const Bytes& descriptor) {
   return find_eye_reports(parse_report_descriptor(descriptor));

@@ -11,10 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"
 #include "tests/renderer/gaze/newest_gaze.h"
 #include "tests/waiting.h"
@@ -28,8 +26,6 @@ using test::from_hex;
 using test::NewestGaze;
 using test::operator+;
 using test::tracking_report;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// What reads of a device return: bytes, or that it is gone. Afterwards it has nothing to say.
 using Reads = std::deque<std::optional<Bytes>>;

@@ -6,10 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {
@@ -18,9 +16,6 @@ namespace {
 using test::Bytes;
 using test::from_hex;
 using test::operator+;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 HidReportDescriptor parse(const std::string& digits) {
   return parse_report_descriptor(from_hex(digits));

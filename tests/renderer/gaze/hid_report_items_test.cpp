@@ -1,8 +1,6 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
 #include "renderer/gaze/hid_items.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {
@@ -10,8 +8,6 @@ namespace {
 
 using test::Bytes;
 using test::from_hex;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 TEST(HidItemReader, DataHaveNoneOneTwoOrFourBytes) {
   const Bytes bytes = from_hex("c0 05 12 0a 00 01 17 80 7b e1 ff");

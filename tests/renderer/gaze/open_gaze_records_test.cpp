@@ -1,16 +1,11 @@
 #include "renderer/gaze/open_gaze_records.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/random.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
-using testing::ElementsAre;
-using testing::EndsWith;
-using testing::HasSubstr;
 using testing::Pair;
 
 const char* const documented =

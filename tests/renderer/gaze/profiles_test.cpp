@@ -5,12 +5,11 @@
 #include <string>
 #include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "renderer/gaze/latency.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
@@ -18,10 +17,6 @@ namespace {
 
 using test::error_of;
 using test::TemporaryFolder;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 TEST(DisplayProfile, ThePublishedHeadset) {
   const DisplayProfile fove = read_display_profile("fove0");

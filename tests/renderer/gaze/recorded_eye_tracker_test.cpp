@@ -2,13 +2,11 @@
 
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/angles.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/newest_gaze.h"
 #include "tests/temporary_folder.h"
 
@@ -18,8 +16,6 @@ namespace {
 using std::chrono::milliseconds;
 using test::polled;
 using test::TemporaryFolder;
-using testing::AllOf;
-using testing::HasSubstr;
 
 const std::string header = "time_ns,x,y,z,valid\n";
 

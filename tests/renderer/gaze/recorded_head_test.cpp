@@ -3,12 +3,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
 #include "renderer/gaze/recording_file.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
@@ -16,7 +15,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using test::TemporaryFolder;
-using testing::HasSubstr;
 
 const std::string head_header = "time_ns,azimuth_rad,elevation_rad\n";
 

@@ -5,9 +5,9 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 #include "tests/renderer/headset/saved_pictures.h"
 #include "tests/renderer/headset/worn_headset.h"
 #include "tests/renderer/window/patterned_film.h"
@@ -16,12 +16,6 @@
 
 namespace foveola {
 namespace {
-
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::ThrowsMessage;
 
 /// Small pictures, for a machine that draws with its processor.
 const std::string small_eyes = R"("eyes": [

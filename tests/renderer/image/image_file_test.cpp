@@ -2,22 +2,17 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_codec.h"
 #include "tests/encoded_image.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 class ImageFile : public testing::Test {
  protected:
@@ -54,14 +49,13 @@ TEST_F(ImageFile, ExrChannelsHaveTheirNames) {
   const std::string bytes = read_file(folder_ / "a.exr");
   const auto reader = image_codec().open_bytes(
       {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "openexr");
-  EXPECT_THAT(reader->header().channel_names,
-              testing::UnorderedElementsAre("R", "G", "B", "samples"));
+  EXPECT_THAT(reader->header().channel_names, UnorderedElementsAre("R", "G", "B", "samples"));
   EXPECT_TRUE(reader->header().has_floats);
 }
 
 TEST_F(ImageFile, ExrWithoutCountsHasOneSampleAPixel) {
   write_image(folder_ / "a.exr", image_.color, 0.0);
-  EXPECT_THAT(read_film_image(folder_ / "a.exr").samples, testing::Each(1U));
+  EXPECT_THAT(read_film_image(folder_ / "a.exr").samples, Each(1U));
 }
 
 TEST_F(ImageFile, PngIsTheDisplaysImageInEightBits) {
@@ -90,12 +84,12 @@ TEST_F(ImageFile, APanoramaSaysThatItIsOne) {
   for (const char* name : {"a.png", "a.jpg"}) {
     write_film_image(folder_ / name, {.color = grey, .samples = {}, .variances = {}}, 0.0, facts);
     const std::string bytes = read_file(folder_ / name);
-    EXPECT_THAT(bytes, testing::AllOf(HasSubstr("GPano:ProjectionType=\"equirectangular\""),
-                                      HasSubstr("GPano:FullPanoWidthPixels=\"16\""),
-                                      HasSubstr("GPano:FullPanoHeightPixels=\"8\"")));
+    EXPECT_THAT(bytes, AllOf(HasSubstr("GPano:ProjectionType=\"equirectangular\""),
+                             HasSubstr("GPano:FullPanoWidthPixels=\"16\""),
+                             HasSubstr("GPano:FullPanoHeightPixels=\"8\"")));
     EXPECT_EQ(read_film_image(folder_ / name).color.width, 16) << "and is read as before";
     write_image(folder_ / name, grey, 0.0);
-    EXPECT_THAT(read_file(folder_ / name), testing::Not(HasSubstr("GPano")));
+    EXPECT_THAT(read_file(folder_ / name), Not(HasSubstr("GPano")));
   }
   write_film_image(folder_ / "a.png", {.color = grey, .samples = {}, .variances = {}}, 0.0, facts);
   const std::string png = read_file(folder_ / "a.png");
@@ -150,8 +144,8 @@ TEST_F(ImageFile, CountsOfAStrangerAreBroughtIntoRange) {
                                                      .samples = values,
                                                      .channel_names = {"R", "G", "B", "samples"}}));
   const FilmImage image = read_film_image(folder_ / "a.exr");
-  EXPECT_THAT(image.samples, testing::ElementsAre(0U, 0U, 0xFFFFFF00U, 7U));
-  EXPECT_THAT(image.color.pixels, testing::Each(Rgb(1, 2, 3)));
+  EXPECT_THAT(image.samples, ElementsAre(0U, 0U, 0xFFFFFF00U, 7U));
+  EXPECT_THAT(image.color.pixels, Each(Rgb(1, 2, 3)));
 }
 
 TEST_F(ImageFile, GreyImagesBecomeColours) {

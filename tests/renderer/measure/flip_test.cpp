@@ -5,16 +5,13 @@
 #include <limits>
 #include <numeric>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
-using testing::Each;
 using testing::FloatNear;
 
 RgbImage plain(const Rgb& color) {

@@ -4,15 +4,13 @@
 #include <fstream>
 #include <numeric>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/angles.h"
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "renderer/view/equirect.h"
+#include "tests/matchers.h"
 #include "tests/renderer/preview/box_room.h"
 #include "tests/temporary_folder.h"
 
@@ -20,9 +18,6 @@ namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
-
-using testing::Each;
-using testing::ElementsAre;
 
 class ReferenceImage : public testing::Test {
  protected:

@@ -1,19 +1,15 @@
 // What a preview makes of the samples that its eye tracker delivers.
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/preview/preview.h"
+#include "tests/matchers.h"
 #include "tests/renderer/gaze/test_eye_tracker.h"
 #include "tests/renderer/preview/box_room.h"
 
 namespace foveola {
 namespace {
 
-using testing::ElementsAre;
 using testing::Field;
-using testing::IsEmpty;
 
 constexpr Nanoseconds gaze_frame_time = std::chrono::milliseconds(20);
 

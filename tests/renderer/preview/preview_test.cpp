@@ -4,15 +4,13 @@
 #include <limits>
 #include <numbers>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/error.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/measure/reference.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/radial_distribution.h"
+#include "tests/matchers.h"
 #include "tests/renderer/preview/box_room.h"
 #include "tests/temporary_folder.h"
 
@@ -136,7 +134,7 @@ TEST_F(PreviewTest, FramesContinueOneSequence) {
   preview.restart("od", 3);
   preview.render_frame(preview_frame_time, 256 * 128 / 2);
   preview.render_frame(preview_frame_time, 256 * 128 / 2);
-  EXPECT_THAT(preview.film().resolve().samples, testing::Each(1U));
+  EXPECT_THAT(preview.film().resolve().samples, Each(1U));
 }
 
 // Without the fixture: its workers would limit the threads of all others.

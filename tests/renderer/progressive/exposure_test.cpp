@@ -2,15 +2,12 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/stability/shapes.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
 
-using ::testing::HasSubstr;
 using Base = ExposureChoice::Base;
 
 std::vector<float> many(std::size_t count, float value) { return std::vector(count, value); }

@@ -1,18 +1,11 @@
 #include "renderer/progressive/first_look.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/stability/shapes.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 const FieldOfView usual{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
 
@@ -47,7 +40,7 @@ TEST(FirstLook, AnUnlitSceneIsShownInAStudioLightWhereThatIsWanted) {
   const LoadedScene studio({}, boxes_at({0}), workers, {.lights_unlit = true});
   ASSERT_TRUE(studio.scene.environment);
   EXPECT_GT(studio.scene.environment->map.front().g, studio.scene.environment->map.back().g);
-  EXPECT_THAT(studio.warnings, testing::Contains(HasSubstr("is shown in a studio light")));
+  EXPECT_THAT(studio.warnings, Contains(HasSubstr("is shown in a studio light")));
   Scene lit = boxes_at({0});
   lit.lights.resize(1);
   EXPECT_FALSE(LoadedScene({}, lit, workers, {.lights_unlit = true}).scene.environment);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/base/random.h"
+#include "tests/matchers.h"
 #include "tests/renderer/preview/box_room.h"
 
 namespace foveola {
@@ -74,8 +72,8 @@ TEST_F(ProgressiveRenderTest, PassesOverWhatItWouldTrace) {
   jobs.insert(jobs.end(), more.begin(), more.end());
   ASSERT_EQ(jobs.size(), samples);
   EXPECT_EQ(passed.film().resolve().samples, traced.film().resolve().samples);
-  EXPECT_THAT(passed.film().resolve().color.pixels, testing::Each(Rgb(0.0F)));
-  EXPECT_THAT(traced.film().resolve().color.pixels, testing::Contains(testing::Ne(Rgb(0.0F))));
+  EXPECT_THAT(passed.film().resolve().color.pixels, Each(Rgb(0.0F)));
+  EXPECT_THAT(traced.film().resolve().color.pixels, Contains(testing::Ne(Rgb(0.0F))));
 }
 
 TEST_F(ProgressiveRenderTest, ARestartWithAnotherSeedIsAnotherRender) {
@@ -103,8 +101,8 @@ TEST_F(ProgressiveRenderTest, OnlyASamplerThatIsUniformVisitsPixelsInRounds) {
     rendered.advance(sampler, std::uint64_t{150} * 75 - 5000);
     return rendered.film().resolve().samples;
   };
-  EXPECT_THAT(samples(*even_sampler_, true), testing::Each(1U));
-  EXPECT_THAT(samples(*even_sampler_, false), testing::Contains(0U));
+  EXPECT_THAT(samples(*even_sampler_, true), Each(1U));
+  EXPECT_THAT(samples(*even_sampler_, false), Contains(0U));
   for (const char* method : {"fv", "vp", "vp-rect", "crop:width=40"}) {
     const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
     sampler->aim({.viewport = Viewport({}, FieldOfView{})});
@@ -121,7 +119,7 @@ TEST_F(ProgressiveRenderTest, AnotherPatternAddsToTheFilm) {
   rendered.begin_pattern(4);
   EXPECT_EQ(rendered.points_drawn(), 0U);
   rendered.advance(*even_sampler_, pixels);
-  EXPECT_THAT(rendered.film().resolve().samples, testing::Each(2U));
+  EXPECT_THAT(rendered.film().resolve().samples, Each(2U));
 }
 
 TEST_F(ProgressiveRenderTest, ShowsWhatItTraced) {

@@ -1,16 +1,10 @@
 #include "renderer/progressive/proposed_objects.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/stability/shapes.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::UnorderedElementsAre;
 
 Mesh box(const std::string& name, const Vec3& center, float half, int material = 0) {
   Mesh mesh = inside_out(inward_box(center, half, material));
@@ -129,8 +123,8 @@ TEST(ProposedObjects, AreTheBestFirstAndNotTooMany) {
                          0.1F + 0.02F * static_cast<float>(i)));
   }
   const std::vector<std::string> names = names_of(proposed_in(meshes, {.most_objects = 3}));
-  EXPECT_THAT(names, ::testing::SizeIs(3));
-  EXPECT_THAT(names, ::testing::Not(::testing::Contains("box 0")));
+  EXPECT_THAT(names, SizeIs(3));
+  EXPECT_THAT(names, Not(Contains("box 0")));
 }
 
 TEST(ProposedObjects, AreTheSameOnAnyNumberOfThreads) {

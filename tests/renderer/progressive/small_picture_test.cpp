@@ -2,10 +2,8 @@
 
 #include <limits>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/stability/shapes.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
@@ -29,22 +27,21 @@ Scene quarter_of_light(const Rgb& light, float radiance) {
 }
 
 TEST(SmallPicture, HasItsRowsFromTheTopLeft) {
-  EXPECT_THAT(
-      picture_of(quarter_of_light(Rgb(3.0F, 2.0F, 1.0F), 0.25F), {.size = {4, 2}}),
-      testing::ElementsAre(DVec3(3.0, 2.0, 1.0), DVec3(3.0, 2.0, 1.0), DVec3(0.25), DVec3(0.25),
-                           DVec3(0.25), DVec3(0.25), DVec3(0.25), DVec3(0.25)));
+  EXPECT_THAT(picture_of(quarter_of_light(Rgb(3.0F, 2.0F, 1.0F), 0.25F), {.size = {4, 2}}),
+              ElementsAre(DVec3(3.0, 2.0, 1.0), DVec3(3.0, 2.0, 1.0), DVec3(0.25), DVec3(0.25),
+                          DVec3(0.25), DVec3(0.25), DVec3(0.25), DVec3(0.25)));
 }
 
 /// The first 16 Sobol points are one to each quarter of a quarter.
 TEST(SmallPicture, APixelIsTheMeanOfItsSamples) {
   EXPECT_THAT(picture_of(quarter_of_light(Rgb(4.0F), 0.0F), {.size = {1, 1}}),
-              testing::ElementsAre(DVec3(1.0)));
+              ElementsAre(DVec3(1.0)));
 }
 
 TEST(SmallPicture, WhatIsNotFiniteCountsAsBlack) {
   const Rgb infinite(std::numeric_limits<float>::infinity());
   EXPECT_THAT(picture_of(quarter_of_light(infinite, 1.0F), {.size = {1, 1}}),
-              testing::ElementsAre(DVec3(0.75)));
+              ElementsAre(DVec3(0.75)));
 }
 
 TEST(SmallPicture, DependsOnTheSeedAndNotOnTheThreads) {

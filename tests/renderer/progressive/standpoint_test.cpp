@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "renderer/stability/shapes.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 const FieldOfView picture{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}};
 

@@ -3,16 +3,12 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-
 #include "renderer/stability/furnished_room.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 constexpr StabilityEffort test_effort{.tolerance = 0.05,
                                       .most_samples = 1 << 20,

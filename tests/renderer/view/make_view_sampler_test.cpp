@@ -1,8 +1,7 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "renderer/view/view_sampler.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
 
@@ -42,7 +41,7 @@ TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
       {"fv:acuiti=watson", "did you mean 'acuity'?"},
       {"fv:acuity=watsen", "did you mean 'watson'?"}};
   for (const auto& [method, why] : refused) {
-    EXPECT_THAT(complaint(method), testing::HasSubstr(why)) << method;
+    EXPECT_THAT(complaint(method), HasSubstr(why)) << method;
   }
 }
 
@@ -87,7 +86,7 @@ TEST(MakeViewSampler, AHybridInQuotesIsAPartOfAnother) {
   EXPECT_NEAR(density("hybrid:6*\"hybrid:3*fv+1*od\"+4*vp"),
               0.6 * (0.75 * density("fv") + 0.25 * density("od")) + 0.4 * density("vp"), 1e-12);
   EXPECT_THAT(with_pointer("hybrid:6*\"hybrid:3*pointer+1*od\"+4*vp", {}),
-              testing::StartsWith("hybrid:6*\"hybrid:3*pointer:azimuth=0"));
+              StartsWith("hybrid:6*\"hybrid:3*pointer:azimuth=0"));
 }
 
 // From 10 to 20 degrees in a straight line to nothing.
@@ -129,28 +128,28 @@ TEST(MakeViewSampler, WeightsCanBeGivenForEveryFile) {
   mixed->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
   EXPECT_GT(mixed->density_per_sr(to_the_left), 0.0);
   EXPECT_GT(mixed->density_per_sr(-to_the_left), 2.0 * mixed->density_per_sr(to_the_left));
-  EXPECT_THAT(asked, testing::ElementsAre("left", "right", "left", "right"));
+  EXPECT_THAT(asked, ElementsAre("left", "right", "left", "right"));
   make_view_sampler("hybrid:0.5*fv+0.5*pointer", halves);
-  EXPECT_THAT(asked, testing::SizeIs(4)) << "methods without files";
+  EXPECT_THAT(asked, SizeIs(4)) << "methods without files";
 }
 
 TEST(MethodNotes, SayWhatWeightsThatDoNotAddUpTo1Mean) {
-  EXPECT_THAT(method_notes("fv"), testing::IsEmpty());
-  EXPECT_THAT(method_notes("hybrid:0.7*fv+0.2*vp+0.1*od"), testing::IsEmpty());
+  EXPECT_THAT(method_notes("fv"), IsEmpty());
+  EXPECT_THAT(method_notes("hybrid:0.7*fv+0.2*vp+0.1*od"), IsEmpty());
   EXPECT_THAT(method_notes("hybrid:3*fv+1*od"),
-              testing::ElementsAre("the weights of 'hybrid:3*fv+1*od' add up to 4, not to 1: of "
-                                   "the samples, fv 75 %, od 25 %"));
+              ElementsAre("the weights of 'hybrid:3*fv+1*od' add up to 4, not to 1: of "
+                          "the samples, fv 75 %, od 25 %"));
   EXPECT_THAT(method_notes("hybrid:0.6*\"hybrid:0.5*fv+0.4*od\"+0.4*vp"),
-              testing::ElementsAre(testing::HasSubstr("fv 55.56 %, od 44.44 %")));
+              ElementsAre(HasSubstr("fv 55.56 %, od 44.44 %")));
 }
 
 TEST(WithPointer, HoldsEveryPointerInPlace) {
   const AzimuthElevation place{.azimuth_rad = radians(270.0), .elevation_rad = radians(30.0)};
   EXPECT_EQ(with_pointer("fv:cutoff=60", place), "fv:cutoff=60");
   const std::string alone = with_pointer("pointer", place);
-  EXPECT_THAT(alone, testing::StartsWith("pointer:azimuth="));
+  EXPECT_THAT(alone, StartsWith("pointer:azimuth="));
   const std::string mixed = with_pointer("hybrid:0.5*fv+0.5*pointer:radius=3", place);
-  EXPECT_THAT(mixed, testing::StartsWith("hybrid:0.5*fv+0.5*pointer:radius=3,azimuth="));
+  EXPECT_THAT(mixed, StartsWith("hybrid:0.5*fv+0.5*pointer:radius=3,azimuth="));
   const Vec3 there = direction_from(place);
   for (const std::string& method : {alone, mixed}) {
     const auto sampler = make_view_sampler(method);

@@ -6,10 +6,8 @@
 #include <limits>
 #include <string>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
 
@@ -116,15 +114,15 @@ TEST_F(Mask, WhatCannotBeReadLeavesTheLastGoodOne) {
 }
 
 TEST_F(Mask, RefusesWhatIsNoWeight) {
-  EXPECT_THAT(complaint(), testing::HasSubstr("no such file"));
+  EXPECT_THAT(complaint(), HasSubstr("no such file"));
   paint([](double, double) { return 0.0; });
-  EXPECT_THAT(complaint(), testing::HasSubstr("black all over"));
+  EXPECT_THAT(complaint(), HasSubstr("black all over"));
   paint([](double x, double y) { return x > 0.9 && y < 0.2 ? -1.0 : 1.0; });
-  EXPECT_THAT(complaint(), testing::HasSubstr("pixel (7, 0) has the luminance -1"));
+  EXPECT_THAT(complaint(), HasSubstr("pixel (7, 0) has the luminance -1"));
   paint([](double x, double) { return x < 0.1 ? std::numeric_limits<double>::quiet_NaN() : 1.0; });
-  EXPECT_THAT(complaint(), testing::HasSubstr("pixel (0, 0) has the luminance nan"));
+  EXPECT_THAT(complaint(), HasSubstr("pixel (0, 0) has the luminance nan"));
   paint([](double x, double) { return x < 0.1 ? std::numeric_limits<double>::infinity() : 1.0; });
-  EXPECT_THAT(complaint(), testing::HasSubstr("luminance inf"));
+  EXPECT_THAT(complaint(), HasSubstr("luminance inf"));
 }
 
 TEST_F(Mask, RefusesMoreThan64Megapixels) {
@@ -132,7 +130,7 @@ TEST_F(Mask, RefusesMoreThan64Megapixels) {
   const std::string header = "P5\n9000 9000\n255\n";
   write(header);
   std::filesystem::resize_file(path_, header.size() + std::size_t{9000} * 9000);
-  EXPECT_THAT(complaint(), testing::HasSubstr("9000 x 9000 pixels are too many"));
+  EXPECT_THAT(complaint(), HasSubstr("9000 x 9000 pixels are too many"));
 }
 
 }  // namespace

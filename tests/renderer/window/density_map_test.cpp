@@ -1,6 +1,5 @@
-#include <gmock/gmock.h>
-
 #include "renderer/window/view_overlays.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
@@ -27,9 +26,8 @@ TEST(DensityMapTest, IsALogarithmOfFourDecades) {
         std::pair(10.0 * uniform, 0.75F), std::pair(1e6 * uniform, 1.0F),
         std::pair(1e-6 * uniform, 0.0F)}) {
     const DensityMap map = density_map(Everywhere(density), viewport, 4, 2);
-    EXPECT_THAT(map.values,
-                ::testing::Pointwise(::testing::FloatNear(1e-5F),
-                                     {0.0F, 0.0F, shown, shown, 0.0F, 0.0F, shown, shown}));
+    EXPECT_THAT(map.values, Pointwise(::testing::FloatNear(1e-5F),
+                                      {0.0F, 0.0F, shown, shown, 0.0F, 0.0F, shown, shown}));
   }
 }
 

@@ -1,9 +1,8 @@
 #include "renderer/window/display_pictures.h"
 
-#include <gmock/gmock.h>
-
 #include "renderer/image/image_file.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
 
@@ -38,7 +37,7 @@ TEST(DisplayPicturesTest, WhatCannotBeWrittenIsReportedAndTheOthersAreWritten) {
   DisplayPictures pictures;
   pictures.write_privately(folder / "no-such-folder" / "one.png", grey_picture());
   pictures.write_privately(folder / "two.png", grey_picture());
-  EXPECT_THAT(test::error_of([&] { pictures.finish(); }), ::testing::HasSubstr("one.png"));
+  EXPECT_THAT(test::error_of([&] { pictures.finish(); }), HasSubstr("one.png"));
   EXPECT_TRUE(std::filesystem::exists(folder / "two.png"));
   EXPECT_NO_THROW(pictures.finish()) << "reported once";
 }

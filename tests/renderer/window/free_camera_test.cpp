@@ -1,15 +1,14 @@
 #include "renderer/window/free_camera.h"
 
-#include <gmock/gmock.h>
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
-using ::testing::HasSubstr;
 
 /// A window of 1000x500 pixels that shows 90 degrees across, in a scene whose diagonal is 10 m: one
 /// walks it at 1 m/s. All that is seen is a wall 4 m ahead of the origin, towards -Z.

@@ -1,14 +1,12 @@
 #include "renderer/window/mouse_drags.h"
 
-#include <gmock/gmock.h>
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "tests/matchers.h"
+
 namespace foveola {
 namespace {
-
-using ::testing::Optional;
 
 PointerMoved to(double x, double y) { return {.is_inside = true, .position = {x, y}}; }
 MouseButtonMoved down(int button) { return {.button = button, .is_down = true}; }

@@ -1,13 +1,9 @@
 #include "renderer/window/panel_layout.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 constexpr Vec2 letter_px(7.0F, 13.0F);
 

@@ -4,17 +4,14 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "tests/matchers.h"
+
 namespace foveola {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Optional;
-using ::testing::SizeIs;
 
 PreviewChoices four_methods() { return {.methods = {"fv", "od", "vp", "hybrid"}}; }
 
@@ -62,7 +59,7 @@ TEST(PreviewControlsTest, MethodsComeRound) {
     seen.push_back(method_text(choices));
     EXPECT_TRUE(follow(PreviewAction::next_method, choices));
   }
-  EXPECT_THAT(seen, ::testing::ElementsAre("fv", "od", "vp", "hybrid:0.90*fv+0.10*od", "fv"));
+  EXPECT_THAT(seen, ElementsAre("fv", "od", "vp", "hybrid:0.90*fv+0.10*od", "fv"));
 }
 
 TEST(PreviewControlsTest, SharesMatterToTheHybridOnly) {

@@ -1,13 +1,11 @@
 #include "renderer/window/preview_messages.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::seconds;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 TEST(PreviewMessagesTest, GoAfterAWhile) {
   PreviewMessages messages;

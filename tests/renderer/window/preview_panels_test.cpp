@@ -2,16 +2,12 @@
 
 #include <limits>
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 /// Ten frames of 41 253 samples in a second: as many as a sphere has square degrees.
 std::vector<LiveFrame> frames() {

@@ -1,16 +1,13 @@
 #include "renderer/window/screen_fonts.h"
 
-#include <gmock/gmock.h>
 #include <imgui.h>
 
+#include "tests/matchers.h"
 #include "tests/renderer/window/screen_capture.h"
 #include "tests/renderer/window/screen_letters.h"
 
 namespace foveola {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 constexpr const char* japanese = "同意しますか？";  // what the test package's font has
 constexpr char32_t no_character = 0xFDD0;           // by Unicode: never to be one

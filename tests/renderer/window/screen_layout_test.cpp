@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <imgui.h>
 
 #include "renderer/base/utf8.h"
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/renderer/window/sample_screens.h"
 #include "tests/renderer/window/screen_letters.h"
 
@@ -227,9 +227,9 @@ TEST(ScreenTypeTest, AHeadsetsPageIsInTheMiddleOfTheView) {
 }
 
 TEST(ScreenTypeTest, SaysWhichPackageHasTheLetters) {
-  EXPECT_THAT(test::error_of([] { const ScreenFonts fonts("/no/such/folder"); }),
-              ::testing::AllOf(::testing::StartsWith("/no/such/folder/DejaVuSans.ttf: "),
-                               ::testing::HasSubstr("fonts-dejavu-core")));
+  EXPECT_THAT(
+      test::error_of([] { const ScreenFonts fonts("/no/such/folder"); }),
+      AllOf(StartsWith("/no/such/folder/DejaVuSans.ttf: "), HasSubstr("fonts-dejavu-core")));
 }
 
 TEST(ScreenTypeTest, KnowsEuropesLetters) {

@@ -1,13 +1,11 @@
 #include "renderer/window/tracker_check.h"
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::seconds;
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
 
 class TrackerCheckTest : public ::testing::Test {
  protected:

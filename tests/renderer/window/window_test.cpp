@@ -4,12 +4,11 @@
 #include <functional>
 #include <thread>
 
-#include <gmock/gmock.h>
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/waiting.h"
 #include "tests/x_server.h"
 
@@ -356,9 +355,9 @@ TEST(WindowErrors, NoDisplayAndNoMonitorAreSaid) {
   const auto error_of_window = [&](const WindowSettings& settings) {
     return test::error_of([&] { const Window window(settings, events, clock); });
   };
-  EXPECT_THAT(error_of_window({.monitor = 3}), ::testing::HasSubstr("no monitor 3, only 1"));
+  EXPECT_THAT(error_of_window({.monitor = 3}), HasSubstr("no monitor 3, only 1"));
   ::setenv("DISPLAY", ":9999", 1);
-  EXPECT_THAT(error_of_window({}), ::testing::HasSubstr("there is no display"));
+  EXPECT_THAT(error_of_window({}), HasSubstr("there is no display"));
 }
 
 }  // namespace

@@ -1,13 +1,11 @@
 #include <cmath>
 
-#include <gmock/gmock.h>
+#include "tests/matchers.h"
 
 #include "renderer/window/view_geometry.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// A window of 1000x500 pixels on it is 0.5 m wide, half a metre away.
 DisplayProfile pane() {

@@ -2,14 +2,11 @@
 
 #include <limits>
 
-#include <gmock/gmock.h>
-
 #include "renderer/base/utf8.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
-
-using ::testing::ElementsAre;
 
 /// A typewriter's letters, of 10 pixels each.
 float typed_width(std::string_view line) {
