@@ -89,26 +89,6 @@ TEST(EquirectFilm, APixelIsTheMeanOfItsSamples) {
   EXPECT_EQ(image.samples.back(), 3U);
 }
 
-TEST(EquirectFilm, IsTheSameOnAnyNumberOfThreadsAndInAnyBatches) {
-  const auto render = [](int threads, std::uint64_t batch_size) {
-    const Workers workers(threads);
-    EquirectFilm film(96, 48);
-    NumberedBatch batch;
-    for (std::uint64_t begin = 0; begin < 24000; begin += batch_size) {
-      film.number(sobol_samples(begin, batch_size), batch, workers);
-      film.add(batch, colors_of(batch), workers);
-    }
-    return film.resolve();
-  };
-  const FilmImage one = render(1, 24000);
-  for (const auto& [threads, batch_size] :
-       {std::pair<int, std::uint64_t>{2, 24000}, {4, 24000}, {2, 1000}}) {
-    const FilmImage other = render(threads, batch_size);
-    EXPECT_EQ(one.color.pixels, other.color.pixels);
-    EXPECT_EQ(one.samples, other.samples);
-  }
-}
-
 TEST(EquirectFilm, NonFiniteSamplesAreDroppedCountedAndNamed) {
   const Workers workers(2);
   EquirectFilm film(64, 32);
@@ -142,19 +122,6 @@ TEST(EquirectFilm, SumsOfTensOfMillionsOfSamplesStayExact) {
   }
   EXPECT_EQ(film.sample_count(0, 0), 20'000'000U);
   EXPECT_EQ(film.mean(0, 0), Rgb(0.1F, 1.0F, 1000.0F));
-}
-
-TEST(EquirectFilm, ClearForgetsEverything) {
-  const Workers workers(1);
-  EquirectFilm film(64, 32);
-  NumberedBatch batch;
-  film.number(in_pixel(5, 7, film, 2), batch, workers);
-  film.add(batch, std::vector<Rgb>(2, Rgb(1.0F)), workers);
-  film.clear();
-  EXPECT_EQ(film.total_samples(), 0U);
-  EXPECT_EQ(film.sample_count(5, 7), 0U);
-  film.number(in_pixel(5, 7, film, 1), batch, workers);
-  EXPECT_EQ(batch.jobs[0].sample_number, 0U);
 }
 
 /// A cell of the pyramid by its definition.
@@ -195,23 +162,6 @@ TEST(EquirectFilm, PyramidAveragesWhatIsKnown) {
     }
     EXPECT_EQ(film.width(film.levels() - 1), 1);
     EXPECT_EQ(film.height(film.levels() - 1), 1);
-  }
-}
-
-TEST(EquirectFilm, PyramidIsClearedToo) {
-  const Workers workers(1);
-  EquirectFilm film(128, 64);
-  add_samples(sobol_samples(0, 5000), film, workers);
-  film.clear();
-  add_samples(in_pixel(3, 2, film, 1), film, workers);
-  for (int level = 0; level < film.levels(); ++level) {
-    float weight = 0.0F;
-    for (int y = 0; y < film.height(level); ++y) {
-      for (int x = 0; x < film.width(level); ++x) {
-        weight += film.cell(level, x, y).weight;
-      }
-    }
-    EXPECT_EQ(weight, std::exp2(-2.0F * static_cast<float>(level)));
   }
 }
 

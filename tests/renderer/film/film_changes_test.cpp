@@ -64,24 +64,6 @@ TEST(FilmChanges, NameEveryCellThatKnowsSomething) {
   expect_same(changed_cells(film, 0), known_cells(film));
 }
 
-// A copy that is brought up to date with what changed alone stays equal to the film.
-TEST(FilmChanges, AreWhatACopyLacks) {
-  const Workers workers(2);
-  EquirectFilm film(300, 140);
-  Cells copy;
-  FilmRevision copied_at = film.revision();
-  for (std::uint64_t batch = 0; batch < 20; ++batch) {
-    add_samples(sobol_samples(100 * batch, 100), film, workers);
-    if (batch % 3 == 0) {
-      for (const auto& [place, texel] : changed_cells(film, copied_at)) {
-        copy[place] = texel;
-      }
-      copied_at = film.revision();
-      expect_same(copy, known_cells(film));
-    }
-  }
-}
-
 TEST(FilmChanges, AreWhatLiesOverAndBesideAChange) {
   const Workers workers(1);
   EquirectFilm film(128, 64);

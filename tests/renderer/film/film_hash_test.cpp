@@ -44,20 +44,6 @@ TEST(FilmHash, CountsEveryPixelOfManyTiles) {
   EXPECT_EQ(film_sha256(film), "947eb5d7746411dc11978fb2813ebaf031cdc53dfa4c931f4dcda87ea3743815");
 }
 
-TEST(FilmHash, IsTheSameOnAnyNumberOfThreadsAndInAnyBatches) {
-  const auto hash = [](int threads, std::uint64_t batch_size, FilmStatistics statistics) {
-    const Workers workers(threads);
-    EquirectFilm film(96, 48, statistics);
-    for (std::uint64_t begin = 0; begin < 24000; begin += batch_size) {
-      add_samples(sobol_samples(begin, batch_size), film, workers);
-    }
-    return film_sha256(film);
-  };
-  const std::string expected = hash(1, 24000, FilmStatistics::mean);
-  EXPECT_EQ(hash(2, 6000, FilmStatistics::mean), expected);
-  EXPECT_EQ(hash(3, 500, FilmStatistics::mean_and_variance), expected);
-}
-
 TEST(FilmHash, DistinguishesFilmsThatDifferInOneBit) {
   const auto hash = [](const Rgb& second) {
     EquirectFilm film(100, 50);

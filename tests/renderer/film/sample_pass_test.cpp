@@ -205,23 +205,5 @@ TEST_P(EveryMethod, TheFilmIsTheSameToTheLastBitOnAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(AnyThreads, EveryMethod, testing::ValuesIn(test::every_method));
 
-TEST(SamplePass, ReturnsWhatWasDropped) {
-  const Workers workers(2);
-  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
-  EquirectFilm film(8, 4);
-  SamplePass pass;
-  const auto broken_in_pixel_9 = [](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    std::transform(jobs.begin(), jobs.end(), radiance.begin(), [](const SampleJob& job) {
-      return Rgb(job.pixel == 9 ? std::numeric_limits<float>::quiet_NaN() : 1.0F);
-    });
-  };
-  const std::vector<DroppedSample> dropped =
-      pass.run(*od, {.count = 64, .seed = 1}, broken_in_pixel_9, film, workers);
-  ASSERT_EQ(dropped.size(), 2U);
-  EXPECT_EQ(dropped[0].pixel, 9U);
-  EXPECT_EQ(dropped[1].sample_number, 1U);
-  EXPECT_EQ(film.total_samples(), 62U);
-}
-
 }  // namespace
 }  // namespace foveola
