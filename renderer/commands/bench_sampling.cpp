@@ -27,8 +27,8 @@
 namespace foveola {
 namespace {
 
-constexpr int width = 2048;
-constexpr int height = 1024;
+constexpr int film_width = 2048;
+constexpr int film_height = 1024;
 constexpr std::uint64_t samples_in_all = std::uint64_t{1} << 23;
 constexpr std::array ring_ends_deg = {0.5,  1.0,  2.0,  3.0,  4.0,   5.0,   5.79, 7.5,
                                       10.0, 12.5, 15.0, 20.0, 25.0,  30.0,  40.0, 50.0,
@@ -55,10 +55,11 @@ struct PixelIntegral {
 
 PixelIntegral integrate(const ViewSampler& sampler, int x, int y, int n) {
   PixelIntegral sum;
-  const double cell = 2.0 * std::numbers::pi * std::numbers::pi / width / height / (n * n);
+  const double cell =
+      2.0 * std::numbers::pi * std::numbers::pi / film_width / film_height / (n * n);
   for (int i = 0; i < n * n; ++i) {
-    const double u = (x + (i % n + 0.5) / n) / width;
-    const double v = (y + (i / n + 0.5) / n) / height;
+    const double u = (x + (i % n + 0.5) / n) / film_width;
+    const double v = (y + (i / n + 0.5) / n) / film_height;
     const double sr = cell * std::sin(std::numbers::pi * v);
     sum.sr += sr;
     sum.stated += sr * sampler.density_per_sr(direction_from_equirect(Vec2(u, v)));
@@ -71,7 +72,7 @@ std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
   const Workers workers;
   const Scene nothing;  // where samples fall depends on no scene, and none is traced
   const PathTracer tracer(nothing, workers);
-  ProgressiveRender render(tracer, {.film_size = {width, height}}, workers);
+  ProgressiveRender render(tracer, {.film_size = {film_width, film_height}}, workers);
   render.begin_pattern(1);
   while (render.points_drawn() < samples_in_all) {
     render.pass_over(sampler, per_pass);
@@ -80,9 +81,10 @@ std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
   for (const double end_deg : ring_ends_deg) {
     rings.push_back({.end_deg = end_deg});
   }
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Vec3 middle = direction_from_equirect(Vec2((x + 0.5) / width, (y + 0.5) / height));
+  for (int y = 0; y < film_height; ++y) {
+    for (int x = 0; x < film_width; ++x) {
+      const Vec3 middle =
+          direction_from_equirect(Vec2((x + 0.5) / film_width, (y + 0.5) / film_height));
       const double e = degrees(angle_between(middle, gaze));
       const auto found = std::lower_bound(ring_ends_deg.begin(), ring_ends_deg.end() - 1, e);
       Ring& ring = rings[static_cast<std::size_t>(found - ring_ends_deg.begin())];
@@ -104,7 +106,8 @@ void print_density(const std::string& method, bool as_json) {
   sampler->aim({.viewport = Viewport({}, FieldOfView{}), .gaze = gaze});
   nlohmann::json list = nlohmann::json::array();
   if (!as_json) {
-    print_text("{}: {} samples on a film of {}x{}\n", method, samples_in_all, width, height);
+    print_text("{}: {} samples on a film of {}x{}\n", method, samples_in_all, film_width,
+               film_height);
     print_text("{:>16} {:>12} {:>16} {:>16} {:>8}\n", "degrees from", "samples", "a square degree",
                "stated", "ratio");
   }

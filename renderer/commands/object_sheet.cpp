@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,47 +19,33 @@
 namespace foveola {
 namespace {
 
+bool is_inside(const RgbImage& image, int x, int y) {
+  return x >= 0 && y >= 0 && x < image.width && y < image.height;
+}
+
 /// Draws with the font that Dear ImGui brings along: 13 pixels high, Latin letters.
 class TextDrawing {
  public:
-  TextDrawing();
-  ~TextDrawing();
-  TextDrawing(const TextDrawing&) = delete;
-  TextDrawing& operator=(const TextDrawing&) = delete;
+  TextDrawing() : font_(atlas_.AddFontDefault()) {
+    unsigned char* pixels = nullptr;
+    atlas_.GetTexDataAsAlpha8(&pixels, &size_.x, &size_.y);
+    coverage_ = pixels;
+  }
 
   /// Draws one line in white into `image`, its top left corner at `corner` and cut off after
   /// `width` pixels. text: UTF-8; letters that the font does not have become question marks.
   void draw(const std::string& text, const IVec2& corner, int width, RgbImage& image) const;
 
  private:
-  struct Font;
-  std::unique_ptr<Font> font_;
-};
-
-struct TextDrawing::Font {
-  ImFontAtlas atlas;
-  const ImFont* font = nullptr;
-  const unsigned char* coverage = nullptr;  ///< of the atlas's pixels, from 0 to 255
-  IVec2 size{0};
-
-  Font() : font(atlas.AddFontDefault()) {
-    unsigned char* pixels = nullptr;
-    atlas.GetTexDataAsAlpha8(&pixels, &size.x, &size.y);
-    coverage = pixels;
-  }
-
   float coverage_at(int x, int y) const {
-    return static_cast<float>(coverage[static_cast<std::size_t>(y) * size.x + x]) / 255.0F;
+    return static_cast<float>(coverage_[static_cast<std::size_t>(y) * size_.x + x]) / 255.0F;
   }
+
+  ImFontAtlas atlas_;
+  const ImFont* font_;
+  const unsigned char* coverage_ = nullptr;  ///< of the atlas's pixels, from 0 to 255
+  IVec2 size_{0};
 };
-
-bool is_inside(const RgbImage& image, int x, int y) {
-  return x >= 0 && y >= 0 && x < image.width && y < image.height;
-}
-
-TextDrawing::TextDrawing() : font_(std::make_unique<Font>()) {}
-
-TextDrawing::~TextDrawing() = default;
 
 void TextDrawing::draw(const std::string& text, const IVec2& corner, int width,
                        RgbImage& image) const {
@@ -69,18 +54,18 @@ void TextDrawing::draw(const std::string& text, const IVec2& corner, int width,
   for (const char* at = text.data(); at < end;) {
     unsigned int letter = 0;
     at += std::max(1, ImTextCharFromUtf8(&letter, at, end));
-    const ImFontGlyph* const glyph = font_->font->FindGlyph(static_cast<ImWchar>(letter));
+    const ImFontGlyph* const glyph = font_->FindGlyph(static_cast<ImWchar>(letter));
     if (glyph == nullptr || advance + glyph->AdvanceX > static_cast<float>(width)) {
       return;
     }
-    const IVec2 from(std::lround(glyph->U0 * static_cast<float>(font_->size.x)),
-                     std::lround(glyph->V0 * static_cast<float>(font_->size.y)));
+    const IVec2 from(std::lround(glyph->U0 * static_cast<float>(size_.x)),
+                     std::lround(glyph->V0 * static_cast<float>(size_.y)));
     const IVec2 to(corner.x + std::lround(advance + glyph->X0), corner.y + std::lround(glyph->Y0));
     for (int y = 0; y < std::lround(glyph->Y1 - glyph->Y0); ++y) {
       for (int x = 0; x < std::lround(glyph->X1 - glyph->X0); ++x) {
         if (is_inside(image, to.x + x, to.y + y)) {
           Rgb& pixel = image.at(to.x + x, to.y + y);
-          pixel = glm::mix(pixel, Rgb(1.0F), font_->coverage_at(from.x + x, from.y + y));
+          pixel = glm::mix(pixel, Rgb(1.0F), coverage_at(from.x + x, from.y + y));
         }
       }
     }

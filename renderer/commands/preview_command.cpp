@@ -95,8 +95,6 @@ Json headset_changes(const LivePreviewReport& report) {
   return changes;
 }
 
-using Json = nlohmann::ordered_json;
-
 WindowEyeTracker open_gaze_source(const PreviewRequest& request, LiveDisplay& display,
                                   const Clock& clock) {
   if (!request.replayed_gaze.empty()) {

@@ -1,4 +1,4 @@
-// The X server behind a window: what it says of its desktop, and what happens when it goes.
+// What happens when the X server goes away under a window.
 #pragma once
 
 #include <memory>
@@ -22,13 +22,5 @@ class LostDisplay {
   struct Ending;
   std::unique_ptr<Ending> ending_;
 };
-
-struct DesktopFacts {
-  std::string windows;          ///< "X11", or "XWayland" where the server says that it is one
-  std::string keyboard_layout;  ///< of XKB, as "us" or "de(nodeadkeys),ru"; empty if unknown
-};
-
-/// Of the server that windows are on, by a connection of its own; both empty if there is none.
-DesktopFacts desktop_facts();
 
 }  // namespace foveola

@@ -57,18 +57,4 @@ Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
 /// second; 1 if it has no size.
 double walking_speed(double width_m);
 
-/// Where a camera stands, and where it looks.
-struct Standing {
-  Vec3 position{0.0F};  ///< in the scene's coordinates
-  AzimuthElevation heading;
-};
-
-/// Turns the camera, and moves it so that `pivot` stays in its place in the view and at its
-/// distance. The elevation stops at the zenith and at the nadir.
-Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
-
-/// The speed at which a space so many metres wide is walked through in ten seconds, in metres a
-/// second; 1 if it has no size.
-double walking_speed(double width_m);
-
 }  // namespace foveola
