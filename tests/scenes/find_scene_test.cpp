@@ -1,14 +1,13 @@
 #include "scenes/find_scene.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "renderer/base/digest.h"
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor_search.h"
+#include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
 
@@ -21,12 +20,7 @@ using testing::HasSubstr;
 class FindScene : public testing::Test {
  protected:
   std::string error_of(const std::string& name_or_path) {
-    try {
-      find_scene(name_or_path);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { find_scene(name_or_path); });
   }
 
   TemporaryFolder folder;
@@ -109,17 +103,11 @@ TEST_F(FindScene, AsksWhetherASimilarSceneWasMeant) {
   EXPECT_THAT(error_of("kitchin"), HasSubstr("did you mean 'kitchen'?"));
 }
 
-TEST_F(FindScene, FolderIsRefused) {
-  EXPECT_THAT(error_of(folder.path().string()), HasSubstr("is a folder"));
-}
-
 TEST_F(FindScene, WhatIsNoFileIsRefused) {
+  EXPECT_THAT(error_of(folder.path().string()), HasSubstr("is a folder"));
   const std::string pipe = (folder.path() / "pipe.glb").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THAT(error_of(pipe), HasSubstr("is not a regular file"));
-}
-
-TEST_F(FindScene, NamesThatNoFileCanHaveAreUnknown) {
   EXPECT_THAT(error_of(std::string(300, 'x')), HasSubstr("no such scene or file"));
 }
 

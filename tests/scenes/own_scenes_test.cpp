@@ -1,12 +1,11 @@
 // Scenes of a user's own: descriptors beside their files, in the user's folder and beside a
 // protocol.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "scenes/builtin.h"
 #include "scenes/find_scene.h"
+#include "tests/error_of.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 
 namespace fs = std::filesystem;
@@ -14,22 +13,11 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using test::error_of;
 
 std::string describing(const std::string& file, const std::string& title) {
   return "title = \"" + title + "\"\nfile = \"" + file +
          "\"\n[camera]\nposition = [1, 2, 3]\nazimuth_deg = 0\nelevation_deg = 0\n";
-}
-
-template <typename Step>
-std::string error_of(const Step& step) {
-  try {
-    step();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 class OwnScenes : public testing::Test {
