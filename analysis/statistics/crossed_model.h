@@ -1,5 +1,5 @@
-// The mixed model of paired log times with participants and scenes crossed, and the influence of each
-// participant on an estimate.
+// The mixed model of paired log times with participants and scenes crossed, and the influence of
+// each participant on an estimate.
 #pragma once
 
 #include <cstddef>

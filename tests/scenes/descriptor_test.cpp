@@ -15,9 +15,6 @@
 namespace foveola::scenes {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 const char* const good = R"(title = "A hall"
 author = "Somebody"
 licence = "CC BY 4.0"

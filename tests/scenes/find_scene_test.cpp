@@ -14,9 +14,6 @@
 namespace foveola::scenes {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 class FindScene : public testing::Test {
  protected:
   std::string error_of(const std::string& name_or_path) {

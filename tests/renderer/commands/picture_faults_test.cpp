@@ -1,8 +1,7 @@
 #include <algorithm>
 
-#include "tests/matchers.h"
-
 #include "renderer/commands/render_report.h"
+#include "tests/matchers.h"
 
 namespace foveola::test {
 namespace {

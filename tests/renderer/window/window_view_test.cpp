@@ -1,8 +1,7 @@
 #include <cmath>
 
-#include "tests/matchers.h"
-
 #include "renderer/window/view_geometry.h"
+#include "tests/matchers.h"
 
 namespace foveola {
 namespace {
