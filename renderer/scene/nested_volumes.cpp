@@ -29,7 +29,7 @@ std::vector<Volume> volumes_of(const Scene& scene) {
   for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
     const Mesh& mesh = scene.mesh_of(object);
     const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-    if (!material.is_solid || material.transmission <= 0.0F) {
+    if (!material.refracts()) {
       continue;
     }
     vertices += mesh.positions.size();

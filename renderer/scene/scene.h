@@ -76,6 +76,8 @@ struct Material {
   TextureUse sheen_roughness_texture;  ///< alpha
 
   bool is_emissive() const { return max_component(emission) > 0.0F; }
+  /// Light enters the volume that the mesh bounds.
+  bool refracts() const { return is_solid && transmission > 0.0F; }
 };
 
 /// All uses that a material can make of textures, of which few exist. Material_: Material, const or
@@ -141,7 +143,8 @@ struct PunctualLight {
   float inner_cone_rad = 0.0F;          ///< half angle of a spot's full intensity
   float outer_cone_rad = 0.785398163F;  ///< half angle beyond which a spot gives nothing
   ConeEdge cone_edge = ConeEdge::squared;
-  /// Points and spots are spheres of this size, which no ray sees; 0: they have no size.
+  /// Points and spots are spheres of this size, which rays meet and pass through; 0: they have no
+  /// size and no ray meets them.
   float radius_m = 0.0F;
   /// Directional lights are discs of this size in the sky, which rays see; 0: they have no size and
   /// no ray sees them.

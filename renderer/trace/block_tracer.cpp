@@ -125,7 +125,7 @@ NeededNumbers BlockTracer::needed_numbers() const {
           .light_choice = all || traced_.lights.has_several_of_a_kind(),
           .lobe = all || traced_.has_other_lobes,
           .roulette = all || vertex_ > settings_.vertices_before_roulette,
-          .keys = all || traced_.rays.asks_for_keys()};
+          .keys = all || traced_.rays.asks_for_keys() || traced_.follows_suns_through_glass};
 }
 
 BlockTracer::Surfaces BlockTracer::surfaces_of(const Group& group) const {
@@ -155,6 +155,9 @@ LaneMask BlockTracer::arrive(const Group& group, const Surfaces& surfaces,
   LaneMask arrived = group.lanes() & met_surface & ~surfaces.shining & ~absorbed;
   if (notes_.vertices != nullptr) {
     arrived = LaneMask{};
+  } else if (traced_.lights.has_spheres()) {
+    arrived &= ~traced_.lights.may_meet_sphere(paths_->origin.load(group.first),
+                                               paths_->direction.load(group.first));
   }
   const LaneMask gathering = group.lanes() & ~arrived;
   if (vertex_ > settings_.max_depth) {
@@ -176,6 +179,9 @@ bool BlockTracer::is_last(const TracedObject& object) const {
 }
 
 bool BlockTracer::gather(Path& path, const Hit& hit) {
+  if (traced_.lights.has_spheres()) {
+    add_spheres(path, hit);
+  }
   path.throughput *= transmittance(path.absorption_per_m, hit.t - path.ray.t_min);
   if (hit.missed()) {
     add_environment(path);
@@ -196,9 +202,22 @@ bool BlockTracer::gather(Path& path, const Hit& hit) {
 void BlockTracer::add_environment(const Path& path) {
   const DistantLight light = traced_.lights.distant_light(path.shading_point, path.ray.direction);
   if (max_component(light.radiance) > 0.0F) {
-    radiance_[path.job] += path.throughput * light.radiance *
-                           power_heuristic(path.pdf, light_samples_weighed_ * light.pdf);
+    const float weight = path.pdf == certain
+                             ? path.distant_weight
+                             : power_heuristic(path.pdf, light_samples_weighed_ * light.pdf);
+    radiance_[path.job] += path.throughput * light.radiance * weight;
   }
+}
+
+void BlockTracer::add_spheres(const Path& path, const Hit& hit) {
+  const auto add = [&](const PunctualLights::Met& sphere) {
+    if (sphere.t > path.ray.t_min && sphere.t < hit.t) {
+      radiance_[path.job] += path.throughput * sphere.radiance *
+                             transmittance(path.absorption_per_m, sphere.t - path.ray.t_min) *
+                             power_heuristic(path.pdf, light_samples_weighed_ * sphere.pdf);
+    }
+  };
+  traced_.lights.visit_spheres(path.shading_point, path.ray, add);
 }
 
 void BlockTracer::add_emission(const Path& path, const Hit& hit) {
@@ -209,6 +228,11 @@ void BlockTracer::add_emission(const Path& path, const Hit& hit) {
     radiance_[path.job] += path.throughput * emission.radiance *
                            power_heuristic(path.pdf, light_samples_weighed_ * light_pdf);
   }
+}
+
+Hit BlockTracer::closest_hit(const Ray& ray) const {
+  const Hit hit = traced_.rays.closest_hit(ray);
+  return hit.missed() ? hit : traced_.lights.coincident().seen(hit, ray.direction);
 }
 
 bool BlockTracer::finite(std::uint32_t job, const Rgb& radiance, const Vec3& direction) {
@@ -225,16 +249,27 @@ void BlockTracer::add_unblocked_light() {
       notes_.rays->shadow.push_back(shadow_ray(i));
     }
   }
+  if (traced_.follows_suns_through_glass) {
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+      pending_[i].is_towards_sun =
+          std::isinf(shadow_rays_.t_max(i)) && traced_.lights.is_in_sun(shadow_rays_.direction(i));
+    }
+  }
   traced_.rays.find_blocked(shadow_rays_);
   counts_.shadow += shadow_rays_.size();
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (shadow_rays_.is_blocked(i)) {
-      if (notes_.light_outcomes != nullptr) {
-        (*notes_.light_outcomes)[pending_outcomes_[i]].gain = 0.0F;
+      const Rgb passing = pending_[i].is_towards_sun
+                              ? glass_transmittance(shadow_ray(i), pending_[i].job)
+                              : Rgb(0.0F);
+      if (passing == Rgb(0.0F)) {
+        if (notes_.light_outcomes != nullptr) {
+          (*notes_.light_outcomes)[pending_outcomes_[i]].gain = 0.0F;
+        }
+        continue;
       }
-      continue;
-    }
-    if (shadow_rays_.met_thin_surface(i)) {
+      pending_[i].radiance *= passing;
+    } else if (shadow_rays_.met_thin_surface(i)) {
       pending_[i].radiance *= thin_transmittance(shadow_ray(i));
     }
     radiance_[pending_[i].job] += pending_[i].radiance;
@@ -249,6 +284,53 @@ Ray BlockTracer::shadow_ray(std::size_t i) const {
           .direction = shadow_rays_.direction(i),
           .t_max = shadow_rays_.t_max(i),
           .key = shadow_rays_.key(i)};
+}
+
+Rgb BlockTracer::glass_transmittance(const Ray& shadow_ray, std::uint32_t job) {
+  Path path{.ray = shadow_ray,
+            .pdf = certain,
+            .random = SampleStream(settings_.seed, shadow_ray.key, 0),
+            .job = job};
+  path.ray.t_max = std::numeric_limits<float>::infinity();
+  const auto arriving = [&] {
+    return traced_.lights.distant_light(path.shading_point, path.ray.direction).radiance;
+  };
+  const Rgb unhindered = arriving();
+  int vertex = vertex_;
+  for (int surfaces = 0; surfaces < most_thin_surfaces; ++surfaces) {
+    const Hit hit = closest_hit(path.ray);
+    ++counts_.transmittance;
+    if (notes_.rays != nullptr) {
+      notes_.rays->transmittance.push_back(path.ray);
+    }
+    path.throughput *= transmittance(path.absorption_per_m, hit.t - path.ray.t_min);
+    if (hit.missed()) {
+      const Rgb ratio = path.throughput * arriving() / unhindered;
+      return {unhindered.r > 0.0F ? ratio.r : 0.0F, unhindered.g > 0.0F ? ratio.g : 0.0F,
+              unhindered.b > 0.0F ? ratio.b : 0.0F};
+    }
+    const TracedObject& object = object_of(hit);
+    const bool is_thin = object.is_thin_transmissive;
+    if (object.is_unlit || (!is_thin && (!object.refracts || ++vertex > settings_.max_depth))) {
+      break;
+    }
+    const VertexNumbers numbers(path.random);
+    const SurfacePoint point = surface_point(traced_.scene, hit, path.ray.direction);
+    const Frame frame(point.shading_normal);
+    const auto sample = bsdf_at(point, frame, path.ray.direction, traced_.tables)
+                            .sample(numbers.lobe, numbers.scattering);
+    if (!sample || !sample->is_specular || (is_thin && !sample->is_transmitted)) {
+      break;
+    }
+    path.ray.key = numbers.next_key;
+    if (is_thin) {
+      path.throughput *= sample->weight;
+      path.ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
+    } else if (!send(path, hit, point, {}, frame, *sample, object)) {
+      break;
+    }
+  }
+  return Rgb(0.0F);
 }
 
 Rgb BlockTracer::thin_transmittance(Ray ray) {

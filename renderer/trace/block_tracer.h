@@ -62,6 +62,7 @@ class BlockTracer {
   struct PendingLight {
     std::uint32_t job;
     Rgb radiance;
+    bool is_towards_sun = false;  ///< to be followed through glass
   };
 
   /// Where paths have arrived, eight at most, from the one at `first` on.
@@ -88,6 +89,8 @@ class BlockTracer {
   /// Where rays that ask for their closest hit are counted, and where they are noted.
   std::uint64_t& ray_count() { return vertex_ == 1 ? counts_.primary : counts_.bounce; }
   void note(const Ray& ray);
+  /// The hit of a single ray, of coincident surfaces that which is seen.
+  Hit closest_hit(const Ray& ray) const;
   const TracedObject& object_of(const Hit& hit) const { return traced_.objects[hit.object]; }
   /// What the path `index` hit.
   const TracedObject& object_at(std::size_t index) const {
@@ -108,6 +111,8 @@ class BlockTracer {
   bool is_last(const TracedObject& object) const;
   void add_environment(const Path& path);
   void add_emission(const Path& path, const Hit& hit);
+  /// Adds the spheres of points and spots before the hit.
+  void add_spheres(const Path& path, const Hit& hit);
 
   /// Sends the paths at vertices of any kind on, one by one.
   LaneMask advance_alone(const Group& group, const LaneMask& lanes, const GroupNumbers& numbers);
@@ -129,6 +134,11 @@ class BlockTracer {
   bool lift_origin(const Hit& hit, const Vec3& geometric_normal, Vec3& origin);
   /// Whether a job's new values are finite; if not, its radiance becomes not_a_number.
   bool finite(std::uint32_t job, const Rgb& radiance, const Vec3& direction);
+  /// With which weight what arrives from infinity counts once the path has left the object's
+  /// surface as a perfect mirror or lens. Light samples in the disc of a sun are followed through
+  /// the glass that is in their way, by glass_transmittance(); so a path that leaves the last other
+  /// vertex in such a direction shares with them what it finds behind glass alone.
+  float distant_weight_beyond(const Path& path, const TracedObject& object) const;
   bool survives_roulette(Path& path, float u) const;
 
   /// Sends the paths at surfaces on the fast path on, all at once.
@@ -157,6 +167,9 @@ class BlockTracer {
                   const Vec3s& direction);
 
   void add_unblocked_light();
+  /// What arrives along a job's blocked shadow ray to a sun by smooth glass and thin surfaces
+  /// alone, as a share of what would arrive without them. One random walk, as of paths.
+  Rgb glass_transmittance(const Ray& shadow_ray, std::uint32_t job);
   /// What the thin transmissive surfaces on an unblocked shadow ray let through.
   Rgb thin_transmittance(Ray ray);
   Ray shadow_ray(std::size_t i) const;

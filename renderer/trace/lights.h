@@ -27,8 +27,7 @@ struct LightSampleOf {
   Vec3Of<Number> direction{};  ///< unit length, towards the light
   Number pdf{};  ///< per steradian; without size: the probability that it was drawn; 0: no light
   Vec3Of<Number> radiance{};  ///< without size: the irradiance that it gives head-on
-  /// A light without size, or a punctual light's sphere, which no ray sees.
-  MaskOf<Number> is_delta{};
+  MaskOf<Number> is_delta{};  ///< a light without size
   Vec3Of<Number> to_light{};  ///< the shadow ray's direction from the shading point
   Number t_max{};             ///< where the shadow ray ends; infinite for distant lights
 };
@@ -105,6 +104,29 @@ class Lights {
   /// What arrives from infinity: environment and discs of suns. direction: unit length. The density
   /// is that of samples drawn for the shading point.
   DistantLight distant_light(const ShadingPoint& shading_point, const Vec3& direction) const;
+
+  /// Some suns are discs.
+  bool has_sun_discs() const { return suns_.sizeless() < suns_.size(); }
+  /// The direction lies in the disc of a sun.
+  bool is_in_sun(const Vec3& direction) const { return suns_.at(direction).pdf > 0.0F; }
+
+  /// Rays may meet points and spots.
+  bool has_spheres() const { return local_.has_spheres(); }
+  /// The lanes whose rays may meet one.
+  LaneMask may_meet_sphere(const Vec3s& origin, const Vec3s& direction) const {
+    return local_.may_meet_sphere(origin, direction);
+  }
+  /// Calls visit(PunctualLights::Met) for those on a ray from the shading point, with the density
+  /// of sample(), whatever else the ray meets.
+  template <typename Visit>
+  void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, const Visit& visit) const {
+    local_.visit_spheres(shading_point, ray, learned_.kinds(shading_point.region).local,
+                         learned_.preferences(shading_point.region), visit);
+  }
+
+  /// The points and spots, and the suns, that no ray meets.
+  std::size_t sizeless_points() const { return local_.sizeless(); }
+  std::size_t sizeless_suns() const { return suns_.sizeless(); }
 
  private:
   using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn

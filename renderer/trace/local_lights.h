@@ -9,6 +9,7 @@
 #include "renderer/trace/light_sampling.h"
 #include "renderer/trace/local_light_sample.h"
 #include "renderer/trace/punctual_lights.h"
+#include "renderer/trace/ray_scene.h"
 #include "renderer/trace/shading_point.h"
 #include "renderer/trace/triangle_lights.h"
 
@@ -29,6 +30,16 @@ class LocalLights {
 
   /// Luminous, in radiance times square metre times steradian.
   double power() const { return power_; }
+
+  bool has_spheres() const { return choice_ && !punctual_.spheres().empty(); }
+
+  /// The lanes whose rays may meet a point's or a spot's sphere.
+  LaneMask may_meet_sphere(const Vec3s& origin, const Vec3s& direction) const {
+    return punctual_.may_meet(origin, direction);
+  }
+
+  /// Points or spots without size.
+  std::size_t sizeless() const { return punctual_.size() - punctual_.spheres().size(); }
 
   /// Lights that have power.
   std::size_t size() const { return size_; }
@@ -62,6 +73,23 @@ class LocalLights {
   /// shading point hit; 0 for what is not sampled.
   float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                      float cosine, const LightTree::Preferences* preferences) const;
+
+  /// Calls visit(PunctualLights::Met) for the spheres on a ray from the shading point. Their
+  /// density is that of a sample, where one of this kind of light has the given probability. Not to
+  /// be called when empty().
+  template <typename Visit>
+  void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, float kind_probability,
+                     const LightTree::Preferences* preferences, const Visit& visit) const {
+    for (const std::size_t light : punctual_.spheres()) {
+      if (auto met = punctual_.meet(light, ray.origin, ray.direction)) {
+        const float probability =
+            kind_probability *
+            choice_->probability(shading_point, triangles_.size() + light, preferences);
+        met->pdf = probability > 0.0F ? probability * met->pdf : 0.0F;
+        visit(*met);
+      }
+    }
+  }
 
  private:
   std::optional<LocalLightSample> sample_of(const ChosenLight& chosen,

@@ -18,8 +18,11 @@ namespace foveola {
 struct Path {
   Ray ray;
   Rgb throughput{1.0F};
-  float pdf = 0.0F;             ///< per steradian, with which the last vertex gave the direction
-  ShadingPoint shading_point;   ///< the last vertex; unused before the first
+  float pdf = 0.0F;            ///< per steradian, with which the last vertex gave the direction
+  ShadingPoint shading_point;  ///< the last vertex; unused before the first
+  /// Of what arrives from infinity if the pdf is `certain`: see
+  /// BlockTracer::distant_weight_beyond().
+  float distant_weight = 1.0F;
   float radiance_scale = 1.0F;  ///< what refraction has scaled the throughput by
   Rgb absorption_per_m{0.0F};   ///< in the solid that the path is in
   float width_m = 0.0F;         ///< the ray's width at its origin
@@ -36,7 +39,7 @@ struct PathStates {
 
   Vectors origin, direction, throughput, shading_point_position, shading_point_normal,
       absorption_per_m;
-  Numbers pdf, radiance_scale, width_m, spread_rad;
+  Numbers pdf, distant_weight, radiance_scale, width_m, spread_rad;
   UintColumn<capacity> shading_point_transmits;  ///< 0: no
   UintColumn<capacity> shading_point_region;
   UintColumn<capacity> key, job;
@@ -49,6 +52,7 @@ struct PathStates {
                                 .normal = shading_point_normal.at(i),
                                 .transmits = shading_point_transmits[i] != 0,
                                 .region = shading_point_region[i]},
+              .distant_weight = distant_weight[i],
               .radiance_scale = radiance_scale[i],
               .absorption_per_m = absorption_per_m.at(i),
               .width_m = width_m[i],
@@ -69,6 +73,7 @@ struct PathStates {
     shading_point_normal.fill(path.shading_point.normal);
     shading_point_transmits.fill(path.shading_point.transmits ? 1U : 0U);
     shading_point_region.fill(path.shading_point.region);
+    distant_weight.fill(path.distant_weight);
     radiance_scale.fill(path.radiance_scale);
     absorption_per_m.fill(path.absorption_per_m);
     width_m.fill(path.width_m);
@@ -85,6 +90,7 @@ struct PathStates {
     shading_point_normal.put(i, path.shading_point.normal);
     shading_point_transmits[i] = path.shading_point.transmits ? 1U : 0U;
     shading_point_region[i] = path.shading_point.region;
+    distant_weight[i] = path.distant_weight;
     radiance_scale[i] = path.radiance_scale;
     absorption_per_m.put(i, path.absorption_per_m);
     width_m[i] = path.width_m;
@@ -99,7 +105,7 @@ struct PathStates {
                              &shading_point_normal, &absorption_per_m}) {
       vectors->move(first, packing, to);
     }
-    for (Numbers* numbers : {&pdf, &radiance_scale, &width_m, &spread_rad}) {
+    for (Numbers* numbers : {&pdf, &distant_weight, &radiance_scale, &width_m, &spread_rad}) {
       numbers->move(first, packing, to);
     }
     for (UintColumn<capacity>* numbers :

@@ -124,6 +124,9 @@ std::vector<std::string> PathTracer::warnings() const {
   if (std::optional<std::string> overlap = implementation_->traced.lights.coincident().warning()) {
     lines.push_back(std::move(*overlap));
   }
+  if (std::optional<std::string> unmet = implementation_->traced.warning_of_lights_without_size()) {
+    lines.push_back(std::move(*unmet));
+  }
   return lines;
 }
 

@@ -45,7 +45,7 @@ struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t bounce = 0;
   std::uint64_t shadow = 0;
-  std::uint64_t transmittance = 0;  ///< along shadow rays, through thin transmissive surfaces
+  std::uint64_t transmittance = 0;  ///< along shadow rays, through thin surfaces and glass
   std::uint64_t total() const { return primary + bounce + shadow + transmittance; }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "renderer/trace/direction_cone.h"
@@ -69,29 +70,61 @@ double cone_integral(const PunctualLight& light) {
   return inside + rim / 3.0;
 }
 
-/// A sample of a light's sphere, whose centre is at distance * to_centre. intensity: towards the
-/// place.
-LocalLightSample sample_sphere(float radius, const Vec3& to_centre, float distance,
-                               const Rgb& intensity, const Vec2& u) {
-  const Rgb radiance = intensity / (pi_v<float> * radius * radius);
-  const float ratio = radius / distance;
-  if (ratio < 1.0F) {
-    const DirectionCone cone = DirectionCone::with_sine_squared(to_centre, ratio * ratio);
-    const auto drawn = cone.sample(u);
-    const float half_chord = std::sqrt(std::max(0.0F, ratio * ratio - drawn.sine_squared));
-    return {.to_light = distance * (drawn.cosine - half_chord) * drawn.direction,
-            .pdf = 1.0F / cone.solid_angle(),
-            .radiance = radiance,
-            .is_delta = true};
+/// A light as a place sees it.
+struct View {
+  Vec3 direction;  ///< unit length, to its centre
+  float distance;  ///< of that
+  Rgb intensity;   ///< towards the place
+  float radius;
+  bool is_sphere;  ///< it does not count as a point
+
+  bool is_from_inside() const { return !(radius / distance < 1.0F); }
+  Rgb radiance() const { return intensity / (pi_v<float> * radius * radius); }
+  /// The directions to the sphere.
+  DirectionCone cone() const {
+    const float ratio = radius / distance;
+    return is_from_inside() ? DirectionCone{direction, 2.0F}
+                            : DirectionCone::with_sine_squared(direction, ratio * ratio);
   }
-  const DirectionCone all_around{to_centre, 2.0F};
-  const auto drawn = all_around.sample(u);
-  const float off = distance / radius;
-  const float half_chord = std::sqrt(std::max(0.0F, 1.0F - off * off * drawn.sine_squared));
-  return {.to_light = radius * (off * drawn.cosine + half_chord) * drawn.direction,
-          .pdf = 1.0F / all_around.solid_angle(),
-          .radiance = radiance,
-          .is_delta = true};
+};
+
+/// Empty if the light does not reach the place.
+std::optional<View> view_from(const Vec3& place, const PunctualLight& light) {
+  const Vec3 to_centre = light.position - place;
+  const float distance = glm::length(to_centre);
+  const float radius = light.radius_m;
+  if (!(distance > 0.0F) && !(radius > 0.0F)) {
+    return std::nullopt;
+  }
+  const Vec3 direction = distance > 0.0F ? to_centre / distance : -light.direction;
+  const float factor = cone_factor(light, -direction);
+  if (!(factor > 0.0F)) {
+    return std::nullopt;
+  }
+  return View{.direction = direction,
+              .distance = distance,
+              .intensity = factor * light.intensity,
+              .radius = radius,
+              .is_sphere = radius * radius > smallest_squared_sine * distance * distance};
+}
+
+LocalLightSample sample_sphere(const View& view, const Vec2& u) {
+  const DirectionCone cone = view.cone();
+  const auto drawn = cone.sample(u);
+  float distance = 0.0F;
+  if (view.is_from_inside()) {
+    const float off = view.distance / view.radius;
+    const float half_chord = std::sqrt(std::max(0.0F, 1.0F - off * off * drawn.sine_squared));
+    distance = view.radius * (off * drawn.cosine + half_chord);
+  } else {
+    const float ratio = view.radius / view.distance;
+    const float half_chord = std::sqrt(std::max(0.0F, ratio * ratio - drawn.sine_squared));
+    distance = view.distance * (drawn.cosine - half_chord);
+  }
+  return {.to_light = distance * drawn.direction,
+          .pdf = 1.0F / cone.solid_angle(),
+          .radiance = view.radiance(),
+          .is_delta = false};
 }
 
 }  // namespace
@@ -101,6 +134,11 @@ PunctualLights::PunctualLights(const Scene& scene) {
   for (PunctualLight& light : lights_) {
     if (!std::isfinite(light.radius_m) || light.radius_m < 0.0F) {
       light.radius_m = 0.0F;
+    }
+  }
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    if (lights_[i].radius_m > 0.0F) {
+      spheres_.push_back(i);
     }
   }
 }
@@ -129,27 +167,55 @@ LightBounds PunctualLights::bounds(std::size_t light) const {
 
 std::optional<LocalLightSample> PunctualLights::sample(std::size_t light, const Vec3& place,
                                                        const Vec2& u) const {
-  const PunctualLight& source = lights_[light];
-  const Vec3 to_centre = source.position - place;
-  const float distance = glm::length(to_centre);
-  const float radius = source.radius_m;
-  if (!(distance > 0.0F) && !(radius > 0.0F)) {
+  const std::optional<View> view = view_from(place, lights_[light]);
+  if (!view) {
     return std::nullopt;
   }
-  const Vec3 direction = distance > 0.0F ? to_centre / distance : -source.direction;
-  const float factor = cone_factor(source, -direction);
-  if (!(factor > 0.0F)) {
-    return std::nullopt;
-  }
-  const Rgb intensity = factor * source.intensity;
-  const bool is_sphere = radius * radius > smallest_squared_sine * distance * distance;
   const LocalLightSample sample =
-      is_sphere ? sample_sphere(radius, direction, distance, intensity, u)
-                : LocalLightSample{.to_light = to_centre,
-                                   .pdf = 1.0F,
-                                   .radiance = intensity / (distance * distance),
-                                   .is_delta = true};
+      view->is_sphere
+          ? sample_sphere(*view, u)
+          : LocalLightSample{.to_light = lights_[light].position - place,
+                             .pdf = 1.0F,
+                             .radiance = view->intensity / (view->distance * view->distance),
+                             .is_delta = true};
   return is_finite(sample.radiance) ? std::optional(sample) : std::nullopt;
+}
+
+std::optional<PunctualLights::Met> PunctualLights::meet(std::size_t light, const Vec3& origin,
+                                                        const Vec3& direction) const {
+  const PunctualLight& source = lights_[light];
+  const Vec3 to_centre = source.position - origin;
+  const float along = glm::dot(to_centre, direction);
+  const Vec3 aside = to_centre - along * direction;
+  const float squared_half_chord = source.radius_m * source.radius_m - glm::dot(aside, aside);
+  if (!(squared_half_chord >= 0.0F)) {
+    return std::nullopt;
+  }
+  const std::optional<View> view = view_from(origin, source);
+  if (!view) {
+    return std::nullopt;
+  }
+  const float half_chord = std::sqrt(squared_half_chord);
+  const Met met{.t = view->is_from_inside() ? along + half_chord : along - half_chord,
+                .radiance = view->radiance(),
+                .pdf = view->is_sphere ? 1.0F / view->cone().solid_angle()
+                                       : std::numeric_limits<float>::infinity()};
+  return met.t > 0.0F && is_finite(met.radiance) ? std::optional(met) : std::nullopt;
+}
+
+LaneMask PunctualLights::may_meet(const Vec3s& origin, const Vec3s& direction) const {
+  LaneMask lanes{};
+  for (const std::size_t light : spheres_) {
+    // With room for rounding, here and in meet().
+    const float squared_radius = 1.01F * lights_[light].radius_m * lights_[light].radius_m;
+    const Vec3s to_centre = all_lanes(lights_[light].position) - origin;
+    const Floats along = dot(to_centre, direction);
+    const Vec3s aside = to_centre - along * direction;
+    const Floats squared_distance = dot(to_centre, to_centre);
+    lanes |= (dot(aside, aside) <= squared_radius + 1e-10F * squared_distance) &
+             ((along > 0.0F) | (squared_distance <= squared_radius));
+  }
+  return lanes;
 }
 
 }  // namespace foveola

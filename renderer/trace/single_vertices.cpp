@@ -52,10 +52,7 @@ bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
     path.ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
     ++ray_count();
     note(path.ray);
-    hit = traced_.rays.closest_hit(path.ray);
-    if (!hit.missed()) {
-      hit = traced_.lights.coincident().seen(hit, path.ray.direction);
-    }
+    hit = closest_hit(path.ray);
     if (!gather(path, hit)) {
       return false;
     }
@@ -127,6 +124,9 @@ bool BlockTracer::send(Path& path, const Hit& hit, const SurfacePoint& point,
       !lift_origin(hit, point.geometric_normal, path.ray.origin)) {
     return false;
   }
+  if (sample.is_specular && traced_.follows_suns_through_glass) {
+    path.distant_weight = distant_weight_beyond(path, object);
+  }
   path.shading_point = shading_point;
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
@@ -191,6 +191,19 @@ void BlockTracer::queue_light(const Path& path, const Hit& hit, const SurfacePoi
     pending_.push_back({.job = path.job, .radiance = gain});
     shadow_rays_.add(shadow_ray.origin, shadow_ray.direction, shadow_ray.t_max, shadow_ray.key);
   }
+}
+
+float BlockTracer::distant_weight_beyond(const Path& path, const TracedObject& object) const {
+  if (path.pdf == certain && object.refracts) {
+    return path.distant_weight;
+  }
+  // Of light samples within what absorbs, none has a way to infinity.
+  if (!object.refracts || path.absorption_per_m != Rgb(0.0F) ||
+      !traced_.lights.is_in_sun(path.ray.direction)) {
+    return 1.0F;
+  }
+  const float light_pdf = traced_.lights.distant_light(path.shading_point, path.ray.direction).pdf;
+  return power_heuristic(path.pdf, light_samples_weighed_ * light_pdf);
 }
 
 bool BlockTracer::survives_roulette(Path& path, float u) const {

@@ -64,6 +64,11 @@ Suns::Suns(const Scene& scene, LightSelection selection) {
   }
 }
 
+std::size_t Suns::sizeless() const {
+  return static_cast<std::size_t>(
+      std::count_if(suns_.begin(), suns_.end(), [](const Sun& sun) { return sun.is_delta; }));
+}
+
 Suns::Sample Suns::sample(const Vec2& u_choice, const Vec2& u) const {
   const std::size_t index = choice_->sample(u_choice);
   const Sun& sun = suns_[index];

@@ -24,6 +24,8 @@ class Suns {
 
   bool empty() const { return suns_.empty(); }
   std::size_t size() const { return suns_.size(); }
+  /// Those without a disc.
+  std::size_t sizeless() const;
 
   /// The luminous irradiance of a surface that faces all of them.
   double irradiance() const { return irradiance_; }

@@ -1,11 +1,17 @@
 #include "renderer/trace/traced_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 
+#include <fmt/format.h>
+
+#include "renderer/trace/ggx.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
 #include "renderer/trace/surface.h"
@@ -27,6 +33,7 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
                       .is_unlit = material.unlit,
                       .is_thin_transmissive = is_thin_transmissive(material),
                       .shines = material.unlit || material.is_emissive(),
+                      .refracts = material.refracts(),
                       .absorption_per_m = absorption_per_m(material)};
   const Reflectance untextured = untextured_reflectance(material);
   traced.layers = fast_path_layers(untextured);
@@ -50,7 +57,7 @@ std::optional<std::uint32_t> solid_around(const Scene& scene, const RayScene& ra
       break;
     }
     const Material& material = material_of(scene, scene.mesh_of(hit.object));
-    if (material.is_solid && material.transmission > 0.0F) {
+    if (material.refracts()) {
       const Vec3 front = Triangle(scene, hit.object, hit.triangle).front_normal();
       if (glm::dot(front, direction) < 0.0F) {
         ++entered[hit.object];
@@ -61,6 +68,13 @@ std::optional<std::uint32_t> solid_around(const Scene& scene, const RayScene& ra
     ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
   }
   return std::nullopt;
+}
+
+/// Whether only sampling the surface finds what it mirrors or refracts.
+bool is_smooth_glass_or_mirror(const Material& material) {
+  return (material.refracts() && material.metallic < 1.0F &&
+          !is_rough_glass(material.ior, material.roughness)) ||
+         (material.metallic > 0.0F && material.roughness < smallest_roughness);
 }
 
 std::uint8_t traits_of(const TracedObject& object) {
@@ -83,6 +97,7 @@ TracedScene::TracedScene(const Scene& source, const Workers& workers, const Ligh
   has_absorption = false;
   has_other_lobes = false;
   is_dark = lights.empty();
+  follows_suns_through_glass = false;
   for (std::uint32_t object = 0; object < source.object_count(); ++object) {
     objects.push_back(traced_object(source, object));
     const TracedObject& traced = objects.back();
@@ -91,6 +106,8 @@ TracedScene::TracedScene(const Scene& source, const Workers& workers, const Ligh
     has_other_lobes = has_other_lobes ||
                       (!traced.is_unlit && (!traced.is_on_fast_path || traced.layers.is_shiny));
     is_dark = is_dark && !traced.is_unlit;
+    follows_suns_through_glass =
+        follows_suns_through_glass || (traced.refracts && lights.has_sun_discs());
   }
 }
 
@@ -107,6 +124,25 @@ Rgb TracedScene::absorption_at(const Vec3& place) const {
   const auto found = first == second ? first : around({0.23F, -0.83F, 0.31F});
   const bool is_agreed = first == second || found == first || found == second;
   return found && is_agreed ? objects[*found].absorption_per_m : Rgb(0.0F);
+}
+
+std::optional<std::string> TracedScene::warning_of_lights_without_size() const {
+  const std::size_t points = lights.sizeless_points();
+  const std::size_t suns = lights.sizeless_suns();
+  const bool hides_them =
+      std::any_of(objects.begin(), objects.end(), [&](const TracedObject& object) {
+        return is_smooth_glass_or_mirror(material_of(scene, *object.view.mesh));
+      });
+  if (points + suns == 0 || !hides_them) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "no path finds the lights without a size ({}) behind smooth solid glass or in mirrors; give "
+      "them one by {}",
+      points + suns,
+      suns == 0     ? "--light-radius METRES"
+      : points == 0 ? "--sun-radius DEGREES"
+                    : "--light-radius METRES and --sun-radius DEGREES");
 }
 
 }  // namespace foveola

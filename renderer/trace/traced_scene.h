@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "renderer/base/parallel.h"
@@ -23,6 +25,7 @@ struct TracedObject {
   bool is_unlit = false;
   bool is_thin_transmissive = false;
   bool shines = false;
+  bool refracts = false;
   Rgb absorption_per_m{0.0F};    ///< in the solid that it bounds
   bool is_on_fast_path = false;  ///< its vertices are worked on eight at a time
   bool is_constant = false;      ///< `layers` hold everywhere: no texture, no vertex says otherwise
@@ -48,9 +51,14 @@ struct TracedScene {
   bool has_absorption;               ///< some solid absorbs
   bool has_other_lobes;              ///< something scatters otherwise than a Lambertian layer alone
   bool is_dark;                      ///< nothing shines: every radiance is zero
+  /// There are suns with a disc, and solids that refract their light.
+  bool follows_suns_through_glass;
 
   /// The absorption per metre at a place: that of the innermost solid around it.
   Rgb absorption_at(const Vec3& place) const;
+
+  /// Empty unless there are lights that no path meets in mirrors or behind glass.
+  std::optional<std::string> warning_of_lights_without_size() const;
 
   TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
               KeptHierarchies* kept);

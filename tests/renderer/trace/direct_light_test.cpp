@@ -108,7 +108,7 @@ TEST(DirectLightTest, Suns) {
   }
 }
 
-/// A lamp of a given radius that rays do not meet: its sphere is a disc of directions.
+/// A lamp of a given radius: its sphere is a disc of directions.
 TEST(DirectLightTest, SphericalLamps) {
   const Vec3 position(0.5F, 2, 1);
   const double distance = glm::length(position);

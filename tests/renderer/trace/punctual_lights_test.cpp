@@ -218,6 +218,34 @@ TEST(PunctualLightsTest, SphereDirectionsAreUniformInItsSolidAngle) {
   }
 }
 
+TEST(PunctualLightsTest, RaysMeetWhatIsDrawn) {
+  Pcg32 random(5);
+  for (const PunctualLight& light : {point(4.0F, 0.5F), spot(0.3F, 0.5F, 0.1F)}) {
+    const PunctualLights lights = lights_of(light);
+    for (const Vec3& place : {Vec3(0, -1, 0), Vec3(0.4F, 0, 0.2F), Vec3(0.02F, 2.05F, 0)}) {
+      for (int i = 0; i < 200; ++i) {
+        const auto sample = lights.sample(0, place, unit_square(random));
+        if (!sample) {
+          continue;
+        }
+        const float distance = glm::length(sample->to_light);
+        // Within the rim, where rounding decides.
+        const Vec3 to_centre = light.position - place;
+        const Vec3 direction =
+            glm::normalize(glm::mix(sample->to_light / distance, to_centre, 1e-3F));
+        const auto met = lights.meet(0, place, direction);
+        ASSERT_TRUE(met);
+        EXPECT_NEAR(met->t, distance, 0.06);
+        EXPECT_EQ(met->radiance, sample->radiance);
+        EXPECT_EQ(met->pdf, sample->pdf);
+        EXPECT_TRUE(any_lane(lights.may_meet(all_lanes(place), all_lanes(direction))));
+        EXPECT_FALSE(lights.meet(0, light.position + 2.0F * direction, direction));
+      }
+    }
+  }
+  EXPECT_TRUE(lights_of(point(4.0F)).spheres().empty());
+}
+
 TEST(PunctualLightsTest, SphericalSpotKeepsItsConeFromTheCentre) {
   const PunctualLights lights = lights_of(spot(0.3F, 0.5F, 0.1F));
   const double angle = 0.4;
