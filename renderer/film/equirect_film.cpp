@@ -42,6 +42,15 @@ double squared_luminance(const Rgb& radiance) {
   return value * value;
 }
 
+/// As EquirectFilm::add() says; sum: `count` times the mean.
+template <typename Value>
+void add_weighed(double weight, std::uint32_t count, Value& sum, const Value& value) {
+  sum += weight * value;
+  if (weight != 1.0) {
+    sum *= (count + 1.0) / (count + weight);
+  }
+}
+
 std::vector<std::uint32_t> numbers_of(const std::vector<NumberedBatch::TileRange>& tiles) {
   std::vector<std::uint32_t> numbers;
   numbers.reserve(tiles.size());
@@ -178,12 +187,13 @@ void EquirectFilm::bring_to_life(TileRanges ranges, NumberedBatch& batch) {
 }
 
 std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
-                                             std::span<const Rgb> radiance,
-                                             const Workers& workers) {
+                                             std::span<const Rgb> radiance, const Workers& workers,
+                                             std::span<const float> weights) {
   assert(radiance.size() == batch.jobs.size());
+  assert(weights.empty() || weights.size() == radiance.size());
   ++revision_;
   workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
-    add_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), batch, radiance);
+    add_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), batch, radiance, weights);
   });
   coarse_.refresh(numbers_of(batch.tiles));
   std::vector<DroppedSample> dropped;
@@ -198,7 +208,7 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
 }
 
 void EquirectFilm::add_tiles(TileRanges ranges, const NumberedBatch& batch,
-                             std::span<const Rgb> radiance) {
+                             std::span<const Rgb> radiance, std::span<const float> weights) {
   const std::size_t end = ranges.back().end;
   std::size_t asked_jobs = ranges.front().begin;
   std::size_t asked_tiles = 0;
@@ -210,24 +220,26 @@ void EquirectFilm::add_tiles(TileRanges ranges, const NumberedBatch& batch,
       const NumberedBatch::TileRange& range = ranges[asked_tiles];
       tiles_[range.tile].tile->prefetch_means(batch.places[range.begin]);
     }
-    add_tile(ranges[i], batch, radiance);
+    add_tile(ranges[i], batch, radiance, weights);
   }
 }
 
 void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
-                            std::span<const Rgb> radiance) {
+                            std::span<const Rgb> radiance, std::span<const float> weights) {
   FilmTile& tile = *tiles_[range.tile].tile;
   FilmTile::Touched touched;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (is_finite(radiance[i])) {
       const FilmTile::Place at = batch.places[i];
       FilmTile::Pixel& pixel = batch.slots[i].pixel(at);
-      pixel.sum += DVec3(radiance[i]);
+      const double weight = weights.empty() ? 1.0 : weights[i];
+      add_weighed(weight, pixel.count, pixel.sum, DVec3(radiance[i]));
+      if (with_squares_) {
+        add_weighed(weight, pixel.count, batch.slots[i].squares(at),
+                    squared_luminance(radiance[i]));
+      }
       ++pixel.count;
       touched.add(at);
-      if (with_squares_) {
-        batch.slots[i].squares(at) += squared_luminance(radiance[i]);
-      }
     }
   }
   coarse_.finest(range.tile) = tile.refresh(touched, revision_);

@@ -56,7 +56,8 @@ struct PixelState {
 /// What a film keeps of each pixel: variances cost a third more memory and time.
 enum class FilmStatistics { mean, mean_and_variance };
 
-/// A pixel is the mean of the samples that fell in it, kept as a sum in double and a count. Over
+/// A pixel is the mean of the samples that fell in it, kept as a sum in double (the mean times the
+/// count, where samples have weights) and a count. Over
 /// the pixels stands a pyramid of averages, kept up where samples fall. Memory is taken where
 /// samples first fall, so that an untouched film of any size costs nothing, nor does clearing it.
 class EquirectFilm {
@@ -77,9 +78,13 @@ class EquirectFilm {
   void number(std::span<const ViewSample> samples, NumberedBatch& batch, const Workers& workers);
 
   /// Adds what the tracer returned for `batch`; radiance has as many elements as batch.jobs. One
-  /// writer a tile. Non-finite radiance is left out and returned.
+  /// writer a tile. Non-finite radiance is left out and returned. weights: as many, positive, or
+  /// empty: all alike. Each moves its pixel's mean, of `count` samples before, by weight / (count +
+  /// weight) of the way to the sample. So the mean is a weighted one in the limit, whatever the
+  /// scale of the weights, and exact where all samples are equal; but weights of a mean far below 1
+  /// take long to get there.
   std::vector<DroppedSample> add(const NumberedBatch& batch, std::span<const Rgb> radiance,
-                                 const Workers& workers);
+                                 const Workers& workers, std::span<const float> weights = {});
 
   /// Forgets everything; the next samples are numbered from 0.
   void clear();
@@ -194,9 +199,10 @@ class EquirectFilm {
   /// Fills the batch's jobs and what goes with them.
   void number_tiles(TileRanges ranges, std::span<const ViewSample> samples, NumberedBatch& batch);
   void bring_to_life(TileRanges ranges, NumberedBatch& batch);
-  void add_tiles(TileRanges ranges, const NumberedBatch& batch, std::span<const Rgb> radiance);
+  void add_tiles(TileRanges ranges, const NumberedBatch& batch, std::span<const Rgb> radiance,
+                 std::span<const float> weights);
   void add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
-                std::span<const Rgb> radiance);
+                std::span<const Rgb> radiance, std::span<const float> weights);
 
   int width_;
   int height_;

@@ -1,9 +1,12 @@
 #include "renderer/film/sample_pass.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
 #include "renderer/base/random.h"
+#include "renderer/view/equirect.h"
 
 namespace foveola {
 namespace {
@@ -13,6 +16,42 @@ constexpr std::size_t point_block = 4096;
 
 /// Keeps the places within cells apart from the order of the cells.
 constexpr std::uint32_t place_stream = 0x706c6163U;
+
+/// How far a density may be from that in its pixel's middle without weights. If radiance varies by
+/// a fifth from there to the edge, the mean is then 0.1 % off: a third of both variations' product.
+constexpr float negligible_variation = 0.015F;
+
+/// Densities that differ by more from the middle's jump within the pixel, and are not weighed.
+constexpr float largest_weight = 2.0F;
+
+/// Per unit of the image's area.
+double image_density(const ViewSampler& sampler, const Vec3& direction) {
+  return sampler.density_per_sr(direction) / equirect_area_per_sr(direction);
+}
+
+/// The density in the middle of a pixel over that at a direction in it.
+float weight_in_pixel(const ViewSampler& sampler, const EquirectFilm& film, const Vec3& direction,
+                      const IVec2& pixel) {
+  const Vec2 middle = (Vec2(pixel) + 0.5F) / Vec2(film.width(), film.height());
+  const auto weight = static_cast<float>(image_density(sampler, direction_from_equirect(middle)) /
+                                         image_density(sampler, direction));
+  return weight > 1.0F / largest_weight && weight < largest_weight ? weight : 1.0F;
+}
+
+/// Whether any of a few samples has a density that is not negligibly far from its pixel's middle.
+bool varies_within_pixels(const ViewSampler& sampler, const EquirectFilm& film) {
+  std::array<Vec2, 128> points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = sobol_2d(i, 0);
+  }
+  std::array<ViewSample, points.size()> samples;
+  sampler.sample(points, samples);
+  return std::any_of(samples.begin(), samples.end(), [&](const ViewSample& sample) {
+    const float weight =
+        weight_in_pixel(sampler, film, sample.direction, film.pixel_at(sample.image));
+    return std::abs(weight - 1.0F) > negligible_variation;
+  });
+}
 
 /// A cell in a round that visits each of `cells` once: the box of a Sobol point in the smallest
 /// grid with powers of two that holds them. A box outside gives the rank of another point instead
@@ -99,7 +138,20 @@ std::vector<DroppedSample> SamplePass::run(const ViewSampler& sampler, const Poi
   film.number(samples_, batch_, workers);
   radiance_.resize(batch_.jobs.size());
   trace(batch_.jobs, radiance_);
-  return film.add(batch_, radiance_, workers);
+  weights_.clear();
+  if (points.weighs_within_pixels && !sampler.keeps_points() &&
+      varies_within_pixels(sampler, film)) {
+    weights_.resize(batch_.jobs.size());
+    workers.for_each_block(weights_.size(), point_block, [&](std::size_t begin, std::size_t end) {
+      const auto width = static_cast<std::uint32_t>(film.width());
+      for (std::size_t i = begin; i < end; ++i) {
+        const SampleJob& job = batch_.jobs[i];
+        weights_[i] = weight_in_pixel(sampler, film, job.direction,
+                                      IVec2(job.pixel % width, job.pixel / width));
+      }
+    });
+  }
+  return film.add(batch_, radiance_, workers, weights_);
 }
 
 }  // namespace foveola

@@ -28,6 +28,9 @@ struct PointRange {
   /// Columns and rows of cells that are visited in rounds, each once in a round, so that their
   /// counts differ by one at most. `numbers` then has no effect. 0: no cells.
   IVec2 cells{0};
+  /// Samples are weighed by the inverse of the sampler's density within each pixel, whose mean is
+  /// then that of its area; unless the density varies too little for that to matter.
+  bool weighs_within_pixels = true;
 };
 
 /// Keeps its buffers from pass to pass.
@@ -36,7 +39,8 @@ class SamplePass {
   /// Writes the radiance of each job, as PathTracer::trace.
   using Trace = std::function<void(std::span<const SampleJob> jobs, std::span<Rgb> radiance)>;
 
-  /// May move view samples, or take some away, before they are traced.
+  /// May take some view samples away before they are traced; may move them where samples are not
+  /// weighed.
   using Adjust = std::function<void(std::vector<ViewSample>& samples)>;
 
   /// Sends `points` through an aimed sampler and `trace` into the film; returns what the film
@@ -51,6 +55,7 @@ class SamplePass {
   std::vector<ViewSample> samples_;
   NumberedBatch batch_;
   std::vector<Rgb> radiance_;
+  std::vector<float> weights_;
 };
 
 }  // namespace foveola

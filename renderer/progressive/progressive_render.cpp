@@ -125,7 +125,8 @@ void ProgressiveRender::draw(const ViewSampler& sampler, std::uint64_t points,
                             .count = points,
                             .seed = pattern_seed_,
                             .numbers = settings_.numbers,
-                            .cells = in_rounds ? settings_.film_size : IVec2(0)};
+                            .cells = in_rounds ? settings_.film_size : IVec2(0),
+                            .weighs_within_pixels = !settings_.adaptive};
   const std::vector<DroppedSample> dropped =
       pass_.run(sampler, range, trace, film_, *workers_,
                 [this](std::vector<ViewSample>& samples) { adjust(samples); });
