@@ -68,7 +68,8 @@ py::tuple degrees_of(const AzimuthElevation& angles) {
 }
 
 void define_scene(py::module_& module) {
-  py::class_<SceneForPython>(module, "Scene", "A scene that load_scene() loaded.")
+  using Scene = std::unique_ptr<SceneForPython, DeleteUnlessForked>;
+  py::class_<SceneForPython, Scene>(module, "Scene", "A scene that load_scene() loaded.")
       .def_property_readonly("name",
                              [](const SceneForPython& scene) { return scene.loaded.source.name; })
       .def_property_readonly(
@@ -89,8 +90,8 @@ void define_scene(py::module_& module) {
       "load_scene",
       [](const py::object& scene, const std::optional<std::array<double, 3>>& camera_m,
          const std::optional<AnglesDeg>& head_deg, int threads) {
-        return std::make_unique<SceneForPython>(file_name(scene, "scene"),
-                                                scene_settings(camera_m, head_deg, threads));
+        const RenderSettings settings = scene_settings(camera_m, head_deg, threads);
+        return Scene(new SceneForPython(file_name(scene, "scene"), settings));
       },
       load_scene_text, py::arg("scene"), py::kw_only(), py::arg("camera_m") = py::none(),
       py::arg("head_deg") = py::none(), py::arg("threads") = 0);

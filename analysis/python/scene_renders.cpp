@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "renderer/film/equirect_film.h"
@@ -20,6 +21,13 @@ namespace {
 void warn(const std::string& text) {
   if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
     throw py::error_already_set();
+  }
+}
+
+void require_not_forked(const char* function) {
+  if (is_forked()) {
+    throw Error(function, "does not work in a process that was forked after load_scene()",
+                R"(fork first, or use multiprocessing.set_start_method("spawn"))");
   }
 }
 
@@ -106,6 +114,17 @@ std::vector<std::array<std::uint32_t, 3>> places_of(const std::vector<DroppedSam
 
 }  // namespace
 
+bool is_forked() {
+  static const pid_t loading_process = ::getpid();
+  return ::getpid() != loading_process;
+}
+
+void DeleteUnlessForked::operator()(const SceneForPython* scene) const {
+  if (!is_forked()) {
+    delete scene;
+  }
+}
+
 SceneForPython::SceneForPython(const std::string& name_or_path, const RenderSettings& settings)
     : workers(settings.threads), loaded(scenes::find_scene(name_or_path), workers, settings.scene) {
   for (const std::string& warning : loaded.warnings) {
@@ -115,6 +134,7 @@ SceneForPython::SceneForPython(const std::string& name_or_path, const RenderSett
 
 RenderSettings scene_settings(const std::optional<std::array<double, 3>>& camera_m,
                               const std::optional<AnglesDeg>& head_deg, int threads) {
+  require_not_forked("load_scene");
   RenderSettings settings;
   if (camera_m) {
     settings.scene.camera = DVec3((*camera_m)[0], (*camera_m)[1], (*camera_m)[2]);
@@ -128,6 +148,7 @@ RenderSettings scene_settings(const std::optional<std::array<double, 3>>& camera
 }
 
 RenderForPython render_for_python(const SceneForPython& scene, const RenderArguments& arguments) {
+  require_not_forked("render");
   const Rendering rendering = render_interruptibly(scene, settings_of(arguments));
   const RgbImage& color = rendering.image.color;
   const py::ssize_t height = color.height;

@@ -28,6 +28,15 @@ struct SceneForPython {
   SceneForPython(const std::string& name_or_path, const RenderSettings& settings);
 };
 
+/// Whether this process was forked from one that had loaded a scene. Threads do not survive a fork,
+/// and a render would wait for theirs.
+bool is_forked();
+
+/// Leaves a scene as it is in a forked process, where nobody can end its threads.
+struct DeleteUnlessForked {
+  void operator()(const SceneForPython* scene) const;
+};
+
 /// What render() takes in Python, with its defaults.
 struct RenderArguments {
   std::optional<std::string> method;        ///< as make_view_sampler reads it; none: a picture
@@ -49,12 +58,12 @@ struct RenderForPython {
 };
 
 /// The camera's place in metres, where it looks, and the threads. Throws UsageError for what no
-/// render can have.
+/// render can have, Error in a forked process.
 RenderSettings scene_settings(const std::optional<std::array<double, 3>>& camera_m,
                               const std::optional<AnglesDeg>& head_deg, int threads);
 
 /// Renders without Python's lock, and stops when Python is interrupted. Throws Error for settings
-/// that make no sense.
+/// that make no sense, and in a forked process.
 RenderForPython render_for_python(const SceneForPython& scene, const RenderArguments& arguments);
 
 }  // namespace foveola::analysis

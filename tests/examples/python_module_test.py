@@ -127,6 +127,46 @@ threads = [threading.Thread(target=foveola.render, args=(scene, "od"), kwargs=di
 """
         subprocess.run([sys.executable, "-c", script], check=True, timeout=600)
 
+    def test_a_process_renders_if_it_was_forked_before_loading_and_is_refused_otherwise(self):
+        """Forked while others render, a child's render waited for threads that stayed behind."""
+        script = f"""
+import os, threading, warnings, foveola
+warnings.simplefilter("ignore")
+scene = None
+
+def render():
+    return foveola.render(scene or foveola.load_scene({str(room)!r}), "od", size=(64, 32), samples=4000)
+
+def render_until_stopped():
+    while not stopped.is_set():
+        render()
+
+def refused(function):
+    try:
+        function()
+    except foveola.Error as error:
+        return "forked" in str(error)
+
+def code_of_child(function):
+    child = os.fork()
+    if child == 0:
+        raise SystemExit(0 if function() else 1)  # with all that Python does at its end
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+assert code_of_child(render) == 0
+scene = foveola.load_scene({str(room)!r}, threads=4)
+stopped = threading.Event()
+thread = threading.Thread(target=render_until_stopped)
+thread.start()
+codes = [code_of_child(lambda: refused(render) and refused(lambda: foveola.load_scene({str(room)!r})))
+         for _ in range(8)]
+stopped.set()
+thread.join()
+assert codes == [0] * 8, codes
+render()
+"""
+        subprocess.run([sys.executable, "-c", script], check=True, timeout=600)
+
     def test_an_interrupt_stops_it_soon(self):
         # It would be ignored where a shell has started this in the background.
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
