@@ -8,6 +8,7 @@ camera; what still does not come across is listed. README.md beside this says ho
 import array
 import atexit
 import contextlib
+import functools
 import hashlib
 import importlib.util
 import io
@@ -24,6 +25,7 @@ import time
 
 import bpy
 from bpy.app.handlers import persistent
+from mathutils import Matrix, Vector
 
 bl_info = {
     "name": "Foveola Preview",
@@ -86,7 +88,12 @@ def surface_of(tree, target="CYCLES"):
     """The node that the active output shows; None if there is none."""
     output = tree.get_output_node(target) if tree is not None else None
     source = link_into(output.inputs["Surface"]) if output is not None else None
-    return source.node if source is not None else None
+    return source.node if source is not None and not source.node.mute else None
+
+
+def has_volume(tree):
+    output = tree.get_output_node("CYCLES")
+    return output is not None and output.inputs["Volume"].is_linked
 
 
 # ---- Units and directions: Blender's +Z is up, glTF's +Y ---------------------------------------
@@ -125,6 +132,94 @@ def power_of(light):
         [max(0.0, value * channel * strength) for value, channel in zip(power, colour)],
         colour_is_all and strength_is_all,
     )
+
+
+# ---- What Cycles renders -----------------------------------------------------------------------
+
+
+def rendered_in(place):
+    """The objects that Cycles renders of an instanced collection, or of a layer collection. A
+    collection that is disabled in renders disables all collections below it."""
+    collection = getattr(place, "collection", place)
+    if collection.hide_render:
+        return set()
+    things = [] if getattr(place, "exclude", False) else collection.objects
+    found = {thing for thing in things if not thing.hide_render}
+    return found.union(*(rendered_in(child) for child in place.children))
+
+
+def instanced_by(thing):
+    """The collection that an object instances; None if it instances none."""
+    return thing.instance_collection if thing.instance_type == "COLLECTION" else None
+
+
+class RenderedTree:
+    """A hook in Blender's exporter. Leaves in its tree of nodes what Cycles renders, and notes area
+    lights, which it does not write, and objects that the tree lacks."""
+
+    def __init__(self, view_layer):
+        self.is_complete = False
+        self.area_lights = []  # (name, light, pose)
+        self.left_out = []
+        self._view_layer = view_layer
+        self._rendered_in = functools.cache(rendered_in)
+
+    def gather_tree_filter_tag_hook(self, tree, _settings):
+        members = {}
+        for node in tree.nodes.values():
+            thing, instancer = node.blender_object, instancer_above(tree, node)
+            is_hidden_emitter = thing.particle_systems and not thing.show_instancer_for_render
+            node.keep_tag = node.keep_tag and self._is_rendered(tree, node) and not is_hidden_emitter
+            members.setdefault(instancer, set()).add(thing)
+            if node.keep_tag and instanced_by(thing) is not None:
+                members.setdefault(node, set())
+            if node.keep_tag and thing.type == "LIGHT" and thing.data.type == "AREA":
+                if not getattr(getattr(thing.data, "cycles", None), "is_portal", False):
+                    self.area_lights.append((thing.name, thing.data, pose_in(tree, node)))
+        for instancer, things in members.items():
+            if instancer is None or instancer.keep_tag:
+                self._note_left_out(instancer, things)
+        self.is_complete = True
+
+    def _rendered_with(self, instancer):
+        place = self._view_layer.layer_collection
+        if instancer is not None:
+            place = instanced_by(instancer.blender_object)
+        return self._rendered_in(place)
+
+    def _is_rendered(self, tree, node):
+        instancer = instancer_above(tree, node)
+        return node.blender_object in self._rendered_with(instancer) and (
+            instancer is None or self._is_rendered(tree, instancer)
+        )
+
+    def _note_left_out(self, instancer, things):
+        for thing in self._rendered_with(instancer) - things:
+            is_seen = thing.type in SHOWN_TYPES or instanced_by(thing) is not None
+            if is_seen and (instancer or thing.visible_get(view_layer=self._view_layer)):
+                self.left_out.append(thing.name)
+
+
+def instancer_above(tree, node):
+    """The node of the collection's instance that a node is in; None outside of all."""
+    while node.parent_uuid is not None:
+        node = tree.nodes[node.parent_uuid]
+        if instanced_by(node.blender_object) is not None:
+            return node
+    return None
+
+
+def pose_in(tree, node):
+    """An object's pose in the world. The exporter turns its own of lights, and leaves out offsets."""
+    parent = tree.nodes.get(node.parent_uuid)
+    if parent is not None and parent.blender_object.instance_type in {"VERTS", "FACES"}:
+        return node.matrix_world.copy()
+    instancer = instancer_above(tree, node)
+    pose = node.blender_object.matrix_world.copy()
+    if instancer is None:
+        return pose
+    offset = instanced_by(instancer.blender_object).instance_offset
+    return pose_in(tree, instancer) @ Matrix.Translation(-offset) @ pose
 
 
 # ---- The descriptor: what Foveola reads beside the file, see scenes/DESCRIPTORS.md -------------
@@ -180,9 +275,9 @@ def world_keys(scene, folder):
     if not world.use_nodes:
         return {"environment_radiance": list(world.color)}, []
     surface = surface_of(world.node_tree)
+    missing = ["its volume is not sent"] if has_volume(world.node_tree) else []
     if surface is None:
-        return {"environment_radiance": [0.0, 0.0, 0.0]}, []
-    missing = []
+        return {"environment_radiance": [0.0, 0.0, 0.0]}, missing
     if surface.type != "BACKGROUND":
         missing.append(f"{label_of(surface)} is not translated, only a Background above it")
         backgrounds = [node for node in nodes_above(surface.inputs) if node.type == "BACKGROUND"]
@@ -431,35 +526,70 @@ def complete_lights(glb):
 
 
 def complete_materials(glb):
-    """A surface that is nothing but emission reflects nothing; the exporter leaves it white."""
+    """What Cycles shows, where the exporter goes by Eevee's settings, or by none."""
     for entry in glb.document.get("materials", []):
         material = bpy.data.materials.get(entry.get("name", ""))
-        if material is None or not material.use_nodes:
+        if material is None:
             continue
-        surface = surface_of(material.node_tree)
-        if surface is not None and surface.type == "EMISSION":
-            make_black(glb, entry)
+        entry["doubleSided"] = True
+        surface = surface_of(material.node_tree) if material.use_nodes else None
+        if surface is not None and surface.type not in {"BSDF_PRINCIPLED", "EMISSION"}:
+            continue
+        entry.pop("alphaCutoff", None)
+        entry["alphaMode"] = "OPAQUE"
+        if not material.use_nodes:
+            make_lambertian(glb, entry, material.diffuse_color[:3])
+        elif surface is None and has_volume(material.node_tree):
+            make_lambertian(glb, entry, [0, 0, 0], alpha=0)
+            entry["alphaMode"] = "BLEND"
+        elif surface is None or surface.type == "EMISSION":
+            make_lambertian(glb, entry, [0, 0, 0])
+        else:
+            alpha, is_all = constant(surface.inputs["Alpha"])
+            if alpha < 1.0 or not is_all:
+                entry["alphaMode"] = "BLEND"
 
 
-def make_black(glb, entry):
+def make_lambertian(glb, entry, colour, alpha=1):
     entry["pbrMetallicRoughness"] = {
-        "baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0, "roughnessFactor": 1,
+        "baseColorFactor": [*colour, alpha], "metallicFactor": 0, "roughnessFactor": 1,
     }
     entry.setdefault("extensions", {})["KHR_materials_specular"] = {"specularFactor": 0}
     glb.use_extension("KHR_materials_specular")
 
 
-def area_lights(depsgraph):
-    """(name, light, pose) of each that shines, those of instanced collections among them."""
-    if not any(light.type == "AREA" for light in bpy.data.lights):
-        return
-    for instance in depsgraph.object_instances:
-        thing = instance.object
-        if thing.type != "LIGHT" or thing.data.type != "AREA" or not is_rendered(thing.original):
-            continue
-        light = thing.data.original
-        if not getattr(getattr(light, "cycles", None), "is_portal", False):
-            yield thing.original.name, light, instance.matrix_world.copy()
+def complete_surfaces(glb):
+    """Cycles' surface without a material is Lambertian, of 0.8, and only nodes show colour attributes."""
+    default = None
+    for mesh in glb.document.get("meshes", []):
+        data = bpy.data.meshes.get(mesh.get("name", ""))
+        for primitive in mesh["primitives"]:
+            if "material" not in primitive:
+                if default is None:
+                    entry = {"name": "no material", "doubleSided": True}
+                    make_lambertian(glb, entry, [0.8, 0.8, 0.8])
+                    default = glb.add("materials", entry)
+                primitive["material"] = default
+            name = glb.document["materials"][primitive["material"]].get("name", "")
+            asked = colours_of(bpy.data.materials.get(name))
+            if not asked & {"", render_colour_of(data)}:
+                primitive["attributes"].pop("COLOR_0", None)
+
+
+def colours_of(material):
+    """The names of the colour attributes that the base colour takes, empty for that of rendering."""
+    surface = surface_of(material.node_tree) if material is not None and material.use_nodes else None
+    if surface is None or surface.type != "BSDF_PRINCIPLED":
+        return set()
+    above = nodes_above([surface.inputs["Base Color"]])
+    return {node.layer_name for node in above if node.type == "VERTEX_COLOR"}
+
+
+def render_colour_of(mesh):
+    """The name of the colour attribute that the exporter writes; empty if there is none."""
+    colours = mesh.color_attributes if mesh is not None else []
+    index = colours.render_color_index if colours else -1
+    return colours[index].name if 0 <= index < len(colours) else ""
 
 
 def outline_of(light, pose):
@@ -497,7 +627,7 @@ def add_area_light(glb, name, light, pose):
         "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": brightest}},
     }
     glb.use_extension("KHR_materials_emissive_strength")
-    make_black(glb, material)
+    make_lambertian(glb, material, [0, 0, 0])
     fan = [index for i in range(1, len(corners) - 1) for index in (0, i, i + 1)]
     values = array.array("f", [value for corner in corners for value in corner])
     axes = [values[axis::3] for axis in range(3)]
@@ -526,24 +656,18 @@ UNSENT_TYPES = {
     "VOLUME": "volumes", "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil",
 }
 SHOWN_TYPES = {"MESH", "CURVE", "SURFACE", "FONT", "LIGHT", *UNSENT_TYPES}
-TRANSLATED_NODES = {
-    "TEX_IMAGE", "NORMAL_MAP", "SEPRGB", "SEPARATE_COLOR", "RGB", "VALUE", "MAPPING", "UVMAP",
-    "TEX_COORD", "VERTEX_COLOR",
-}
-UNSENT_INPUTS = ("Subsurface", "Subsurface Weight", "Anisotropic", "Transmission Roughness")
-
-
-def is_rendered(thing):
-    collections = thing.users_collection
-    return not thing.hide_render and not (
-        collections and all(collection.hide_render for collection in collections)
-    )
+TRANSLATED_NODES = {"RGB", "VALUE", "UVMAP"}
+SEPARATING_NODES = {"SEPRGB", "SEPARATE_COLOR"}
+UNSENT_INPUTS = (
+    "Subsurface", "Subsurface Weight", "Anisotropic", "Sheen", "Transmission Roughness",
+)
 
 
 def missing_lines(scene, view_layer, depsgraph):
     """A line for each thing that the preview shows otherwise than Cycles, without repetition."""
-    lines = []
-    shown_materials = {}
+    lines = missing_of_scene(scene, view_layer)
+    lines += collection_lines(view_layer.layer_collection)
+    shown_materials, shown_surfaces = {}, {}
     for thing, is_visible in rendered_things(view_layer):
         if not is_visible:
             lines.append(f"{thing.name}: rendered, but hidden in the viewport, and not sent")
@@ -552,49 +676,146 @@ def missing_lines(scene, view_layer, depsgraph):
         for slot in thing.material_slots:
             if slot.material is not None:
                 shown_materials.setdefault(slot.material, thing.name)
+                shown_surfaces.setdefault((thing.data, slot.material), thing.name)
     for material, user in shown_materials.items():
         lines += [f"{user}, material {material.name}: {what}" for what in missing_of_material(material)]
+    for (data, material), user in shown_surfaces.items():
+        lines += [f"{user}, material {material.name}: {what}"
+                  for what in missing_of_mesh(data, material)]
     lines += instancer_lines(view_layer, depsgraph)
     lines += [f"{scene.camera.name}: {what}" for what in missing_of_camera(scene.camera.data)]
+    if is_clipped(scene.camera, view_layer):
+        lines.append(f"{scene.camera.name}: its clipping is not sent")
     return list(dict.fromkeys(lines))
+
+
+def missing_of_scene(scene, view_layer):
+    render, cycles = scene.render, getattr(scene, "cycles", None)
+    filters = ("use_sky", "use_solid", "use_strand", "use_volumes")
+    unsent = {
+        "the background set": scene.background_set is not None,
+        "the material override": view_layer.material_override is not None,
+        "the view layer's filter": not all(getattr(view_layer, name, True) for name in filters),
+        "Simplify": render.use_simplify,
+        "the transparent film": render.film_transparent,
+        "motion blur": render.use_motion_blur,
+        "the render region": render.use_border,
+        "the film's exposure": cycles is not None and cycles.film_exposure != 1.0,
+    }
+    lines = [f"Scene: {what} is not sent" for what, is_used in unsent.items() if is_used]
+    rays = getattr(scene.world, "cycles_visibility", None)
+    names = ("camera", "diffuse", "glossy", "transmission", "scatter")
+    if not all(getattr(rays, name, True) for name in names):
+        lines.append("World: seen by all rays, in spite of its ray visibility")
+    return lines
+
+
+def collection_lines(layer):
+    """Of a layer collection and those below it."""
+    lines = [f"Collection {layer.name}: seen by all rays, in spite of {name}"
+             for name, is_on in (("its holdout", layer.holdout), ("indirect only", layer.indirect_only))
+             if is_on and not layer.exclude]
+    return lines + [line for child in layer.children for line in collection_lines(child)]
 
 
 def rendered_things(view_layer):
     """(object, whether it is visible in the viewport), those of instanced collections among them."""
+    rendered = rendered_in(view_layer.layer_collection)
     for thing in view_layer.objects:
-        if not is_rendered(thing):
-            continue
         is_visible = thing.visible_get(view_layer=view_layer)
-        if thing.type in SHOWN_TYPES:
+        if thing in rendered and thing.type in SHOWN_TYPES:
             yield thing, is_visible
-        elif is_visible and thing.instance_type == "COLLECTION" and thing.instance_collection:
-            for part in thing.instance_collection.all_objects:
-                if part.type in SHOWN_TYPES and not part.hide_render:
-                    yield part, True
+        elif thing in rendered and is_visible:
+            yield from ((part, True) for part in parts_of(thing))
+
+
+def parts_of(thing):
+    """What an instance of a collection shows."""
+    collection = instanced_by(thing)
+    rendered = rendered_in(collection) if collection is not None else set()
+    for part in collection.all_objects if rendered else []:
+        if part in rendered and part.type in SHOWN_TYPES:
+            yield part
+        elif part in rendered:
+            yield from parts_of(part)
 
 
 def missing_of_object(thing):
+    lines = []
+    # New lights are shadow catchers that no camera sees. README.md says how lights are seen.
+    is_light = thing.type == "LIGHT"
+    names = RAY_VISIBILITY[1:] if is_light else RAY_VISIBILITY
+    is_caught = getattr(thing, "is_holdout", False) or getattr(thing, "is_shadow_catcher", False)
+    if not all(getattr(thing, name, True) for name in names) or is_caught and not is_light:
+        lines.append("seen by all rays, in spite of its ray visibility")
     if thing.type in UNSENT_TYPES:
         return [f"{UNSENT_TYPES[thing.type]} are not sent"]
     if thing.type == "LIGHT":
-        return missing_of_light(thing.data)
-    lines = [
+        return lines + missing_of_light(thing.data)
+    lines += [
         f"{'hair' if system.settings.type == 'HAIR' else 'particles'} '{system.name}' not sent"
         for system in thing.particle_systems
     ]
-    for modifier in thing.modifiers:
-        levels = getattr(modifier, "levels", 0), getattr(modifier, "render_levels", 0)
-        if modifier.show_viewport != modifier.show_render or levels[0] != levels[1]:
-            lines.append(f"modifier {modifier.name} is applied as in the viewport, not as rendered")
-    rays = [name for name in RAY_VISIBILITY if not getattr(thing, name, True)]
-    if rays or getattr(thing, "is_holdout", False) or getattr(thing, "is_shadow_catcher", False):
-        lines.append("seen by all rays, in spite of its ray visibility")
-    return lines
+    lines += [f"modifier {modifier.name} is applied as in the viewport, not as rendered"
+              for modifier in thing.modifiers if is_rendered_otherwise(modifier)]
+    if getattr(getattr(thing, "cycles", None), "use_adaptive_subdivision", False):
+        lines.append("its adaptive subdivision is not sent")
+    return lines + missing_of_shape(thing)
 
 
 RAY_VISIBILITY = (
-    "visible_camera", "visible_diffuse", "visible_glossy", "visible_transmission", "visible_shadow",
+    "visible_camera", "visible_diffuse", "visible_glossy", "visible_transmission",
+    "visible_volume_scatter", "visible_shadow",
 )
+VIEWPORT_AND_RENDER = (
+    ("levels", "render_levels"), ("steps", "render_steps"), ("viewport_resolution", "resolution"),
+)
+
+
+def is_rendered_otherwise(modifier):
+    if not modifier.show_viewport and not modifier.show_render:
+        return False
+    return modifier.show_viewport != modifier.show_render or any(
+        getattr(modifier, viewport, 0) != getattr(modifier, render, 0)
+        for viewport, render in VIEWPORT_AND_RENDER if hasattr(modifier, viewport)
+    )
+
+
+def missing_of_shape(thing):
+    lines, data = [], thing.data
+    for axis in "uv":
+        rendered = getattr(data, f"render_resolution_{axis}", 0)
+        if rendered not in {0, getattr(data, f"resolution_{axis}", 0)}:
+            lines.append("its resolution is that of the viewport, not of rendering")
+    materials = [slot.material for slot in thing.material_slots]
+    if thing.type != "MESH" and None in materials and any(materials):
+        lines.append("its materials are those of other slots, since one is empty")
+    if thing.parent is not None and thing.parent_type in {"ARMATURE", "LATTICE"}:
+        lines.append("its parent's deformation is not sent; use a modifier")
+    keys = getattr(data, "shape_keys", None)
+    if keys is not None and not thing.modifiers and (
+        not keys.use_relative or thing.show_only_shape_key
+        or any(key.mute or key.vertex_group or key.relative_key != keys.reference_key
+               for key in keys.key_blocks[1:])
+    ):
+        lines.append("its muted, pinned or grouped shape keys are sent otherwise; add any modifier")
+    x, y, z = (axis.normalized() for axis in thing.matrix_world.to_3x3().col)
+    if max(abs(x.dot(y)), abs(y.dot(z)), abs(z.dot(x))) > 1e-4:
+        lines.append("its shear is not sent; apply its parent's scale")
+    return lines
+
+
+def is_clipped(camera, view_layer):
+    """Whether Cycles cuts off what the preview shows, in front or behind."""
+    if camera.data.clip_start > 0.1 + 1e-6:  # Blender's default
+        return True
+    from_world = camera.matrix_world.inverted_safe()
+    return any(
+        -(from_world @ thing.matrix_world @ Vector(corner)).z > camera.data.clip_end
+        for thing in rendered_in(view_layer.layer_collection)
+        if thing.type in {"MESH", "CURVE", "SURFACE", "FONT"}
+        for corner in thing.bound_box
+    )
 
 
 def missing_of_light(light):
@@ -621,35 +842,108 @@ def missing_of_camera(camera):
     return lines
 
 
+def missing_of_mesh(mesh, material):
+    """What of a material does not come across on this mesh; nothing on other data."""
+    surface = surface_of(material.node_tree) if material.use_nodes else None
+    if not isinstance(mesh, bpy.types.Mesh) or surface is None:
+        return []
+    lines = [
+        f"Base Color: the colour attribute {name} is not sent, only the mesh's own for rendering"
+        for name in sorted(colours_of(material))
+        if not render_colour_of(mesh) or name not in {"", render_colour_of(mesh)}
+    ]
+    above = nodes_above(surface.inputs)
+    if not mesh.uv_layers and any(node.type == "TEX_IMAGE" for node in above):
+        lines.append("its textures are not sent, since the mesh has no UV map")
+    return lines
+
+
 def missing_of_material(material):
     if not material.use_nodes:
         return []
     surface = surface_of(material.node_tree)
     output = material.node_tree.get_output_node("CYCLES")
-    lines = [
-        f"its {name.lower()} is not sent"
-        for name in ("Volume", "Displacement")
-        if output is not None and output.inputs[name].is_linked
-    ]
+    if output is None:
+        return []
+    lines = [f"its {name.lower()} is not sent" for name in ("Volume", "Displacement")
+             if output.inputs[name].is_linked]
+    if not output.is_active_output:
+        lines.append("its output for Eevee is sent, not that for Cycles")
     if surface is None:
         return lines
     if surface.type not in {"BSDF_PRINCIPLED", "EMISSION"}:
         lines.append(f"{label_of(surface)} is not translated, only a Principled BSDF above it")
         return lines
     for socket in surface.inputs:
-        unknown = [label_of(node) for node in nodes_above([socket]) if not is_translated(node)]
-        if unknown:
-            lines.append(f"{socket.name}: {unknown[-1]} is not translated")
-        elif socket.name in UNSENT_INPUTS and not socket.is_linked and socket.default_value > 0.0:
+        faults = [fault_of(node, socket, material) for node in nodes_above([socket])]
+        faults = [fault for fault in faults if fault]
+        if faults:
+            lines.append(f"{socket.name}: {faults[-1]}")
+        elif socket.name in UNSENT_INPUTS and (socket.is_linked or socket.default_value > 0.0):
             lines.append(f"{socket.name} is not sent")
+        elif socket.name == "Base Color" and max(constant(socket)[0][:3]) > 1.0:
+            lines.append("Base Color is limited to 1")
     return lines
 
 
-def is_translated(node):
-    multiplies = getattr(node, "blend_type", "") == "MULTIPLY" or getattr(
-        node, "operation", ""
-    ) == "MULTIPLY"
-    return node.type in TRANSLATED_NODES or node.type in {"MIX", "MIX_RGB", "MATH"} and multiplies
+def fault_of(node, socket, material):
+    """How a node above a socket is shown otherwise than by Cycles; empty if it is not."""
+    if node.type == "TEX_IMAGE" and not node.mute:
+        return fault_of_image(node, socket)
+    if node.type == "UVMAP" and node.uv_map:
+        places = {mesh.uv_layers.find(node.uv_map)
+                  for mesh in bpy.data.meshes if material in mesh.materials[:]}
+        if len(places) != 1 or -1 in places:
+            return f"UV map {node.uv_map} has not the same place in all of the material's meshes"
+    return "" if is_translated(node, socket) else f"{label_of(node)} is not translated"
+
+
+def fault_of_image(node, socket):
+    image = node.image
+    if image is None or 0 in image.size:
+        return "its image is missing"
+    if image.source not in {"FILE", "GENERATED"}:
+        return f"image {image.name} is a sequence, a film or tiled"
+    if node.projection != "FLAT" or node.extension == "CLIP":
+        return f"{label_of(node)} is shown flat and repeated"
+    wanted = "sRGB" if socket.type == "RGBA" else "Non-Color"
+    space = image.colorspace_settings.name
+    if socket.name == "Alpha" or space == wanted or (wanted != "sRGB" and space in LINEAR):
+        return ""
+    return f"image {image.name} is read as {wanted}, not {space}"
+
+
+def is_translated(node, socket):
+    """Whether the exporter writes what this node does above the socket."""
+    if node.mute:
+        return False
+    if node.type == "TEX_COORD":
+        return not any(output.is_linked for output in node.outputs if output.name != "UV")
+    if node.type == "MAPPING":
+        has_links = any(value.is_linked for value in node.inputs if value.name != "Vector")
+        turn = node.inputs["Rotation"].default_value
+        return node.vector_type != "NORMAL" and not has_links and not any(turn[:2])
+    if node.type == "NORMAL_MAP":
+        return node.space == "TANGENT" and not node.inputs["Strength"].is_linked
+    if node.type == "VERTEX_COLOR":
+        return socket.name in {"Base Color", "Alpha"}
+    if node.type in SEPARATING_NODES:
+        return socket.type == "VALUE"
+    if node.type in {"MATH", "MIX"}:
+        return link_into(socket).node == node and is_product(node)
+    return node.type in TRANSLATED_NODES
+
+
+def is_product(node):
+    """Whether a node multiplies one texture by a constant or a colour attribute."""
+    if node.type == "MATH":
+        is_multiplying, factors = node.operation == "MULTIPLY", node.inputs[:2]
+    else:
+        factor, is_all = constant(node.inputs[0])
+        is_multiplying = node.data_type == "RGBA" and node.blend_type == "MULTIPLY"
+        is_multiplying, factors = is_multiplying and is_all and factor == 1.0, node.inputs[6:8]
+    variables = [link_into(value).node.type for value in factors if not constant(value)[1]]
+    return is_multiplying and (len(variables) == 1 or "VERTEX_COLOR" in variables)
 
 
 def instancer_lines(view_layer, depsgraph):
@@ -672,7 +966,6 @@ def instancer_lines(view_layer, depsgraph):
 EXPORT_OPTIONS = {
     "export_format": "GLB",
     "use_visible": True,
-    "use_renderable": True,
     "use_active_scene": True,
     "export_cameras": True,
     "export_lights": True,
@@ -692,16 +985,31 @@ def require_exporter():
         raise ExportError("Blender's glTF exporter needs NumPy: install Debian's python3-numpy")
 
 
-def run_exporter(path):
+def run_exporter(path, tree):
     known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
     options = {key: value for key, value in EXPORT_OPTIONS.items() if key in known}
-    with contextlib.redirect_stdout(io.StringIO()):
+    with contextlib.redirect_stdout(io.StringIO()), hook_into_exporter(tree):
         try:
             bpy.ops.export_scene.gltf(filepath=str(path), **options)
         except RuntimeError as failure:
             lines = [line.strip() for line in str(failure).splitlines() if line.strip()]
             said = [line for line in lines if not line.startswith("Location:")]
-            raise ExportError(f"Blender's exporter: {said[-1]}") from failure
+            remedy = ""
+            if "node_tree" in said[-1]:  # it looks for a UV map's name in all meshes
+                remedy = "; remove the empty material slots of all meshes"
+            raise ExportError(f"Blender's exporter: {said[-1]}{remedy}") from failure
+    if not tree.is_complete:
+        raise ExportError("Blender's exporter has another tree of nodes; use that of Blender 3.4")
+
+
+@contextlib.contextmanager
+def hook_into_exporter(hook):
+    """The exporter calls this name in every add-on that has it. The user's own exports find none."""
+    globals()["glTF2ExportUserExtension"] = lambda: hook
+    try:
+        yield
+    finally:
+        del globals()["glTF2ExportUserExtension"]
 
 
 def descriptor_text(scene, depsgraph, world):
@@ -744,11 +1052,15 @@ def export_scene(window, folder):
             descriptor = descriptor_text(scene, depsgraph, world).encode()
             missing = [f"World: {what}" for what in missing_of_world]
             missing += missing_lines(scene, view_layer, depsgraph)
-            run_exporter(exported)
+            tree = RenderedTree(view_layer)
+            run_exporter(exported, tree)
+            missing += [f"{name}: not sent, since its parent is an instance or in another collection"
+                        for name in sorted(set(tree.left_out))]
             glb = Glb(exported.read_bytes())
             complete_lights(glb)
             complete_materials(glb)
-            for name, light, pose in area_lights(bpy.context.evaluated_depsgraph_get()):
+            complete_surfaces(glb)
+            for name, light, pose in tree.area_lights:
                 add_area_light(glb, name, light, pose)
             view_layer.update()  # what the exporter touched is not a change of the user's
         has_new_words = replace_if_new(folder / "scene.toml", [descriptor])
@@ -770,8 +1082,9 @@ def fingerprint(scene, view_layer):
         scene.name, view_layer.name, scene.camera and scene.camera.name,
         scene.world and scene.world.name, render.resolution_x, render.resolution_y,
         render.pixel_aspect_x, render.pixel_aspect_y,
-        tuple((thing.name, thing.hide_render, thing.visible_get(view_layer=view_layer))
-              for thing in view_layer.objects),
+        tuple((thing.name, thing.visible_get(view_layer=view_layer)) for thing in view_layer.objects),
+        tuple((place.name, place.hide_render)
+              for place in (*bpy.data.objects, *bpy.data.collections)),
     )
 
 

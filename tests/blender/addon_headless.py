@@ -160,7 +160,14 @@ def test_edits(session, file):
 def test_what_counts_as_a_change(session):
     """Changes of which no object, material or world tells."""
     scene, cube = bpy.context.scene, bpy.data.objects["cube"]
+    group = bpy.data.collections.new("group")
+    scene.collection.children.link(group)
+    group.objects.link(cube)
+    scene.collection.objects.unlink(cube)
+    settle(session)
     changes = {
+        "disabled collection": lambda: setattr(group, "hide_render", True),
+        "enabled collection": lambda: setattr(group, "hide_render", False),
         "hidden": lambda: cube.hide_set(True),
         "shown": lambda: cube.hide_set(False),
         "resolution": lambda: setattr(scene.render, "resolution_x", 300),

@@ -40,13 +40,134 @@ def add_unsent():
     tree = bpy.context.scene.world.node_tree
     sky = tree.nodes.new("ShaderNodeTexSky")
     tree.links.new(sky.outputs[0], tree.nodes["Background"].inputs["Color"])
-    return [
+    return add_listed() + [
         "World: Sky Texture is not translated", "blob: metaballs", "fog: volumes",
         "hidden: rendered, but hidden", "hairy: hair", "hairy: modifier smooth",
         "hairy, material noisy: Base Color: Noise Texture", "panel: its spread",
         "flat, material matt: Diffuse BSDF is not translated", "camera: its depth of field",
         "grouped, material mixed: Base Color: node group wood",
     ]
+
+
+def add_listed():
+    """What Cycles shows and the preview does otherwise, as pictures of both show; returns the lines."""
+    scene, panel = bpy.context.scene, bpy.data.objects["panel"]
+    scene.render.film_transparent = scene.render.use_motion_blur = True
+    scene.cycles.film_exposure = 2.0
+    scene.world.cycles_visibility.diffuse = panel.visible_diffuse = False
+    scene.camera.data.clip_end = 5.0
+    held = bpy.data.collections.new("held")
+    scene.collection.children.link(held)
+    bpy.context.view_layer.layer_collection.children["held"].holdout = True
+    return [
+        "Scene: the transparent film is not sent", "Scene: motion blur is not sent",
+        "Scene: the film's exposure is not sent", "World: seen by all rays", "panel: seen by all rays",
+        "camera: its clipping is not sent", "Collection held: seen by all rays, in spite of its holdout",
+        *add_shapes(), *add_textured(),
+    ]
+
+
+def add_shapes():
+    place = scenes.link("place", None)
+    place.instance_type, place.instance_collection = "COLLECTION", bpy.data.collections["held"]
+    scenes.add_rectangle("child", 1.0, 1.0, scenes.paint("red"), (0.0, 0.0, 0.0)).parent = place
+    stretched = scenes.link("stretched", None)
+    stretched.scale = (2.0, 0.5, 1.0)
+    sheared = scenes.add_rectangle("sheared", 1.0, 1.0, scenes.paint("red"), (0.0, 0.0, 0.0), (0, 0, 45))
+    sheared.parent = stretched
+    bent = scenes.add_rectangle("bent", 1.0, 1.0, scenes.paint("red"), (0.0, 0.0, 0.0))
+    bent.parent, bent.parent_type = scenes.link("lattice", bpy.data.lattices.new("lattice")), "LATTICE"
+    keyed = scenes.add_rectangle("keyed", 1.0, 1.0, scenes.paint("red"), (0.0, 0.0, 0.0))
+    keyed.shape_key_add(name="Basis")
+    keyed.shape_key_add(name="muted").mute = True
+    bow = bpy.data.curves.new("bow", "CURVE")
+    bow.render_resolution_u = 30
+    bow.materials.append(None)
+    bow.materials.append(scenes.paint("red"))
+    scenes.link("bow", bow).modifiers.new("screw", "SCREW").render_steps = 30
+    return [
+        "child: not sent, since its parent", "sheared: its shear", "bent: its parent's deformation",
+        "keyed: its muted, pinned or grouped shape keys", "bow: its resolution", "bow: its materials",
+        "bow: modifier screw",
+    ]
+
+
+def add_textured():
+    """Base colours with a texture, each with a fault of its own."""
+    def missing(_tree, texture):
+        texture.image = None
+
+    def linear(_tree, texture):
+        texture.image.colorspace_settings.name = "Non-Color"
+
+    def clipped(_tree, texture):
+        texture.extension = "CLIP"
+
+    def muted(_tree, texture):
+        texture.mute = True
+
+    def by_object(tree, texture):
+        coordinates = tree.nodes.new("ShaderNodeTexCoord")
+        tree.links.new(coordinates.outputs["Object"], texture.inputs["Vector"])
+
+    def tilted(tree, texture):
+        mapping = tree.nodes.new("ShaderNodeMapping")
+        mapping.inputs["Rotation"].default_value[0] = 1.0
+        tree.links.new(mapping.outputs[0], texture.inputs["Vector"])
+
+    def other_uv(tree, texture):
+        node = tree.nodes.new("ShaderNodeUVMap")
+        node.uv_map = "elsewhere"
+        tree.links.new(node.outputs[0], texture.inputs["Vector"])
+
+    def one_channel(tree, texture):
+        node = tree.nodes.new("ShaderNodeSeparateColor")
+        tree.links.new(texture.outputs[0], node.inputs[0])
+        tree.links.new(node.outputs[0], tree.nodes["Principled BSDF"].inputs["Base Color"])
+
+    def mixed(tree, texture, factor=0.5):
+        node = tree.nodes.new("ShaderNodeMix")
+        node.data_type, node.blend_type = "RGBA", "MULTIPLY"
+        node.inputs[0].default_value = factor
+        tree.links.new(texture.outputs[0], node.inputs[6])
+        tree.links.new(node.outputs[2], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        return node
+
+    def squared(tree, texture):
+        tree.links.new(texture.outputs[0], mixed(tree, texture, 1.0).inputs[7])
+
+    def coloured(tree, texture):
+        node = tree.nodes.new("ShaderNodeVertexColor")
+        node.layer_name = "elsewhere"
+        tree.links.new(node.outputs[0], mixed(tree, texture, 1.0).inputs[7])
+
+    def for_eevee(tree, _texture):
+        output = tree.nodes["Material Output"]
+        other = tree.nodes.new("ShaderNodeOutputMaterial")
+        other.target, output.target, output.is_active_output = "CYCLES", "EEVEE", True
+
+    faults = {
+        missing: "its image is missing", linear: "image linear is read as sRGB, not Non-Color",
+        clipped: "Image Texture is shown flat", muted: "Image Texture is not translated",
+        by_object: "Texture Coordinate is not translated", tilted: "Mapping is not translated",
+        other_uv: "UV map elsewhere has not the same place", one_channel: "Separate Color",
+        mixed: "Mix is not translated", squared: "Mix is not translated",
+        coloured: "the colour attribute elsewhere is not sent",
+    }
+    lines = []
+    for change in (*faults, for_eevee):
+        name = change.__name__
+        material = scenes.principled(name)
+        tree = material.node_tree
+        texture = tree.nodes.new("ShaderNodeTexImage")
+        texture.image = bpy.data.images.new(name, 4, 4)
+        tree.links.new(texture.outputs[0], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        change(tree, texture)
+        scenes.give_texture_coordinates(
+            scenes.add_rectangle(name, 0.1, 0.1, material, (0.0, 0.0, 0.0)))
+        fault = faults.get(change)
+        lines.append(f"{name}, material {name}: " + (f"Base Color: {fault}" if fault else "its output for"))
+    return lines
 
 
 def with_noise():
