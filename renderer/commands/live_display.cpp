@@ -1,14 +1,11 @@
 #include "renderer/commands/live_display.h"
 
-#include <exception>
-#include <thread>
 #include <utility>
-#include <vector>
 
 #include "renderer/base/error.h"
 #include "renderer/headset/headset_facts.h"
-#include "renderer/window/frame_handover.h"
 #include "renderer/window/widened_eye_tracker.h"
+#include "renderer/window/window_presenter.h"
 
 namespace foveola {
 
@@ -46,33 +43,6 @@ WindowEyeTracker open_eye_tracker_of(LiveDisplay& display, const TrackerProfile&
                                                      [&display] { return display.place(); });
   }
   return eye;
-}
-
-double said_refresh_rate_hz(const Window& window, int monitor, const DisplayProfile& display) {
-  const std::vector<MonitorInfo> monitors = window.monitors();
-  const auto number = static_cast<std::size_t>(monitor);
-  const double said_hz = number < monitors.size() ? monitors[number].refresh_rate_hz : 0.0;
-  return said_hz > 0.0 ? said_hz : display.refresh_rate_hz;
-}
-
-void run_beside(Window& window, const std::stop_token& stop,
-                const std::function<void(const IVec2& framebuffer)>& work) {
-  std::exception_ptr fault;
-  {
-    const IVec2 framebuffer = window.framebuffer_size();
-    const std::jthread beside([&] {
-      try {
-        work(framebuffer);
-      } catch (...) {
-        fault = std::current_exception();
-      }
-      window.finish();
-    });
-    window.pass_on_events(stop);
-  }
-  if (fault) {
-    std::rethrow_exception(fault);
-  }
 }
 
 }  // namespace foveola

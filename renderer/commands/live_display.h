@@ -1,13 +1,10 @@
 // What live pictures are shown on, a window or a headset.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
 
 #include "renderer/gaze/gaze_source.h"
-#include "renderer/gaze/profiles.h"
 #include "renderer/headset/headset_presenter.h"
 #include "renderer/window/window.h"
 
@@ -46,13 +43,5 @@ class LiveDisplay {
 /// monitor and nobody knows which one.
 WindowEyeTracker open_eye_tracker_of(LiveDisplay& display, const TrackerProfile& profile,
                                      const Clock& clock);
-
-/// The rate that the system says the monitor runs at, or its profile's if it says none.
-double said_refresh_rate_hz(const Window& window, int monitor, const DisplayProfile& display);
-
-/// Runs `work` in a thread of its own, with the window's size in pixels, while this one, which made
-/// the window, passes on its events; until the work is done. Rethrows what it throws.
-void run_beside(Window& window, const std::stop_token& stop,
-                const std::function<void(const IVec2& framebuffer)>& work);
 
 }  // namespace foveola

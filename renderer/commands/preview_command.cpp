@@ -15,7 +15,7 @@
 #include "renderer/base/freed_memory.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/commands/live_display.h"
+#include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_arguments.h"
 #include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"

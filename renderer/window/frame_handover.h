@@ -1,5 +1,4 @@
-// Frames on their way to the thread that draws them, and that thread, which shows each at its
-// display's next refresh.
+// Frames on their way from the thread that renders them to the one that draws.
 #pragma once
 
 #include <condition_variable>
@@ -7,10 +6,8 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
 #include "renderer/window/presenter.h"
-#include "renderer/window/window.h"
 
 namespace foveola {
 
@@ -52,30 +49,6 @@ class FrameHandover {
   std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
   Nanoseconds shown_{0};             ///< when the last one was
   std::exception_ptr fault_;
-};
-
-class WindowPresenter final : public Presenter {
- public:
-  /// Takes the window's context. All must outlive it. Throws Error if the graphics card cannot do
-  /// it.
-  WindowPresenter(Window& window, const Clock& clock);
-  ~WindowPresenter() override;
-  WindowPresenter(const WindowPresenter&) = delete;
-  WindowPresenter& operator=(const WindowPresenter&) = delete;
-
-  void draw(ShownFrame frame) override { handover_.draw(std::move(frame)); }
-  Nanoseconds wait_until_shown() override { return handover_.wait_until_shown(); }
-  const std::string& graphics() const override { return graphics_; }
-  FilmDrawer film_drawer() const override;
-
- private:
-  void run(const std::stop_token& stop);
-
-  Window* window_;
-  const Clock* clock_;
-  std::string graphics_;
-  FrameHandover handover_;
-  std::jthread thread_;  ///< last: it ends before the rest does
 };
 
 }  // namespace foveola

@@ -12,8 +12,8 @@
 #include "study/commands/commands.h"
 #include "study/participant/injected_effect.h"
 #include "study/protocol/protocol.h"
+#include "study/simulation/prepare_study.h"
 #include "study/simulation/simulate_study.h"
-#include "study/simulation/simulation_setup.h"
 
 namespace foveola::study {
 namespace {

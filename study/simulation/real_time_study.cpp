@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/commands/live_display.h"
-#include "renderer/window/frame_handover.h"
+#include "renderer/commands/live_window.h"
+#include "renderer/window/window_presenter.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/person_session.h"
 #include "study/person/session_window.h"

@@ -2,9 +2,7 @@
 // it, and its scenes.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "study/participant/injected_effect.h"
@@ -12,7 +10,6 @@
 #include "study/prediction/noise_atlas.h"
 #include "study/protocol/protocol.h"
 #include "study/record/simulation_kind.h"
-#include "study/simulation/simulate_study.h"
 #include "study/simulation/study_simulation.h"
 
 namespace foveola::study {
@@ -44,19 +41,5 @@ SimulatedStudy study_of(const SimulateSettings& settings, const SimulationSetup&
 /// all of them.
 AtlasSetting atlas_setting(const SimulatedStudy& study, const Population& population,
                            const PicturesWanted& wanted);
-
-struct PrepareReport {
-  std::int64_t items = 0;     ///< of the shard: references of scenes, or surrounds and objects
-  std::int64_t rendered = 0;  ///< the others were in the cache
-  bool has_looks = true;      ///< whether anybody looks at pictures; if not, there are no items
-  bool stopped = false;       ///< before all were there: what was rendered is kept
-  double wall_s = 0.0;
-};
-
-/// Renders what the caches lack for simulating all participants of a new study: the reference of
-/// each scene or, of a predicted study, the pilots. Of a shard only its part of these, which needs
-/// nothing of the others'. Shows progress. Throws UsageError and Error as simulate_study.
-PrepareReport prepare_study(const SimulateSettings& settings, const SceneFinderBeside& find_scene,
-                            const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -1,4 +1,6 @@
 // The graphics card's picture against the processor's.
+#include "renderer/window/window_presenter.h"
+
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -9,7 +11,6 @@
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/equirect.h"
 #include "renderer/window/film_mirror.h"
-#include "renderer/window/frame_handover.h"
 #include "tests/renderer/window/patterned_film.h"
 #include "tests/x_server.h"
 

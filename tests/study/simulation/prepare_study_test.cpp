@@ -1,9 +1,10 @@
+#include "study/simulation/prepare_study.h"
+
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
-#include "study/simulation/simulation_setup.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/small_study.h"
