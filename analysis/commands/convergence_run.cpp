@@ -17,23 +17,6 @@
 namespace foveola::analysis {
 namespace {
 
-/// A progress line for each thing that is done.
-class ProgressLines {
- public:
-  void update(const std::string& what, double fraction) {
-    if (what != what_) {
-      line_.reset();
-      line_.emplace(what);
-      what_ = what;
-    }
-    line_->update(fraction);
-  }
-
- private:
-  std::string what_;
-  std::optional<Progress> line_;
-};
-
 std::filesystem::path reference_cache() { return cache_folder() / "references"; }
 
 /// A scene that is loaded to be measured.
@@ -84,7 +67,7 @@ class WholeMeasurement {
   }
 
   void measure_gaze(const Subject& subject, const Workers& workers, const AzimuthElevation& gaze) {
-    ProgressLines lines;
+    StepProgress lines;
     const ReportProgress progress = [&lines](const std::string& what, double fraction) {
       lines.update(what, fraction);
     };

@@ -1,5 +1,6 @@
 #include "renderer/base/digest.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include <openssl/evp.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/work_scope.h"
 
 namespace foveola {
 namespace {
@@ -26,7 +28,13 @@ Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
 }
 
 void Sha256::update(std::span<const std::byte> bytes) {
-  check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+  constexpr std::size_t slice = std::size_t{1} << 24;
+  while (!bytes.empty()) {
+    throw_if_work_stopped();
+    const std::size_t count = std::min(slice, bytes.size());
+    check(EVP_DigestUpdate(context_.get(), bytes.data(), count));
+    bytes = bytes.subspan(count);
+  }
 }
 
 std::string Sha256::hex() {

@@ -16,6 +16,7 @@
 #endif
 
 #include "renderer/base/cores.h"
+#include "renderer/base/work_scope.h"
 
 #if defined(__SANITIZE_THREAD__)
 #define FOVEOLA_THREAD_SANITIZER 1
@@ -137,7 +138,10 @@ void Workers::for_each_shrinking_block(
 
 void Workers::for_each_index(std::size_t count,
                              const std::function<void(std::size_t)>& body) const {
+  const WorkScope* const scope = WorkScope::current();
   const auto flushed = [&](std::size_t i) {
+    const WorkScope::Member member(scope);
+    throw_if_work_stopped();
     const FlushDenormals flush;
     body(i);
   };

@@ -27,7 +27,8 @@ class Workers {
 
   /// Calls body(begin, end) for the blocks of `block` items that partition [0, count), at the same
   /// time. They are begun from first to last. Returns when all are done; rethrows the first
-  /// exception.
+  /// exception. Throws WorkStopped between blocks if the calling thread's work is stopped (see
+  /// WorkScope).
   void for_each_block(std::size_t count, std::size_t block,
                       const std::function<void(std::size_t begin, std::size_t end)>& body) const;
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -66,6 +67,22 @@ void Progress::update(double fraction_done, const std::string& detail) {
   print_escaped(stderr, terminal_ ? fitting(line) : line);
   std::fputs(terminal_ ? "\033[K" : "\n", stderr);
   std::fflush(stderr);
+}
+
+StepProgress::StepProgress(std::string label)
+    : label_(std::move(label)), start_(std::chrono::steady_clock::now()) {}
+
+void StepProgress::update(const std::string& step, double fraction_done) {
+  constexpr std::chrono::seconds quiet{1};
+  const std::scoped_lock lock(mutex_);
+  if (step != step_) {
+    line_.reset();
+    line_.emplace(label_ + step);
+    step_ = step;
+  }
+  if (std::chrono::steady_clock::now() - start_ > quiet) {
+    line_->update(fraction_done);
+  }
 }
 
 std::string human_duration(double duration_s) {

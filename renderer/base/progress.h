@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <mutex>
+#include <optional>
 #include <string>
 
 namespace foveola {
@@ -26,6 +28,24 @@ class Progress {
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point last_shown_;
   int last_tenth_ = 0;
+};
+
+/// A progress line for each step of work, as soon as the work takes longer than a second. Its
+/// functions may be called from any thread.
+class StepProgress {
+ public:
+  /// label: stands before the name of the step; may be empty.
+  explicit StepProgress(std::string label = {});
+
+  /// fraction_done: of this step, in [0, 1].
+  void update(const std::string& step, double fraction_done);
+
+ private:
+  std::string label_;
+  std::chrono::steady_clock::time_point start_;
+  std::mutex mutex_;  ///< guards what follows
+  std::string step_;
+  std::optional<Progress> line_;
 };
 
 /// "850 ms", "12 s", "3 m 05 s" or "2 h 10 m".

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <string>
+#include <thread>
 
 #include <fcntl.h>
 #include <pty.h>
@@ -16,8 +19,8 @@
 namespace foveola {
 namespace {
 
-/// What a progress line writes to a terminal of this kind that is 20 columns wide.
-std::string shown_on(const char* kind) {
+/// What `work` writes to a terminal of this kind that is 20 columns wide.
+std::string shown_on(const char* kind, const std::function<void()>& work) {
   const scenes::EnvironmentVariable term("TERM", kind);
   int terminal = -1;
   int program = -1;
@@ -25,10 +28,7 @@ std::string shown_on(const char* kind) {
   EXPECT_EQ(::openpty(&terminal, &program, nullptr, nullptr, &size), 0);
   const int before = ::dup(STDERR_FILENO);
   ::dup2(program, STDERR_FILENO);
-  {
-    Progress progress("Reference images of a long study");
-    progress.update(0.5, "meeting-room");
-  }
+  work();
   ::dup2(before, STDERR_FILENO);
   std::array<char, 4096> bytes{};
   ::fcntl(terminal, F_SETFL, O_NONBLOCK);
@@ -39,15 +39,32 @@ std::string shown_on(const char* kind) {
   return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
 }
 
+void show_progress() {
+  Progress progress("Reference images of a long study");
+  progress.update(0.5, "meeting-room");
+}
+
 TEST(Progress, StaysOnOneLineOfTheTerminal) {
   // One column stays free: some terminals begin a new line behind the last.
-  EXPECT_EQ(shown_on("xterm"), "\rReference images of\033[K\r\033[K");
+  EXPECT_EQ(shown_on("xterm", show_progress), "\rReference images of\033[K\r\033[K");
 }
 
 TEST(Progress, HasNoEscapesWhereATerminalKnowsNone) {
-  const std::string shown = shown_on("dumb");
+  const std::string shown = shown_on("dumb", show_progress);
   EXPECT_THAT(shown, HasSubstr("Reference images of a long study   50 %"));
   EXPECT_THAT(shown, Not(HasSubstr("\033")));
+}
+
+TEST(StepProgress, ShowsEachStepOnALineOfItsOwnAfterASecond) {
+  const std::string shown = shown_on("xterm", [] {
+    StepProgress progress("loading: ");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    progress.update("textures", 0.5);
+    progress.update("ray hierarchy", 0.25);
+  });
+  EXPECT_EQ(shown,
+            "\rloading: textures  \033[K\r\033[K"
+            "\rloading: ray hierar\033[K\r\033[K");
 }
 
 }  // namespace
