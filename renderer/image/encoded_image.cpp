@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/image/radiance_picture.h"
 
 namespace foveola {
@@ -203,9 +204,10 @@ std::unique_ptr<ImageReader> open_image(std::span<const unsigned char> encoded,
                                         ImageFormats allowed) {
   const Format& format = format_of(encoded, allowed);
   require_whole(encoded, format.name);
-  std::unique_ptr<ImageReader> image = std::string_view(format.name) == "hdr"
-                                           ? open_radiance_picture(encoded)
-                                           : image_codec().open_bytes(encoded, format.name);
+  std::unique_ptr<ImageReader> image =
+      std::string_view(format.name) == "hdr"
+          ? open_radiance_picture(encoded)
+          : image_codec().open_bytes(encoded, format.name, is_work_stopped);
   require_sensible(image->header(), allowed);
   require_plausible_size(image->header(), format, encoded.size());
   return image;

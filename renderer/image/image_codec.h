@@ -63,9 +63,10 @@ struct EncodableImage {
 /// All functions throw std::runtime_error that says what is wrong.
 struct ImageCodec {
   /// format: OpenImageIO's name of it. `encoded` must outlive the reader, whose faults begin with
-  /// "is damaged: ".
+  /// "is damaged: ". is_stopped: asked while pixels are read; once it is true, the rest of them may
+  /// stay as it was.
   std::unique_ptr<ImageReader> (*open_bytes)(std::span<const unsigned char> encoded,
-                                             const std::string& format);
+                                             const std::string& format, bool (*is_stopped)());
   /// The bytes of a file; format: as of open_bytes.
   std::vector<unsigned char> (*encode)(const EncodableImage& image, const std::string& format);
 };

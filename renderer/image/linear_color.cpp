@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/image/tone_mapping.h"
 
 namespace foveola {
@@ -128,6 +129,7 @@ RgbImage read_linear_color(ImageReader& image) {
   const int at_once = are_neighbours ? 3 : 1;
   for (int i = 0; i < (is_grey ? 1 : 3); i += at_once) {
     image.read_floats(channels[static_cast<std::size_t>(i)], at_once, &color.pixels[0][i], stride);
+    throw_if_work_stopped();
   }
   if (is_grey) {
     std::ranges::transform(color.pixels, color.pixels.begin(),

@@ -22,8 +22,10 @@ using Bytes = std::span<const unsigned char>;
 /// OpenImageIO's reader of a file in memory.
 class MemoryInput {
  public:
-  MemoryInput(Bytes encoded, const std::string& format)
-      : memory_(encoded.data(), encoded.size()), input_(OIIO::ImageInput::create(format)) {
+  MemoryInput(Bytes encoded, const std::string& format, bool (*is_stopped)())
+      : memory_(encoded.data(), encoded.size()),
+        input_(OIIO::ImageInput::create(format)),
+        is_stopped_(is_stopped) {
     if (!input_) {
       throw std::runtime_error("cannot be read: OpenImageIO has no reader for " + format);
     }
@@ -38,8 +40,12 @@ class MemoryInput {
   /// Channels from `first` until before `end` of each pixel to every `stride`-th value.
   template <typename Value>
   void read(int first, int end, OIIO::TypeDesc type, Value* values, std::size_t stride) {
+    const auto ends_reading = [](void* input, float /*portion_done*/) {
+      return static_cast<const MemoryInput*>(input)->is_stopped_();
+    };
     require(input_->read_image(0, 0, first, end, type, values,
-                               static_cast<OIIO::stride_t>(stride * sizeof(Value))));
+                               static_cast<OIIO::stride_t>(stride * sizeof(Value)),
+                               OIIO::AutoStride, OIIO::AutoStride, ends_reading, this));
   }
 
  private:
@@ -51,6 +57,7 @@ class MemoryInput {
 
   OIIO::Filesystem::IOMemReader memory_;  ///< read by `input_`, so it dies after it
   std::unique_ptr<OIIO::ImageInput> input_;
+  bool (*is_stopped_)();
   OIIO::ImageSpec spec_;
 };
 
@@ -70,8 +77,9 @@ std::optional<std::array<float, 8>> chromaticities_of(const OIIO::ImageSpec& spe
 
 class OpenImageIoReader : public ImageReader {
  public:
-  OpenImageIoReader(Bytes encoded, const std::string& format)
-      : input_(encoded, format), is_associated_(has_associated_alpha(input_.spec(), format)) {
+  OpenImageIoReader(Bytes encoded, const std::string& format, bool (*is_stopped)())
+      : input_(encoded, format, is_stopped),
+        is_associated_(has_associated_alpha(input_.spec(), format)) {
     const OIIO::ImageSpec& spec = input_.spec();
     const bool is_exr = format == "openexr";  // positions in other formats are on paper
     header_ = {.width = is_exr ? spec.full_width : spec.width,
@@ -91,7 +99,7 @@ class OpenImageIoReader : public ImageReader {
     }
     if (format == "webp" && spec.alpha_channel >= 0) {
       opaque_bytes_ = without_webp_alpha(encoded);
-      opaque_input_ = std::make_unique<MemoryInput>(opaque_bytes_, format);
+      opaque_input_ = std::make_unique<MemoryInput>(opaque_bytes_, format, is_stopped);
     }
   }
 
@@ -174,8 +182,9 @@ class OpenImageIoReader : public ImageReader {
   std::unique_ptr<MemoryInput> opaque_input_;
 };
 
-std::unique_ptr<ImageReader> open_bytes(Bytes encoded, const std::string& format) {
-  return std::make_unique<OpenImageIoReader>(encoded, format);
+std::unique_ptr<ImageReader> open_bytes(Bytes encoded, const std::string& format,
+                                        bool (*is_stopped)()) {
+  return std::make_unique<OpenImageIoReader>(encoded, format, is_stopped);
 }
 
 std::vector<unsigned char> encode(const EncodableImage& image, const std::string& format) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
+#include "renderer/base/work_scope.h"
 
 namespace foveola {
 namespace {
@@ -92,7 +93,8 @@ class RadiancePicture : public ImageReader {
   explicit RadiancePicture(std::span<const unsigned char> encoded)
       : radiance_(read_header({reinterpret_cast<const char*>(encoded.data()), encoded.size()})),
         rgbe_(radiance_.is_xyz ? called_rgbe(encoded) : std::vector<unsigned char>()),
-        stored_(image_codec().open_bytes(radiance_.is_xyz ? rgbe_ : encoded, "hdr")),
+        stored_(
+            image_codec().open_bytes(radiance_.is_xyz ? rgbe_ : encoded, "hdr", is_work_stopped)),
         header_(stored_->header()) {
     header_.is_xyz = radiance_.is_xyz;
     header_.chromaticities = radiance_.chromaticities;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/mesh_edit.h"
@@ -144,6 +145,7 @@ class Attributes {
     if (accessor < 0) {
       return {};
     }
+    throw_if_work_stopped();
     const std::string place = fmt::format("{}.attributes.{}", place_, name);
     if (const std::size_t count = element_count(model_, accessor); count != vertex_count_) {
       throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but POSITION has {}",
@@ -195,8 +197,10 @@ void warn_of_what_is_ignored(const tinygltf::Primitive& primitive, const std::st
 }
 
 void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnings& warnings) {
+  throw_if_work_stopped();
   warnings.add("triangles without area or with coordinates that are not finite are dropped", place,
                drop_degenerate_triangles(mesh));
+  throw_if_work_stopped();
   warnings.add("normals of no use are replaced by those of the surface", place,
                repair_normals(mesh));
   warnings.add("texture coordinates that are not finite become 0", place, repair_uvs(mesh));
@@ -250,6 +254,7 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
     warnings.add("primitives without POSITION are not shown", place);
     return std::nullopt;
   }
+  throw_if_work_stopped();
   const std::size_t vertex_count = element_count(model, position);
   if (primitive.indices < 0) {
     // Before the vertices are numbered, so that a stated count without data costs no memory.
@@ -261,6 +266,7 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
     warnings.add("primitives without a whole triangle are not shown", place);
     return std::nullopt;
   }
+  throw_if_work_stopped();
   const std::vector<std::uint32_t> used = renumber(triangles, vertex_count, place);
   const Attributes attributes(model, primitive, place, vertex_count, used);
   Mesh mesh = read_vertices(attributes, needs, place, warnings);

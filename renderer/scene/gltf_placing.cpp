@@ -11,6 +11,7 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/rebase.h"
 #include "renderer/scene/sanitised.h"
@@ -141,6 +142,7 @@ class MeshPlacer {
 
   void add_copy(std::size_t index, LocalMesh meshes, const Placement& placement) {
     for (Mesh& mesh : meshes) {
+      throw_if_work_stopped();
       mesh.name = object_name(model_, index, placement);
       transform(mesh, seen_from(scene_.origin, placement.world_from_local));
       mend_after_transform(mesh, place_of(index), warnings_);

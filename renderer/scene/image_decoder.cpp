@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/srgb.h"
 
@@ -56,6 +57,7 @@ DecodedImage decode_image(std::span<const unsigned char> encoded, ImageFormats a
   } else {
     open->read_bytes(image.texels.data());
   }
+  throw_if_work_stopped();
   return image;
 }
 

@@ -8,6 +8,7 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_animation.h"
 #include "renderer/scene/gltf_deformation.h"
@@ -106,6 +107,7 @@ std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNod
   std::vector<LocalMesh> meshes(model.meshes.size());
   std::size_t joints = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
+    throw_if_work_stopped();
     if (nodes.meshes[i].empty()) {
       continue;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/srgb.h"
 
 namespace foveola {
@@ -109,6 +110,7 @@ void write_next_level(std::vector<std::uint8_t>& texels, const MipLevel& level,
   std::vector<float> sums(row_bytes);
   Carry carry{};
   for (const Cover& rows : covers(level.height, next.height)) {
+    throw_if_work_stopped();
     std::fill(sums.begin(), sums.end(), 0.0F);
     for (std::size_t i = 0; i < rows.count; ++i) {
       add_row(sums, texels.data() + level.offset + (rows.first + i) * row_bytes, rows.weights[i],

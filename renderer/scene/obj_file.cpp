@@ -13,6 +13,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/obj_colors.h"
 #include "renderer/scene/obj_numbers.h"
 #include "renderer/scene/obj_smoothing.h"
@@ -42,6 +43,7 @@ class Collector {
   static tinyobj::callback_t callbacks() {
     tinyobj::callback_t callbacks;
     callbacks.vertex_cb = [](void* self, float x, float y, float z, float /*w*/) {
+      throw_if_work_stopped();
       of(self).obj_.positions.emplace_back(x, y, z);
     };
     callbacks.normal_cb = [](void* self, float x, float y, float z) {
@@ -93,6 +95,7 @@ class Collector {
   }
 
   void add_face(const tinyobj::index_t* corners, int count) {
+    throw_if_work_stopped();
     ++faces_;
     if (count < 3) {
       warnings_.add("faces of less than three corners are not shown",

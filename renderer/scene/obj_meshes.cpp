@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/polygon.h"
 
@@ -120,6 +121,7 @@ Mesh mesh_of(const ObjFile& obj, const ObjPart& part, bool is_textured, Warnings
   MeshBuilder builder(obj, part, is_textured);
   const std::span<const ObjCorner> corners(part.corners);
   for (std::size_t i = 0; i < part.begins.size(); ++i) {
+    throw_if_work_stopped();
     const std::size_t end = i + 1 < part.begins.size() ? part.begins[i + 1] : corners.size();
     builder.add_face(corners.subspan(part.begins[i], end - part.begins[i]));
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/polygon.h"
 #include "renderer/scene/text_lines.h"
 
@@ -45,6 +46,7 @@ void add_smooth_normals(ObjFile& obj) {
   for (ObjPart& part : obj.parts) {
     const std::span<ObjCorner> corners(part.corners);
     for (std::size_t i = 0; i < part.smoothing_groups.size(); ++i) {
+      throw_if_work_stopped();
       const unsigned group = part.smoothing_groups[i];
       const std::size_t end = i + 1 < part.begins.size() ? part.begins[i + 1] : corners.size();
       const std::span<ObjCorner> face = corners.subspan(part.begins[i], end - part.begins[i]);

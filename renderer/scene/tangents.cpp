@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 
 namespace foveola {
@@ -181,6 +182,7 @@ void add_tangents(Mesh& mesh, int uv_set, const Mat3x2& texture_from_mesh) {
   std::vector<std::optional<Layout>> layouts;
   layouts.reserve(mesh.triangles.size());
   for (const Triangle& triangle : mesh.triangles) {
+    throw_if_work_stopped();
     const auto layout = layouts.emplace_back(layout_of(mesh, triangle, uv_set, texture_from_mesh));
     for (std::size_t i = 0; i < 3 && layout; ++i) {
       const DVec3 normal(mesh.normals[triangle[i]]);

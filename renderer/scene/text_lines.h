@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/base/work_scope.h"
+
 namespace foveola {
 
 /// The content of a file. Throws Error if it cannot be read or is larger than `largest` bytes.
@@ -31,10 +33,12 @@ Statement statement_in(std::string_view line);
 /// its last.
 bool is_number(std::string_view word);
 
-/// Calls `use` with each line of `text`, whether LF, CR LF, CR or the text ends it.
+/// Calls `use` with each line of `text`, whether LF, CR LF, CR or the text ends it. Throws
+/// WorkStopped in work that is stopped.
 template <typename Use>
 void for_each_line(std::string_view text, Use use) {
   while (!text.empty()) {
+    throw_if_work_stopped();
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     use(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));

@@ -2,6 +2,7 @@
 // those that cannot be.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "renderer/base/parallel.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/texture.h"
 #include "renderer/scene/warnings.h"
@@ -60,11 +62,17 @@ class TextureList {
     std::vector<std::shared_ptr<const Texels>> texels(contents_.size());
     DecodedTextures decoded{.faults = std::vector<std::exception_ptr>(contents_.size())};
     const Workers workers;
+    const WorkScope* const scope = WorkScope::current();
+    std::atomic<std::size_t> done = 0;
     workers.for_each_block(contents_.size(), 1, [&](std::size_t i, std::size_t) {
       try {
         texels[i] = texels_of(contents_[i], with_mips_[i]);
       } catch (const std::runtime_error&) {
         decoded.faults[i] = std::current_exception();
+      }
+      if (scope != nullptr) {
+        scope->report("textures",
+                      static_cast<double>(++done) / static_cast<double>(contents_.size()));
       }
     });
     decoded.textures.reserve(textures_.size());

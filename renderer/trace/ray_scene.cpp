@@ -13,6 +13,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/random.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/trace/embree_device.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
@@ -175,8 +176,24 @@ std::string digest_of(const Mesh& mesh, const Filtering& filtering) {
   return digest.hex();
 }
 
-void commit(const EmbreeDevice& device, RTCScene ready, const Workers& workers) {
+/// Embree calls these from all its threads. True: it may go on.
+bool may_go_on(void* scope, double /*fraction_done*/) {
+  return !static_cast<const WorkScope*>(scope)->is_stopped();
+}
+bool report_build(void* scope, double fraction_done) {
+  static_cast<const WorkScope*>(scope)->report("ray hierarchy", fraction_done);
+  return may_go_on(scope, fraction_done);
+}
+
+/// monitor: asked while it is built, where that is watched. Throws WorkStopped.
+void commit(const EmbreeDevice& device, RTCScene ready, const Workers& workers,
+            RTCProgressMonitorFunction monitor) {
+  if (const WorkScope* const scope = WorkScope::current()) {
+    rtcSetSceneProgressMonitorFunction(ready, monitor, const_cast<WorkScope*>(scope));
+  }
   workers.for_each_block(1, 1, [&](std::size_t, std::size_t) { rtcCommitScene(ready); });
+  rtcSetSceneProgressMonitorFunction(ready, nullptr, nullptr);
+  throw_if_work_stopped();
   device.throw_if_failed();
 }
 
@@ -212,7 +229,7 @@ struct RayScene::Embree {
                                 const Workers& workers) const {
     FromEmbree<RTCScene> prototype = device->new_scene();
     rtcAttachGeometryByID(prototype.get(), geometry_of(*device, mesh, indices, filtering).get(), 0);
-    commit(*device, prototype.get(), workers);
+    commit(*device, prototype.get(), workers, may_go_on);
     return prototype;
   }
 
@@ -262,7 +279,7 @@ struct RayScene::Embree {
     for (const Instance& instance : source->instances) {
       attach_instance(instance, object++);
     }
-    commit(*device, scene.get(), workers);
+    commit(*device, scene.get(), workers, report_build);
   }
 
   void attach_instance(const Instance& instance, unsigned object) const {

@@ -1,9 +1,13 @@
 #include "renderer/image/image_file.h"
 
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/image/image_codec.h"
 #include "tests/encoded_image.h"
 #include "tests/matchers.h"
@@ -47,10 +51,30 @@ TEST_F(ImageFile, ExrKeepsColoursAndCounts) {
 TEST_F(ImageFile, ExrChannelsHaveTheirNames) {
   write_film_image(folder_ / "a.exr", image_, 0.0);
   const std::string bytes = read_file(folder_ / "a.exr");
-  const auto reader = image_codec().open_bytes(
-      {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "openexr");
-  EXPECT_THAT(reader->header().channel_names, UnorderedElementsAre("R", "G", "B", "samples"));
+  const auto reader =
+      image_codec().open_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()},
+                               "openexr", is_work_stopped);
+  EXPECT_THAT(reader->header().channel_names,
+              testing::UnorderedElementsAre("R", "G", "B", "samples"));
   EXPECT_TRUE(reader->header().has_floats);
+}
+
+TEST_F(ImageFile, ReadingEndsOnceItIsStopped) {
+  const std::string bytes = test::encoded_image({.format = "png",
+                                                 .width = 1,
+                                                 .height = 10000,
+                                                 .channels = 1,
+                                                 .samples = std::vector<std::uint8_t>(10000, 7)});
+  const auto last_row = [&](bool (*is_stopped)()) {
+    std::vector<std::uint8_t> rows(10000);
+    image_codec()
+        .open_bytes({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "png",
+                    is_stopped)
+        ->read_bytes(rows.data());
+    return rows.back();
+  };
+  EXPECT_EQ(last_row([] { return false; }), 7);
+  EXPECT_EQ(last_row([] { return true; }), 0);
 }
 
 TEST_F(ImageFile, ExrWithoutCountsHasOneSampleAPixel) {

@@ -1,12 +1,16 @@
 #include "renderer/trace/ray_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/trace/triangle.h"
 #include "scenes.h"
 #include "shadow_answers.h"
@@ -54,6 +58,38 @@ TEST(RaySceneTest, FindsTheClosestTriangleAndWhere) {
   // The point is corner + 0.75 a + 0.375 b, on the triangle (corner, corner + a, corner + a + b).
   EXPECT_NEAR(hit.barycentric.x, 0.375, 1e-6);
   EXPECT_NEAR(hit.barycentric.y, 0.375, 1e-6);
+}
+
+/// Hills of 40 000 triangles.
+Scene hills() {
+  constexpr std::uint32_t side = 200;
+  Scene scene;
+  scene.materials = {dielectric(0.5F)};
+  Mesh mesh;
+  for (std::uint32_t i = 0; i <= side * (side + 1); ++i) {
+    const auto x = static_cast<float>(i % (side + 1));
+    const auto y = static_cast<float>(i / (side + 1));
+    mesh.positions.emplace_back(x, y, std::sin(x) * std::cos(y));
+  }
+  for (std::uint32_t i = 0; i + side + 1 < mesh.positions.size(); ++i) {
+    mesh.triangles.push_back({i, i + 1, i + side + 1});
+  }
+  scene.meshes = {mesh};
+  return scene;
+}
+
+TEST(RaySceneTest, BuildingTellsItsProgressAndCanBeStopped) {
+  const Scene scene = hills();
+  std::stop_source stop;
+  std::atomic<int> reports = 0;
+  const WorkScope scope(stop.get_token(), [&](const char*, double fraction_done) {
+    EXPECT_GE(fraction_done, 0.0);
+    EXPECT_LE(fraction_done, 1.0);
+    ++reports;
+    stop.request_stop();
+  });
+  EXPECT_THROW(RayScene(scene, workers()), WorkStopped);
+  EXPECT_GT(reports, 0);
 }
 
 TEST(RaySceneTest, EmptySceneIsAlwaysMissed) {
