@@ -13,7 +13,7 @@ LiveDisplay::LiveDisplay(Window& window, WindowEvents& events, const DisplayProf
                          const IVec2& framebuffer, const Clock& clock)
     : window_(&window), profile_(profile), picture_px_(framebuffer), window_px_(framebuffer) {
   if (profile.kind != DisplayKind::openxr) {
-    presenter_ = std::make_unique<WindowPresenter>(window, clock);
+    presenter_ = std::make_unique<WindowPresenter>(window, framebuffer, clock);
     return;
   }
   auto headset = std::make_unique<HeadsetPresenter>(window, events, clock);

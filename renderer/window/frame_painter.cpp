@@ -1,5 +1,11 @@
 #include "renderer/window/frame_painter.h"
 
+#include <array>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
 namespace foveola {
 namespace {
 
@@ -22,6 +28,17 @@ std::string graphics_name() {
     return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string();
   };
   return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+void require_drawable(const IVec2& window_px) {
+  std::array<GLint, 2> largest{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, largest.data());
+  if (window_px.x > largest[0] || window_px.y > largest[1]) {
+    throw Error("window",
+                fmt::format("{} x {} pixels are more than OpenGL draws here, {} x {}", window_px.x,
+                            window_px.y, largest[0], largest[1]),
+                "make it smaller");
+  }
 }
 
 RgbImage read_picture(const IVec2& size) {

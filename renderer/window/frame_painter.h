@@ -42,4 +42,7 @@ RgbImage read_picture(const IVec2& size);
 /// The graphics card and its driver, in their own words.
 std::string graphics_name();
 
+/// Throws Error for a window of more pixels, to either side, than OpenGL draws.
+void require_drawable(const IVec2& window_px);
+
 }  // namespace foveola

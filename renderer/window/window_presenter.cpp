@@ -5,9 +5,10 @@
 
 namespace foveola {
 
-WindowPresenter::WindowPresenter(Window& window, const Clock& clock)
+WindowPresenter::WindowPresenter(Window& window, const IVec2& framebuffer, const Clock& clock)
     : window_(&window), clock_(&clock) {
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  thread_ =
+      std::jthread([this, framebuffer](const std::stop_token& stop) { run(framebuffer, stop); });
   handover_.wait_until_ready();
 }
 
@@ -15,9 +16,10 @@ WindowPresenter::~WindowPresenter() = default;
 
 FilmDrawer WindowPresenter::film_drawer() const { return usual_drawer(graphics_); }
 
-void WindowPresenter::run(const std::stop_token& stop) {
+void WindowPresenter::run(const IVec2& framebuffer, const std::stop_token& stop) {
   try {
     window_->make_current();
+    require_drawable(framebuffer);
     FramePainter painter;
     graphics_ = graphics_name();
     handover_.be_ready();

@@ -10,9 +10,9 @@ namespace foveola {
 
 class WindowPresenter final : public Presenter {
  public:
-  /// Takes the window's context. All must outlive it. Throws Error if the graphics card cannot do
-  /// it.
-  WindowPresenter(Window& window, const Clock& clock);
+  /// Takes the window's context. window and clock must outlive it. framebuffer: the window's size
+  /// in pixels. Throws Error if the graphics card cannot draw into such a window.
+  WindowPresenter(Window& window, const IVec2& framebuffer, const Clock& clock);
   ~WindowPresenter() override;
   WindowPresenter(const WindowPresenter&) = delete;
   WindowPresenter& operator=(const WindowPresenter&) = delete;
@@ -23,7 +23,7 @@ class WindowPresenter final : public Presenter {
   FilmDrawer film_drawer() const override;
 
  private:
-  void run(const std::stop_token& stop);
+  void run(const IVec2& framebuffer, const std::stop_token& stop);
 
   Window* window_;
   const Clock* clock_;
