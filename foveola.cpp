@@ -23,6 +23,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/command_line/commands.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/bench_commands.h"
@@ -210,6 +211,9 @@ int run(int argc, char** argv) {
     return complain(fault_text(app, error), usage_error);
   } catch (const UsageError& error) {
     return complain(error.what(), usage_error);
+  } catch (const WorkStopped&) {
+    print_text(stderr, "foveola: stopped while a scene was loaded; nothing was begun\n");
+    return SignalStop::interrupted_exit_code;
   } catch (const Error& error) {
     const bool stopped = signals.token().stop_requested();
     return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);

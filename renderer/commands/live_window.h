@@ -5,8 +5,10 @@
 #include <functional>
 #include <stop_token>
 
+#include "renderer/base/load_watched.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/window/window.h"
+#include "renderer/window/window_event.h"
 
 namespace foveola {
 
@@ -17,5 +19,16 @@ double said_refresh_rate_hz(const Window& window, int monitor, const DisplayProf
 /// the window, passes on its events; until the work is done. Rethrows what it throws.
 void run_beside(Window& window, const std::stop_token& stop,
                 const std::function<void(const IVec2& framebuffer)>& work);
+
+/// load_watched of what a window is to show, which also stops if the user wants to leave: see
+/// WindowEvents::closing.
+template <typename Load>
+auto load_beside(const WindowEvents& events, const std::stop_token& stop, const Load& load) {
+  std::stop_source either;
+  const auto request = [&] { either.request_stop(); };
+  const std::stop_callback by_program(stop, request);
+  const std::stop_callback by_user(events.closing(), request);
+  return load_watched(either.get_token(), load);
+}
 
 }  // namespace foveola

@@ -172,7 +172,9 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   if (arguments.watch) {
     kept.expects_changes();
   }
-  auto first = std::make_shared<const LoadedScene>(request.source, workers, choices, &kept);
+  auto first = load_beside(shown_in.events, stop, [&] {
+    return std::make_shared<const LoadedScene>(request.source, workers, choices, &kept);
+  });
   const LoadedScene& loaded = *first;  // until another takes its place
   print_warnings(loaded.warnings);
   std::optional<SceneReloader> reloader;

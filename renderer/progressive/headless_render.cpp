@@ -9,6 +9,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/random.h"
 #include "renderer/film/film_state.h"
@@ -160,8 +161,11 @@ struct SceneOfRender {
   Workers workers;
   LoadedScene loaded;
 
-  SceneOfRender(const SceneSource& source, const RenderSettings& settings)
-      : workers(settings.threads), loaded(source, workers, choices_of(settings)) {}
+  SceneOfRender(const SceneSource& source, const RenderSettings& settings,
+                const std::stop_token& stop)
+      : workers(settings.threads), loaded(load_watched(stop, [&] {
+          return LoadedScene(source, workers, choices_of(settings));
+        })) {}
 };
 
 /// A render that is aimed. Scene and workers must outlive it.
@@ -331,7 +335,7 @@ AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& load
 
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
   require_splittable(settings);
-  const SceneOfRender scene(source, settings);
+  const SceneOfRender scene(source, settings, stop);
   Progress progress("rendering");
   return rendering_of(scene.loaded, settings, scene.workers, stop, &progress);
 }
@@ -343,7 +347,7 @@ Rendering render(const LoadedScene& loaded, const RenderSettings& settings, cons
 
 ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
                     const SampleAddress& address, std::stop_token stop) {
-  const SceneOfRender scene(source, settings);
+  const SceneOfRender scene(source, settings, stop);
   const LoadedScene& loaded = scene.loaded;
   StillRender still(loaded, settings, scene.workers);
   const IVec2& size = still.shot.size;

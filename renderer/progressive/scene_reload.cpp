@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "renderer/base/work_scope.h"
+
 namespace foveola {
 namespace {
 
@@ -29,12 +31,20 @@ SceneReloader::SceneReloader(const LoadedScene& first, KeptForReload& kept, Sett
       workers_(settings_.threads),
       watch_(settings_.timing) {
   watch_files_of(first);
-  thread_ = std::jthread([this](const std::stop_token& stop) { reload_until(stop); });
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
 std::optional<ReloadedScene> SceneReloader::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(reloaded_, std::nullopt);
+}
+
+void SceneReloader::run(const std::stop_token& stop) {
+  const WorkScope scope(stop);
+  try {
+    reload_until(stop);
+  } catch (const WorkStopped&) {  // nobody waits for that scene any longer
+  }
 }
 
 void SceneReloader::reload_until(const std::stop_token& stop) {

@@ -47,6 +47,7 @@ class SceneReloader {
   bool is_loading() const { return is_loading_; }
 
  private:
+  void run(const std::stop_token& stop);
   void reload_until(const std::stop_token& stop);
   ReloadedScene reload();
   void watch_files_of(const LoadedScene& loaded);

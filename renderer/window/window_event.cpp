@@ -2,7 +2,19 @@
 
 #include <utility>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 namespace foveola {
+namespace {
+
+bool wants_to_leave(const WindowEvent& event) {
+  const auto* const key = std::get_if<KeyMoved>(&event.what);
+  return std::holds_alternative<CloseWanted>(event.what) ||
+         (key != nullptr && key->is_down && key->key == GLFW_KEY_ESCAPE);
+}
+
+}  // namespace
 
 const char* words_for(HeadsetChange change) {
   switch (change) {
@@ -27,6 +39,9 @@ const char* words_for(HeadsetChange change) {
 }
 
 void WindowEvents::push(WindowEvent event) {
+  if (wants_to_leave(event)) {
+    closing_.request_stop();
+  }
   const std::scoped_lock lock(mutex_);
   events_.push_back(std::move(event));
 }

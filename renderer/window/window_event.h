@@ -3,6 +3,7 @@
 #pragma once
 
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -88,11 +89,16 @@ struct WindowEvent {
 /// Passes events from the thread that waits for them to the one that answers them.
 class WindowEvents {
  public:
+  /// Requests a stop by closing(), too, if the user wants to leave: by Escape or the window's
+  /// cross.
   void push(WindowEvent event);
   /// All since the last call, in order.
   std::vector<WindowEvent> take();
+  /// Stopped once the user wanted to leave; for what does not take events, such as loading.
+  std::stop_token closing() const { return closing_.get_token(); }
 
  private:
+  std::stop_source closing_;
   std::mutex mutex_;
   std::vector<WindowEvent> events_;
 };

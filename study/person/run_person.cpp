@@ -132,7 +132,8 @@ class PersonRun {
     }
     SessionDisplay display(shown_on.presenter(), shown_on.profile(), shown_on.picture_px(), clock);
     display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
-    const SceneStages stages = load_stages(protocol_, sources_, workers);
+    const SceneStages stages =
+        load_beside(events, stop, [&] { return load_stages(protocol_, sources_, workers); });
     check(stages);
     const WindowEyeTracker gaze = open_eye_tracker_of(shown_on, tracker_, clock);
     measure_refreshes(display, protocol_.texts, stop);

@@ -5,6 +5,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/progress.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/simulation_setup.h"
@@ -39,7 +40,8 @@ PreparedItems prepare_references(const SceneStages& stages, const Protocol& prot
 PreparedItems prepare(const SimulateSettings& settings, const SimulationSetup& setup,
                       const Shard& shard, const std::stop_token& stop) {
   const Workers workers(settings.threads);
-  const SceneStages stages = load_stages(setup.protocol, setup.sources, workers);
+  const SceneStages stages =
+      load_watched(stop, [&] { return load_stages(setup.protocol, setup.sources, workers); });
   print_scene_warnings(stages);
   if (!settings.predicted) {
     return prepare_references(stages, setup.protocol, shard, workers, stop);

@@ -7,6 +7,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/progress.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_programs.h"
@@ -173,7 +174,8 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
     print_notes(setup.protocol);
   }
   const Workers workers(settings.threads);
-  const SceneStages stages = load_stages(setup.protocol, setup.sources, workers);
+  const SceneStages stages =
+      load_watched(stop, [&] { return load_stages(setup.protocol, setup.sources, workers); });
   print_scene_warnings(stages);
   SimulatedStudy study = study_of(settings, setup, stages, workers);
   if (fs::exists(settings.database)) {
