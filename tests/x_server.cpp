@@ -11,6 +11,7 @@
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
+#include <X11/extensions/XInput2.h>
 #include <X11/extensions/XTest.h>
 #include <X11/extensions/Xrandr.h>
 #include <fcntl.h>
@@ -419,6 +420,15 @@ void XUser::focus_elsewhere() {
     XMapWindow(display, other);
   }
   focus(title);
+}
+
+void XUser::plug_in_pointer(std::string name) {
+  XIAnyHierarchyChangeInfo change{};
+  change.add = {.type = XIAddMaster, .name = name.data(), .send_core = False, .enable = True};
+  if (XIChangeHierarchy(connection_->display, &change, 1) != Success) {
+    throw std::runtime_error("the server takes no pointer");
+  }
+  settle();
 }
 
 void XUser::ask_to_close(const std::string& title) {

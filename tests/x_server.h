@@ -106,6 +106,8 @@ class XUser {
   void focus(const std::string& title);
   /// The same into a window of another program.
   void focus_elsewhere();
+  /// A second pointer of that name, with a keyboard.
+  void plug_in_pointer(std::string name);
   /// As a window manager asks when its cross is clicked.
   void ask_to_close(const std::string& title);
   /// As a window manager says of a minimised window.

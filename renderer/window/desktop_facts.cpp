@@ -1,14 +1,30 @@
 #include "renderer/window/desktop_facts.h"
 
+#include <algorithm>
 #include <memory>
+#include <span>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
+#include <X11/extensions/XInput.h>
 
 namespace foveola {
 namespace {
+
+/// Its keyboards and pointers are named "xwayland-keyboard:16" by every release; an extension of
+/// its own, XWAYLAND, it has since 23.1.
+bool is_xwayland(Display* display) {
+  int count = 0;
+  const std::unique_ptr<XDeviceInfo, decltype(&XFreeDeviceList)> devices(
+      XListInputDevices(display, &count), &XFreeDeviceList);
+  return std::ranges::any_of(
+      std::span(devices.get(), static_cast<std::size_t>(count)), [](const XDeviceInfo& device) {
+        return device.name != nullptr && std::string_view(device.name).starts_with("xwayland-");
+      });
+}
 
 /// The strings of XKB's property of the root window: rules, model, layouts, variants, options.
 std::vector<std::string> keyboard_names(Display* display) {
@@ -54,12 +70,8 @@ DesktopFacts desktop_facts() {
   if (display == nullptr) {
     return {};
   }
-  int opcode = 0;
-  int event = 0;
-  int error = 0;
-  const bool is_xwayland = XQueryExtension(display.get(), "XWAYLAND", &opcode, &event, &error) != 0;
   const std::vector<std::string> names = keyboard_names(display.get());
-  return {.windows = is_xwayland ? "XWayland" : "X11",
+  return {.windows = is_xwayland(display.get()) ? "XWayland" : "X11",
           .keyboard_layout = names.size() < 4 ? "" : with_variants(names[2], names[3])};
 }
 

@@ -6,7 +6,7 @@
 namespace foveola {
 
 struct DesktopFacts {
-  std::string windows;          ///< "X11", or "XWayland" where the server says that it is one
+  std::string windows;          ///< "X11" or "XWayland"
   std::string keyboard_layout;  ///< of XKB, as "us" or "de(nodeadkeys),ru"; empty if unknown
 };
 
