@@ -109,7 +109,11 @@ nlohmann::json json_head(const StudyHead& head) {
     // In one text, so that a printout of whatever form is a head.
     sessions.push_back(line_of(session));
   }
-  return {{"sha256", head.sha256}, {"sessions", sessions}};
+  nlohmann::json forgotten = nlohmann::json::array();
+  for (const SessionHead& tombstone : head.forgotten) {
+    forgotten.push_back(line_of(tombstone));
+  }
+  return {{"sha256", head.sha256}, {"sessions", sessions}, {"forgotten", forgotten}};
 }
 
 /// To be printed or copied somewhere else: what study verify --head takes.
@@ -117,6 +121,9 @@ std::string head_text(const StudyHead& head) {
   std::string text = fmt::format("head      {}\n", head.sha256);
   for (const SessionHead& session : head.sessions) {
     text += fmt::format("session   {}\n", line_of(session));
+  }
+  for (const SessionHead& tombstone : head.forgotten) {
+    text += fmt::format("forgotten {}\n", line_of(tombstone));
   }
   return text;
 }

@@ -27,13 +27,14 @@ std::string compressed(const std::string& bytes) {
 
 std::invalid_argument changed_chunk() { return std::invalid_argument("is not what was written"); }
 
-/// What is longer or shorter than `size` was not written here.
+/// What is longer or shorter than `size`, or has more behind it, was not written here.
 std::string uncompressed(const std::string& data, std::size_t size) {
   std::string bytes(size, '\0');
   uLongf length = size;
-  const int result = ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
-                                  reinterpret_cast<const Bytef*>(data.data()), data.size());
-  if (result != Z_OK || length != size) {
+  uLong read = data.size();
+  const int result = ::uncompress2(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                                   reinterpret_cast<const Bytef*>(data.data()), &read);
+  if (result != Z_OK || length != size || read != data.size()) {
     throw changed_chunk();
   }
   return bytes;

@@ -24,6 +24,18 @@ std::optional<SimulatedWhole> whole_of(SQLite::Database& study) {
                         .participants = place_in<int>(row.getColumn(1), max_participants + 1)};
 }
 
+std::optional<std::string> part_fault(SQLite::Database& study) {
+  if (!study.tableExists("simulated_part") ||
+      study.execAndGet("SELECT count(*) = 1 AND min(seed NOT GLOB '*[^0-9]*')"
+                       " AND (NOT EXISTS (SELECT 1 FROM session) OR EXISTS"
+                       "  (SELECT 1 FROM session JOIN simulated_part USING (seed)"
+                       "   WHERE kind = 'simulated')) FROM simulated_part")
+              .getInt() != 0) {
+    return std::nullopt;
+  }
+  return "its table simulated_part holds what Foveola does not write";
+}
+
 void mark_as_part(SQLite::Database& study, const SimulatedWhole& whole) {
   if (!study.tableExists("simulated_part")) {
     study.exec(simulated_part_sql);

@@ -26,6 +26,9 @@ inline constexpr const char* simulated_part_sql =
 /// Empty of a file that is not a part. Throws what SQLite throws.
 std::optional<SimulatedWhole> whole_of(SQLite::Database& study);
 
+/// What is wrong with the table, in words, if anything is. Studies of people have none.
+std::optional<std::string> part_fault(SQLite::Database& study);
+
 /// Replaces what the file said of its whole.
 void mark_as_part(SQLite::Database& study, const SimulatedWhole& whole);
 

@@ -19,11 +19,19 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
+bool is_tombstone(const SessionHead& head) {
+  constexpr std::size_t sha256_digits = 64;
+  return head.uuid.size() == sha256_digits;
+}
+
+bool has_tombstone(SQLite::Database& study, const std::string& uuid_sha256) {
+  SQLite::Statement row(study, "SELECT 1 FROM forgotten WHERE uuid_sha256 = ?");
+  row.bind(1, uuid_sha256);
+  return row.executeStep();
+}
+
 /// Whether a tombstone is that of the session, which had as many events or more.
 bool is_forgotten(SQLite::Database& study, const SessionHead& earlier) {
-  if (schema_version_of(study) < 5) {
-    return false;
-  }
   SQLite::Statement row(study,
                         "SELECT 1 FROM forgotten WHERE uuid_sha256 = ?"
                         " AND (events > ? OR (events = ? AND last_hash = ?))");
@@ -43,10 +51,18 @@ std::string hash_after(SQLite::Database& study, std::int64_t session, std::int64
 }
 
 void compare(SQLite::Database& study, const SessionHead& earlier, HeadComparison& comparison) {
+  const bool may_forget = schema_version_of(study) >= 5;
+  if (is_tombstone(earlier)) {
+    if (!may_forget || !has_tombstone(study, earlier.uuid)) {
+      comparison.faults.push_back(
+          fmt::format("{}, of a session that was forgotten, is missing", earlier.uuid));
+    }
+    return;
+  }
   SQLite::Statement session(study, "SELECT id FROM session WHERE uuid = ?");
   session.bind(1, earlier.uuid);
   if (!session.executeStep()) {
-    if (is_forgotten(study, earlier)) {
+    if (may_forget && is_forgotten(study, earlier)) {
       comparison.forgotten.push_back(fmt::format("session {} was forgotten", earlier.uuid));
     } else {
       comparison.faults.push_back(fmt::format("session {} is missing", earlier.uuid));
@@ -83,9 +99,13 @@ StudyHead study_head(SQLite::Database& study) {
     hashes.push_back(head.sessions.back().last_hash);
   }
   if (schema_version_of(study) >= 5) {
-    SQLite::Statement forgotten(study, "SELECT last_hash FROM forgotten ORDER BY uuid_sha256");
+    SQLite::Statement forgotten(
+        study, "SELECT uuid_sha256, events, last_hash FROM forgotten ORDER BY uuid_sha256");
     while (forgotten.executeStep()) {
-      hashes.push_back(forgotten.getColumn(0).getString());
+      head.forgotten.push_back({.uuid = forgotten.getColumn(0).getString(),
+                                .events = forgotten.getColumn(1).getInt64(),
+                                .last_hash = forgotten.getColumn(2).getString()});
+      hashes.push_back(head.forgotten.back().last_hash);
     }
   }
   head.sha256 = sha256(fmt::format("{}", fmt::join(hashes, "\n")));
@@ -103,8 +123,9 @@ StudyHead read_head(const fs::path& path) {
 
 std::vector<SessionHead> heads_in(const std::string& text) {
   static const std::regex line_of_session(
-      "([0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12})[^0-9a-f]+([0-9]{1,18})"
-      "[^0-9a-f]+([0-9a-f]{64})");
+      "([0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}|[0-9a-f]{64})"
+      "[^0-9a-f]{1,9}([0-9]{1,18})"
+      "[^0-9a-f]{1,9}([0-9a-f]{64})");
   std::vector<SessionHead> heads;
   for (std::sregex_iterator found(text.begin(), text.end(), line_of_session), end; found != end;
        ++found) {
@@ -112,6 +133,26 @@ std::vector<SessionHead> heads_in(const std::string& text) {
         {.uuid = (*found)[1], .events = std::stoll((*found)[2]), .last_hash = (*found)[3]});
   }
   return heads;
+}
+
+std::optional<std::string> tombstone_fault(SQLite::Database& study) {
+  if (schema_version_of(study) < 5) {
+    return std::nullopt;
+  }
+  SQLite::Statement sessions(study, "SELECT uuid FROM session");
+  while (sessions.executeStep()) {
+    if (const std::string uuid = sessions.getColumn(0).getString();
+        has_tombstone(study, sha256(uuid))) {
+      return fmt::format("says that session {} was forgotten, which it has", uuid);
+    }
+  }
+  SQLite::Statement odd(study,
+                        "SELECT study_created_utc FROM forgotten"
+                        " WHERE length(study_created_utc) <> length('2018-01-01T00:00:00.000Z')"
+                        " OR study_created_utc GLOB '*[^0-9TZ:.-]*'");
+  return odd.executeStep() ? std::optional("a session that was forgotten has the date " +
+                                           odd.getColumn(0).getString())
+                           : std::nullopt;
 }
 
 HeadComparison compare_with_head(const fs::path& path, const std::vector<SessionHead>& earlier) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct SessionHead {
 
 struct StudyHead {
   std::vector<SessionHead> sessions;  ///< in the order of their UUIDs
-  /// The SHA-256 of the sessions' last hashes, and then of those of forgotten ones in the order of
-  /// uuid_sha256, joined by line feeds.
+  /// Tombstones; uuid is the SHA-256 of the UUID, and they are in the order of that.
+  std::vector<SessionHead> forgotten;
+  /// The SHA-256 of the sessions' last hashes, and then of those of forgotten ones, joined by line
+  /// feeds.
   std::string sha256;
 };
 
@@ -32,9 +35,12 @@ StudyHead study_head(SQLite::Database& study);
 /// Throws Error if the file at `path` is no study.
 StudyHead read_head(const std::filesystem::path& path);
 
-/// The sessions in a text that holds, on lines of their own, what `study status` prints of them:
-/// UUID, number of events, last hash.
+/// The sessions and tombstones in a text that holds, on lines of their own, what `study status`
+/// prints of them: UUID, number of events, last hash.
 std::vector<SessionHead> heads_in(const std::string& text);
+
+/// What is wrong with the tombstones, in words, if anything is.
+std::optional<std::string> tombstone_fault(SQLite::Database& study);
 
 /// How a study compares with an earlier head, each in words.
 struct HeadComparison {

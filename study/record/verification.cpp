@@ -21,6 +21,8 @@
 #include "study/record/session_check.h"
 #include "study/record/session_programs.h"
 #include "study/record/session_setup.h"
+#include "study/record/simulated_part.h"
+#include "study/record/study_head.h"
 
 namespace fs = std::filesystem;
 
@@ -62,7 +64,7 @@ void check_schema(SQLite::Database& study, const fs::path& path, Verification& f
     found.faults.push_back({"", fmt::format("has the {}, which is not Foveola's", object)});
   }
   for (const std::optional<std::string>& fault :
-       {statistics_fault(study), unused_bytes_fault(study)}) {
+       {statistics_fault(study), part_fault(study), unused_bytes_fault(study)}) {
     if (fault) {
       found.faults.push_back({"", *fault});
     }
@@ -78,6 +80,9 @@ void check_schema(SQLite::Database& study, const fs::path& path, Verification& f
                      "   SELECT study_created_utc FROM forgotten)) <> created_utc FROM study")
                  .getInt() != 0) {
     found.faults.push_back({"", "its date is not that of which its sessions tell"});
+  }
+  if (const std::optional<std::string> fault = tombstone_fault(study)) {
+    found.faults.push_back({"", *fault});
   }
 }
 

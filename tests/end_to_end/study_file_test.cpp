@@ -201,7 +201,9 @@ TEST_F(StudyFile, ForgetLeavesNoByteOfOneAndAllOfTheOther) {
   }
 
   const ProgramResult forgotten = succeeded(study({"forget", north_, "P002", "--yes"}));
-  EXPECT_THAT(forgotten.output, StartsWith(north_ + ": participant P002 is gone, from 2 files\n"));
+  EXPECT_THAT(forgotten.output,
+              AllOf(StartsWith(north_ + ": participant P002 is gone, from 2 files\n"),
+                    HasSubstr("The disk may hold what was deleted")));
   const std::string after = everything();
   for (const std::string& trace : traces) {
     EXPECT_EQ(after.find(trace), std::string::npos) << trace;
@@ -226,6 +228,10 @@ TEST_F(StudyFile, VerifyComparesWithWhatStatusPrinted) {
   ASSERT_EQ(study({"forget", north_, "P002", "--yes"}).exit_code, 0) << "a head stays";
   const ProgramResult forgotten = succeeded(study({"verify", north_, "--head", head}));
   EXPECT_THAT(forgotten.output, HasSubstr(" was forgotten\n"));
+  folder_.write("head.txt", study({"status", north_}).output);
+  succeeded(study({"verify", north_, "--head", head}));
+  EXPECT_THAT(study({"verify", south_, "--head", head}).output,
+              HasSubstr(", of a session that was forgotten, is missing\n"));
   expect_one_line(study({"verify", north_, "--head", folder_.write("empty", "no head")}), 1,
                   "empty: has no line of a session");
 }

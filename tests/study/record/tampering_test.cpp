@@ -118,9 +118,16 @@ const Change changes[] = {
     {"UPDATE film_hash SET session = session + 10; UPDATE film_hash SET session = 13 - session",
      "its film hashes are not those that were written"},
     {"DELETE FROM frame_chunk WHERE first_frame = 60", "frames, gaze or films are not"},
+    {"UPDATE gaze_chunk SET data = CAST(data || x'6d6f7265' AS BLOB) WHERE session = 1",
+     "gaze_chunk from 0 on is missing or not what was written"},
     {"UPDATE gaze_chunk SET encoding = 'gaze-2'", "CHECK constraint failed in gaze_chunk"},
     // The schema.
     {"CREATE TABLE other (x)", "has the table other"},
+    {"CREATE TABLE simulated_part (seed TEXT NOT NULL, participants INTEGER NOT NULL) STRICT;"
+     " INSERT INTO simulated_part VALUES ('7', 2)",
+     "simulated_part holds what Foveola does not write"},
+    {"INSERT INTO forgotten SELECT hex(zeroblob(32)), 1, hex(zeroblob(32)), 'a message'",
+     "a session that was forgotten has the date a message"},
     {"CREATE VIEW marks AS SELECT * FROM mark", "has the view marks"},
     {"CREATE INDEX times ON mark (time_ns)", "has the index times"},
     {"PRAGMA application_id = 7", "is no study"},
@@ -271,6 +278,14 @@ TEST_F(Tampering, OfSessionsNumbersChangesNothing) {
   EXPECT_THAT(compare_with_head(path_, head_).faults, IsEmpty());
 }
 
+/// A merge would leave out a session that another file says was forgotten.
+TEST_F(Tampering, AsForgettingASessionThatIsThereIsSeen) {
+  const std::string uuid = query(path_, "SELECT uuid FROM session WHERE id = 2");
+  tamper(path_, fmt::format("INSERT INTO forgotten SELECT '{}', 1, '{}', created_utc FROM study",
+                            sha256(uuid), std::string(64, '0')));
+  EXPECT_EQ(findings(), fmt::format(": says that session {} was forgotten, which it has\n", uuid));
+}
+
 /// Whoever can write the file can say that a session was forgotten; that is told.
 TEST_F(Tampering, AsForgettingIsToldWithAHead) {
   forget_participant(path_, "P02");
@@ -278,8 +293,13 @@ TEST_F(Tampering, AsForgettingIsToldWithAHead) {
   EXPECT_THAT(comparison.faults, IsEmpty());
   EXPECT_THAT(comparison.forgotten, ElementsAre(HasSubstr(" was forgotten")));
   EXPECT_EQ(findings(), "");
+  const std::vector<SessionHead> tombstones = read_head(path_).forgotten;
+  EXPECT_THAT(compare_with_head(path_, tombstones).faults, IsEmpty());
   tamper(path_, "UPDATE forgotten SET last_hash = '" + std::string(64, '0') + "'");
   EXPECT_THAT(compare_with_head(path_, head_).faults, ElementsAre(HasSubstr(" is missing")));
+  tamper(path_, "DELETE FROM forgotten");
+  EXPECT_THAT(compare_with_head(path_, tombstones).faults,
+              ElementsAre(HasSubstr(", of a session that was forgotten, is missing")));
 }
 
 TEST_F(Tampering, AHeadHoldsAfterMoreSessionsAndMerges) {
