@@ -2,6 +2,7 @@
 #include "study/record/session_setup.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "study/record/maintenance.h"
 #include "study/record/session_devices.h"
@@ -47,6 +48,40 @@ TEST(SessionSetupTest, MeasuredNumbersVary) {
   EXPECT_THAT(lines(devices(640, 60.0, 1e6), devices(640, 60.0, 6e5)), IsEmpty());
   EXPECT_THAT(lines(devices(640, 60.0, 1e6), devices(640, 60.0, 4e5)),
               ElementsAre("samples a second: 1e+06, 400000"));
+}
+
+// All that has to be the same at a resume, in a record's words.
+TEST(SessionSetupTest, EveryFactIsCompared) {
+  struct Fact {
+    const char* place;
+    nlohmann::json before;
+    nlohmann::json now;
+    const char* words;
+  };
+  const std::vector<Fact> facts = {
+      {"/display/profile", "a", "b", "display profile: a, b"},
+      {"/display/horizontal_fov_deg", 40, 40.1, "horizontal degrees: 40, 40.1"},
+      {"/display/vertical_fov_deg", 30, 30.1, "vertical degrees: 30, 30.1"},
+      {"/display/size_mm", {600, 340}, {600, 330}, "display size in mm: 600 x 340, 600 x 330"},
+      {"/display/distance_mm", 600, 700, "viewing distance in mm: 600, 700"},
+      {"/display/refresh_is_measured", true, false, "frame rate measured: yes, no"},
+      {"/display/graphics", "a", "b", "graphics: a, b"},
+      {"/machine/processor", "a", "b", "processor: a, b"},
+      {"/machine/threads", 4, 5, "threads: 4, 5"},
+      {"/machine/program", "a", "b", "program: a, b"},
+      {"/machine/commit", "a", "b", "commit: a, b"},
+      {"/renderer/instruction_set", "AVX2", "AVX-512", "instruction set: AVX2, AVX-512"},
+      {"/renderer/ray_instructions", "AVX2", "AVX-512", "ray instructions: AVX2, AVX-512"},
+      {"/preflight/film_px", {2, 1}, {4, 2}, "film: 2 x 1, 4 x 2"},
+      {"/keys/time_source", "server_stamp", "arrival",
+       "source of key times: server_stamp, arrival"}};
+  for (const Fact& fact : facts) {
+    nlohmann::json before = nlohmann::json::object();
+    nlohmann::json now = before;
+    before[nlohmann::json::json_pointer(fact.place)] = fact.before;
+    now[nlohmann::json::json_pointer(fact.place)] = fact.now;
+    EXPECT_THAT(lines(before.dump(), now.dump()), ElementsAre(fact.words));
+  }
 }
 
 class StudyOnDisplays : public StudyFile {
