@@ -28,6 +28,7 @@ TEST(AmendedConsent, IsAskedForAnewAndBothAreInTheReceipt) {
   consent_and_quit();
   const std::string first = read_file(receipt);
   EXPECT_THAT(first, HasSubstr("You will look at halls."));
+  EXPECT_EQ(std::filesystem::status(receipt).permissions(), std::filesystem::perms(0600));
 
   write_protocol("You will look at yards.");
   participant.begin({"--resume", "--amended-protocol", "--receipt", receipt});

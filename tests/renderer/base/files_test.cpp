@@ -1,13 +1,23 @@
 #include "renderer/base/files.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "tests/matchers.h"
+#include "renderer/base/file_access.h"
+#include "renderer/base/little_endian.h"
 #include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"
 #include "tests/unprivileged.h"
@@ -43,6 +53,100 @@ TEST_F(Files, RelativeFoldersOfTheEnvironmentAreIgnored) {
   EXPECT_EQ(data_folder(), folder_ / ".local/share/foveola");
   const scenes::EnvironmentVariable absolute("XDG_CACHE_HOME", folder_ / "cache");
   EXPECT_EQ(cache_folder(), folder_ / "cache/foveola");
+}
+
+// In the system's temporary folder anybody may have put a folder under its name.
+TEST_F(Files, WithoutAHomeNobodyElsesFolderIsTrusted) {
+  const scenes::EnvironmentVariable home("HOME", "");
+  const scenes::EnvironmentVariable cache("XDG_CACHE_HOME", "");
+  const scenes::EnvironmentVariable temporary("TMPDIR", folder_);
+  const fs::path own = folder_ / fmt::format("foveola-{}", ::geteuid());
+  const auto expect_refused = [] {
+    EXPECT_THAT([] { cache_folder(); },
+                ThrowsMessage<Error>(HasSubstr("is not a folder of yours alone")));
+  };
+  EXPECT_EQ(cache_folder(), own);
+  EXPECT_EQ(fs::status(own).permissions(), fs::perms::owner_all);
+  fs::permissions(own, fs::perms::all);
+  expect_refused();
+  fs::permissions(own, fs::perms::owner_all);
+  fs::rename(own, folder_ / "other");
+  fs::create_directory_symlink(folder_ / "other", own);
+  expect_refused();
+  fs::remove(own);
+  fs::rename(folder_ / "other", own);
+  EXPECT_EQ(cache_folder(), own);
+  if (::chown(own.c_str(), 12345, 12345) == 0) {
+    expect_refused();
+  }
+}
+
+constexpr const char* access_list = "system.posix_acl_access";
+
+std::string access_list_of(const fs::path& file) {
+  std::string list(200, '\0');
+  list.resize(static_cast<std::size_t>(
+      std::max<ssize_t>(0, ::getxattr(file.c_str(), access_list, list.data(), list.size()))));
+  return list;
+}
+
+/// Mode, owner, group and access list.
+std::tuple<unsigned, uid_t, gid_t, std::string> access_of(const fs::path& file) {
+  struct stat status{};
+  EXPECT_EQ(::stat(file.c_str(), &status), 0);
+  return {status.st_mode, status.st_uid, status.st_gid, access_list_of(file)};
+}
+
+TEST_F(Files, AReplacedOneKeepsItsModeOwnerGroupAndAccessList) {
+  const fs::path file = folder_ / "x";
+  write_file(file, "old");
+  if (::geteuid() == 0) {
+    ASSERT_EQ(::chown(file.c_str(), 12345, 23456), 0);
+  }
+  ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
+  // By <linux/posix_acl_xattr.h>: version 2, then tag, permissions and id of the user, of user
+  // 12345, of the group, of the mask and of others.
+  constexpr std::uint32_t nobody = ~0U;
+  struct Entry {
+    std::uint16_t tag;
+    std::uint16_t permissions;
+    std::uint32_t id;
+  };
+  std::string list;
+  append(list, std::uint32_t{2});
+  for (const auto& [tag, permissions, id] :
+       {Entry{0x01, 6, nobody}, Entry{0x02, 4, 12345}, Entry{0x04, 4, nobody},
+        Entry{0x10, 4, nobody}, Entry{0x20, 0, nobody}}) {
+    append(list, tag);
+    append(list, permissions);
+    append(list, id);
+  }
+  if (::setxattr(file.c_str(), access_list, list.data(), list.size(), 0) == 0) {
+    ASSERT_EQ(access_list_of(file), list);
+  }
+  const auto before = access_of(file);
+  write_file(file, "new", FileAccess::own);
+  EXPECT_EQ(access_of(file), before);
+  EXPECT_EQ(read_file(file), "new");
+}
+
+TEST_F(Files, WhatAReplacedOneCannotKeepIsSaid) {
+  if (::geteuid() != 0) {
+    GTEST_SKIP() << "only root has a file of another user's";
+  }
+  const fs::path file = folder_ / "x";
+  write_file(file, "old");
+  test::open_to_all(folder_);
+  testing::internal::CaptureStderr();
+  {
+    const test::Unprivileged unprivileged;
+    write_file(file, "new");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            fmt::format("foveola: warning: {}: its owner could not be kept (Operation not "
+                        "permitted)\n",
+                        file.string()));
+  EXPECT_EQ(read_file(file), "new");
 }
 
 TEST_F(Files, AnEmptyFileIsEmpty) {

@@ -51,6 +51,8 @@ TEST(GazeFile, IsWrittenAsItIsDescribed) {
       {.time = Nanoseconds(7), .direction = {0.0F, 1.0F, 0.0F}}};
   write_gaze_file(folder / "gaze.csv", samples);
   EXPECT_EQ(read_file(folder / "gaze.csv"), header + "5,0,1,0,1\n7,,,,0\n");
+  EXPECT_EQ(std::filesystem::status(folder / "gaze.csv").permissions(),
+            std::filesystem::perms(0600));
 }
 
 TEST(GazeFile, BringsSamplesBackBitForBit) {

@@ -29,6 +29,7 @@ TEST(DisplayPicturesTest, BecomeFilesOfWhatWasSeen) {
     const RgbImage read = read_film_image(folder / name).color;
     ASSERT_EQ(read.width, 4) << name;
     EXPECT_NEAR(read.at(3, 1).g, 0.2140, 0.003) << "0.5 of sRGB, as linear light";
+    EXPECT_EQ(std::filesystem::status(folder / name).permissions(), std::filesystem::perms(0600));
   }
 }
 
