@@ -85,16 +85,21 @@ TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
 }
 
 TEST_F(StudyRun, CodesThatDifferInCapitalLettersOnlyAreWarnedOf) {
-  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.write_protocol("\nmethods = [\"od\", \"vp\"]\nphases = [\"trials\"]\n", short_look);
+  const std::string first = "P1";
   for (const char* code : {"P1", "p1"}) {
     participant_.seat(code);
-    participant_.begin();
+    participant_.begin(code == first ? std::vector<std::string>{"--first-row", "1"}
+                                     : std::vector<std::string>{});
     participant_.wait_for_page();
     participant_.quit();
     EXPECT_EQ(participant_.program().said().find("p1 is another participant than P1") !=
                   std::string::npos,
               std::string(code) == "p1");
   }
+  // Two methods have two orders, which those who follow the first person have in turn.
+  EXPECT_THAT(participant_.ask("SELECT design_row FROM session ORDER BY id"),
+              ElementsAre("1", "0"));
 }
 
 TEST_F(StudyRun, TakesNobodysEyeForAPersons) {
