@@ -117,7 +117,7 @@ SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kin
   profile.refresh_rate_hz = said_refresh_rate_hz(window, 0, profile);
   SimulateReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {
-    WindowPresenter presenter(window, clock);
+    WindowPresenter presenter(window, framebuffer, clock);
     SessionDisplay display(presenter, profile, framebuffer, clock);
     measure_refreshes(display, study.protocol.texts, stop);
     study.devices = devices_in_real_time(kind, display, profile, study.protocol.tracker.filter);

@@ -8,8 +8,6 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
@@ -18,6 +16,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/file_access.h"
 #include "renderer/base/little_endian.h"
+#include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"
 #include "tests/unprivileged.h"

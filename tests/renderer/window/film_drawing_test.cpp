@@ -80,7 +80,7 @@ class FilmDrawingTest : public ::testing::TestWithParam<FilmDrawer> {
   WindowEvents events_;
   Window window_{{.size = size_}, events_, clock_};
   Workers workers_{2};
-  WindowPresenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, window_.framebuffer_size(), clock_};
   Pcg32 random_{7, 9};
 };
 

@@ -58,7 +58,7 @@ class PresenterTest : public ::testing::Test {
   Workers workers_{2};
   EquirectFilm film_{600, 300};
   FilmMirror mirror_{film_};
-  WindowPresenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, window_.framebuffer_size(), clock_};
 };
 
 TEST_F(PresenterTest, DrawsWhatTheProcessorDraws) {
@@ -171,7 +171,7 @@ TEST(PresenterErrors, AFilmBeyondTheCardsTexturesIsRefused) {
   const SteadyClock clock;
   WindowEvents events;
   Window window({.size = {64, 64}}, events, clock);
-  WindowPresenter presenter(window, clock);
+  WindowPresenter presenter(window, window.framebuffer_size(), clock);
   const PyramidAtlas atlas(65536, 16);
   EXPECT_THROW(presenter.draw({.framebuffer = {64, 64}, .atlas = &atlas}), Error);
 }

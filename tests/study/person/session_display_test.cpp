@@ -36,7 +36,7 @@ class SessionDisplayTest : public ::testing::Test {
   SteadyClock clock_;
   WindowEvents events_;
   Window window_{{.size = {64, 48}}, events_, clock_};
-  WindowPresenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, window_.framebuffer_size(), clock_};
   std::optional<SessionDisplay> display_{std::in_place, presenter_, monitor(), IVec2(64, 48),
                                          clock_};
 };
