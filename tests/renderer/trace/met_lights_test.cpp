@@ -51,15 +51,15 @@ double plate_reflectance(double cosine) {
 
 // --- Spheres ---------------------------------------------------------------------------------
 
-constexpr float lamp_intensity = 10.0F;
-constexpr float lamp_radius = 0.3F;
-const double lamp_radiance = lamp_intensity / (pi * lamp_radius * lamp_radius);
+constexpr float sphere_intensity = 10.0F;
+constexpr float sphere_radius = 0.3F;
+const double radiance_of_sphere = sphere_intensity / (pi * sphere_radius * sphere_radius);
 
 /// A lamp at (0, 1, -3), of radiance 35.37.
 Scene lamp_scene() {
   Scene scene;
   scene.lights = {
-      {.position = {0, 1, -3}, .intensity = Rgb(lamp_intensity), .radius_m = lamp_radius}};
+      {.position = {0, 1, -3}, .intensity = Rgb(sphere_intensity), .radius_m = sphere_radius}};
   return scene;
 }
 
@@ -73,18 +73,18 @@ TEST(MetLightsTest, ASphereIsSeenAndMirroredWithItsRadiance) {
     return mean_radiance(scene, eye, towards - eye, 3, 4000);
   };
   Scene scene = lamp_scene();
-  EXPECT_NEAR(seen(scene, {0, 1, -3}).mean(), lamp_radiance, 1e-4);
-  EXPECT_NEAR(seen(scene, {0, 1.29F, -3}).mean(), lamp_radiance, 1e-4);
+  EXPECT_NEAR(seen(scene, {0, 1, -3}).mean(), radiance_of_sphere, 1e-4);
+  EXPECT_NEAR(seen(scene, {0, 1.29F, -3}).mean(), radiance_of_sphere, 1e-4);
   EXPECT_EQ(seen(scene, {0, 1.31F, -3}).mean(), 0.0);
 
   const Vec3 image(0, -1, -3);
   scene.materials = {metal(1.0F, 0.0F)};
   scene.meshes = {ground()};
-  EXPECT_NEAR(seen(scene, image).mean(), lamp_radiance, 1e-3);
+  EXPECT_NEAR(seen(scene, image).mean(), radiance_of_sphere, 1e-3);
   const double cosine = 1.0 / std::sqrt(10.0);
   scene.materials = {matte(Rgb(0.0F))};
   scene.materials[0].clearcoat = 1.0F;
-  expect_mean(seen(scene, image), lamp_radiance * (0.04 + 0.96 * std::pow(1.0 - cosine, 5.0)));
+  expect_mean(seen(scene, image), radiance_of_sphere * (0.04 + 0.96 * std::pow(1.0 - cosine, 5.0)));
 
   scene.materials = {matte(Rgb(0.0F))};
   scene.meshes = {quad(Vec3(-1, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), 0)};
@@ -99,7 +99,7 @@ TEST(MetLightsTest, ASphereIsSeenInABulbOfGlass) {
                   inward_box(Vec3(0, 1, -3), 0.45F, 0)};
   const double passes = 1.0 - plate_reflectance(1.0);
   expect_mean(mean_radiance(scene, Vec3(0.01F, 1.02F, 3), Vec3(0, 0, -1), 2, 20000),
-              lamp_radiance * passes * passes);
+              radiance_of_sphere * passes * passes);
 }
 
 TEST(MetLightsTest, ASpotsSphereShinesWithinItsCone) {
@@ -114,7 +114,7 @@ TEST(MetLightsTest, ASpotsSphereShinesWithinItsCone) {
         .mean();
   };
   const double t = (std::cos(0.3) - std::cos(0.5)) / (1.0 - std::cos(0.5));
-  EXPECT_NEAR(seen_at(0.3), lamp_radiance * t * t, 1e-3);
+  EXPECT_NEAR(seen_at(0.3), radiance_of_sphere * t * t, 1e-3);
   EXPECT_EQ(seen_at(0.6), 0.0);
 }
 
@@ -128,7 +128,7 @@ TEST(MetLightsTest, ASphereShinesThroughAPane) {
   scene.materials = {matte(Rgb(0.8F)), glass()};
   scene.meshes = {ground(), quad(Vec3(-20, 1, -20), Vec3(40, 0, 0), Vec3(0, 0, 40), 1),
                   quad(Vec3(-20, 1.1F, -20), Vec3(0, 0, 40), Vec3(40, 0, 0), 1)};
-  scene.lights = {{.position = {0, 2, 0}, .intensity = Rgb(lamp_intensity), .radius_m = 0.3F}};
+  scene.lights = {{.position = {0, 2, 0}, .intensity = Rgb(sphere_intensity), .radius_m = 0.3F}};
   constexpr int steps = 100000;
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
@@ -140,7 +140,7 @@ TEST(MetLightsTest, ASphereShinesThroughAPane) {
     const double passes = 1.0 - plate_reflectance(std::cos(angle));
     sum += aside < radius ? passes * passes * std::cos(angle) * std::sin(angle) * 0.5 / steps : 0.0;
   }
-  const double expected = 0.8 / pi * 2.0 * pi * sum * lamp_radiance;
+  const double expected = 0.8 / pi * 2.0 * pi * sum * radiance_of_sphere;
   expect_mean(mean_radiance(scene, Vec3(-0.5F, 0.5F, 0), Vec3(0.5F, -0.5F, 0), 3, 400000), expected,
               2e-4, 0.02);
 }
