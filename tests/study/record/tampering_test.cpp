@@ -72,13 +72,13 @@ class Tampering : public StudyFile {
   std::vector<SessionHead> head_;
 };
 
-struct Change {
+struct SqlChange {
   const char* sql;
   const char* words;  ///< of what verify finds
 };
 
 /// Numbers of sessions and trials are exchanged by way of others, since rows have keys.
-const Change changes[] = {
+const SqlChange changes[] = {
     // What follows from the log.
     {"UPDATE mark SET time_ns = time_ns + 1 WHERE session = 1 AND trial = 0", "rows in mark"},
     {"UPDATE rating SET value = 3.0 WHERE session = 1 AND trial = 0", "rows in rating"},
@@ -140,7 +140,7 @@ const Change changes[] = {
 
 TEST_F(Tampering, IsSeen) {
   ASSERT_EQ(findings(), "");
-  for (const Change& change : changes) {
+  for (const SqlChange& change : changes) {
     EXPECT_THAT(findings_after(std::string("PRAGMA ignore_check_constraints = ON; ") + change.sql),
                 HasSubstr(change.words))
         << change.sql;
@@ -148,7 +148,7 @@ TEST_F(Tampering, IsSeen) {
 }
 
 TEST_F(Tampering, IsSeenWhereTheChainIsForged) {
-  const Change forged[] = {
+  const SqlChange forged[] = {
       {"UPDATE event SET payload = replace(payload, '2.0', '4.0') WHERE type = 'rated'",
        "rows in rating"},
       {"UPDATE event SET trial = 1 WHERE session = 1 AND trial = 0", "in another attempt than"},
@@ -161,7 +161,7 @@ TEST_F(Tampering, IsSeenWhereTheChainIsForged) {
       {"UPDATE session SET participant = 'P03' WHERE id = 1; UPDATE study SET protocol_text = 'x'",
        "the protocol is not the one"},
       {"UPDATE session SET study_created_utc = '2020-01-01T00:00:00.000Z'", "its date is not"}};
-  for (const Change& change : forged) {
+  for (const SqlChange& change : forged) {
     restore();
     tamper(path_, change.sql);
     forge_chain(1);
