@@ -125,7 +125,7 @@ def add_textured():
         tree.links.new(texture.outputs[0], node.inputs[0])
         tree.links.new(node.outputs[0], tree.nodes["Principled BSDF"].inputs["Base Color"])
 
-    def mixed(tree, texture, factor=0.5):
+    def multiplied(tree, texture, factor=0.5):
         node = tree.nodes.new("ShaderNodeMix")
         node.data_type, node.blend_type = "RGBA", "MULTIPLY"
         node.inputs[0].default_value = factor
@@ -134,12 +134,12 @@ def add_textured():
         return node
 
     def squared(tree, texture):
-        tree.links.new(texture.outputs[0], mixed(tree, texture, 1.0).inputs[7])
+        tree.links.new(texture.outputs[0], multiplied(tree, texture, 1.0).inputs[7])
 
     def coloured(tree, texture):
         node = tree.nodes.new("ShaderNodeVertexColor")
         node.layer_name = "elsewhere"
-        tree.links.new(node.outputs[0], mixed(tree, texture, 1.0).inputs[7])
+        tree.links.new(node.outputs[0], multiplied(tree, texture, 1.0).inputs[7])
 
     def for_eevee(tree, _texture):
         output = tree.nodes["Material Output"]
@@ -151,7 +151,7 @@ def add_textured():
         clipped: "Image Texture is shown flat", muted: "Image Texture is not translated",
         by_object: "Texture Coordinate is not translated", tilted: "Mapping is not translated",
         other_uv: "UV map elsewhere has not the same place", one_channel: "Separate Color",
-        mixed: "Mix is not translated", squared: "Mix is not translated",
+        multiplied: "Mix is not translated", squared: "Mix is not translated",
         coloured: "the colour attribute elsewhere is not sent",
     }
     lines = []

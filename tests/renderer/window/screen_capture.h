@@ -46,7 +46,7 @@ class ScreenCapture {
   Window window_{{.size = window_case_.size}, events_, clock_};
   EquirectFilm film_{64, 32};
   FilmMirror mirror_{film_};
-  WindowPresenter presenter_{window_, clock_};
+  WindowPresenter presenter_{window_, window_.framebuffer_size(), clock_};
 };
 
 /// Writes NAME.png into the folder that FOVEOLA_SCREENS names, if it does, for people to look at.
