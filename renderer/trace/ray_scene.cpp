@@ -176,12 +176,13 @@ std::string digest_of(const Mesh& mesh, const Filtering& filtering) {
   return digest.hex();
 }
 
-/// Embree calls these from all its threads. True: it may go on.
+/// Embree calls these from all its threads. True: it may go on. It counts triangles that it splits
+/// more than once, so that its fraction may exceed 1.
 bool may_go_on(void* scope, double /*fraction_done*/) {
   return !static_cast<const WorkScope*>(scope)->is_stopped();
 }
 bool report_build(void* scope, double fraction_done) {
-  static_cast<const WorkScope*>(scope)->report("ray hierarchy", fraction_done);
+  static_cast<const WorkScope*>(scope)->report("ray hierarchy", std::min(fraction_done, 1.0));
   return may_go_on(scope, fraction_done);
 }
 

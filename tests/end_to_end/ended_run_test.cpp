@@ -2,6 +2,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "renderer/base/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/study_run.h"
@@ -86,6 +87,9 @@ TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
 
 TEST_F(StudyRun, CodesThatDifferInCapitalLettersOnlyAreWarnedOf) {
   participant_.write_protocol("\nmethods = [\"od\", \"vp\"]\nphases = [\"trials\"]\n", short_look);
+  const fs::path protocol = participant_.folder() / "share/protocols/keys.toml";
+  write_file(protocol,
+             replaced(read_file(protocol), "method_order = \"fixed\"", "method_order = \"latin\""));
   const std::string first = "P1";
   for (const char* code : {"P1", "p1"}) {
     participant_.seat(code);

@@ -177,7 +177,8 @@ TEST(KeptNewStudy, IsReadAndContinuedAsItWas) {
               AllOf(HasSubstr("sessions  2\nevents    19\nchunks    4\nfaults    0\n"),
                     HasSubstr("PROGRAM-2: trial 0, attempt 1 is open: no event states its frames,"
                               " gaze and films\n")));
-  EXPECT_EQ(participant.status().output, read_file(head));
+  // The printout is from before what was forgotten was listed, too.
+  EXPECT_THAT(participant.status().output, StartsWith(read_file(head)));
   EXPECT_EQ(read_file(study), kept_file("study.sqlite", "schema-5")) << "reading changes nothing";
 
   expect_one_line(participant.run_besides("PROGRAM-9", {}), 1, "has sessions by Foveola 0.2.0");

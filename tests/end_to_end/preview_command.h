@@ -33,6 +33,7 @@ class PreviewCommand : public ::testing::Test {
     RunningProgram program(command(options));
     XUser user(display.empty() ? server_.display() : display);
     user.point_at(title_, 100, 80);
+    wait_until("the scene", [&] { return user.brightness_at(title_, 100, 80) > 0.0; });
     if constexpr (std::is_invocable_v<Act, XUser&, RunningProgram&>) {
       act(user, program);
     } else {

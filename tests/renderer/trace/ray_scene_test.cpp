@@ -78,18 +78,33 @@ Scene hills() {
   return scene;
 }
 
-TEST(RaySceneTest, BuildingTellsItsProgressAndCanBeStopped) {
-  const Scene scene = hills();
+/// How often the build of `scene` reports its progress, if it is stopped at the first report or
+/// not.
+int build_reports(const Scene& scene, bool is_stopped) {
   std::stop_source stop;
   std::atomic<int> reports = 0;
   const WorkScope scope(stop.get_token(), [&](const char*, double fraction_done) {
     EXPECT_GE(fraction_done, 0.0);
     EXPECT_LE(fraction_done, 1.0);
     ++reports;
-    stop.request_stop();
+    if (is_stopped) {
+      stop.request_stop();
+    }
   });
-  EXPECT_THROW(RayScene(scene, workers()), WorkStopped);
-  EXPECT_GT(reports, 0);
+  if (is_stopped) {
+    EXPECT_THROW(RayScene(scene, workers()), WorkStopped);
+  } else {
+    EXPECT_FALSE(
+        RayScene(scene, workers()).closest_hit(Vec3(9.25F, 9.25F, 9), Vec3(0, 0, -1)).missed());
+  }
+  return reports;
+}
+
+TEST(RaySceneTest, BuildingTellsItsProgressAndEndsWhenItIsStopped) {
+  const Scene scene = hills();
+  const int stopped = build_reports(scene, true);
+  EXPECT_GT(stopped, 0);
+  EXPECT_LT(stopped, build_reports(scene, false) / 2);
 }
 
 TEST(RaySceneTest, EmptySceneIsAlwaysMissed) {
