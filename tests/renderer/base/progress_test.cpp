@@ -1,6 +1,5 @@
 #include "renderer/base/progress.h"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -8,7 +7,6 @@
 #include <string>
 #include <thread>
 
-#include <fcntl.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -30,13 +28,16 @@ std::string shown_on(const char* kind, const std::function<void()>& work) {
   ::dup2(program, STDERR_FILENO);
   work();
   ::dup2(before, STDERR_FILENO);
+  ::close(before);
+  ::close(program);
+  std::string shown;
   std::array<char, 4096> bytes{};
-  ::fcntl(terminal, F_SETFL, O_NONBLOCK);
-  const ssize_t count = ::read(terminal, bytes.data(), bytes.size());
-  for (const int descriptor : {before, terminal, program}) {
-    ::close(descriptor);
+  // Once nobody can write any more, what was written is read to its end.
+  for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;) {
+    shown.append(bytes.data(), static_cast<std::size_t>(count));
   }
-  return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+  ::close(terminal);
+  return shown;
 }
 
 void show_progress() {

@@ -142,26 +142,6 @@ TEST_F(WindowTest, SaysWhetherKeysComeToIt) {
   EXPECT_FALSE(std::any_of(events.begin(), events.end(), focused(false)));
 }
 
-// While a key is held the server repeats it, and so what it types.
-TEST_F(WindowTest, AHeldKeyGoesDownOnce) {
-  int characters = 0;
-  const auto events = events_while(
-      [](test::XUser& user) {
-        user.point_at(title, 200, 150);
-        user.hold("m");
-      },
-      [&](const WindowEvent& event) {
-        characters += std::holds_alternative<CharacterTyped>(event.what) ? 1 : 0;
-        return characters == 3;
-      });
-  EXPECT_EQ(characters, 3);
-  EXPECT_EQ(std::ranges::count_if(events,
-                                  [](const WindowEvent& event) {
-                                    return std::holds_alternative<KeyMoved>(event.what);
-                                  }),
-            1);
-}
-
 TEST_F(WindowTest, KeysComeWithTheTimeAtWhichTheyMoved) {
   Nanoseconds before{0};
   Nanoseconds between{0};
