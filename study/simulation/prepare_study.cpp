@@ -7,6 +7,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/load_watched.h"
 #include "renderer/base/progress.h"
+#include "renderer/base/work_scope.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/simulation_setup.h"
 
@@ -72,6 +73,8 @@ PrepareReport prepare_study(const SimulateSettings& settings, const SceneFinderB
       report.items = prepared.items;
       report.rendered = prepared.rendered;
     }
+  } catch (const WorkStopped&) {
+    report.stopped = true;
   } catch (const Error&) {
     if (!stop.stop_requested()) {
       throw;
