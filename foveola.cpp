@@ -19,6 +19,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/output_guard.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
@@ -82,15 +83,11 @@ class SignalStop {
         return;
       }
       if (signal > 0 && !stop_.request_stop()) {
-        std::_Exit(interrupted_exit_code);
+        std::_Exit(stopped_exit_code);
       }
     }
   }
 
- public:
-  static constexpr int interrupted_exit_code = 130;
-
- private:
   sigset_t signals_{};
   std::stop_source stop_;
   std::jthread waiter_;
@@ -191,8 +188,8 @@ int run(int argc, char** argv) {
   analysis::add_bench_statistics(bench, signals.token());
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_describe(scene, scenes::descriptor_text, signals.token());
-  add_scene_info(scene, find_scene);
-  add_scene_pick(scene, find_scene);
+  add_scene_info(scene, find_scene, signals.token());
+  add_scene_pick(scene, find_scene, signals.token());
   add_scene_sheet(scene, scenes::builtin_names(), find_scene, signals.token());
   add_tracker_commands(app, signals.token());
   study::add_study_commands(
@@ -212,11 +209,11 @@ int run(int argc, char** argv) {
   } catch (const UsageError& error) {
     return complain(error.what(), usage_error);
   } catch (const WorkStopped&) {
-    print_text(stderr, "foveola: stopped while a scene was loaded; nothing was begun\n");
-    return SignalStop::interrupted_exit_code;
+    print_load_stopped();
+    return stopped_exit_code;
   } catch (const Error& error) {
     const bool stopped = signals.token().stop_requested();
-    return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);
+    return complain(error.what(), stopped ? stopped_exit_code : user_error);
   } catch (const fs::filesystem_error& error) {
     const std::string to = error.path2().empty() ? "" : " -> " + error.path2().string();
     return complain(error.path1().string() + to + ": " + error.code().message(), user_error);
@@ -227,7 +224,7 @@ int run(int argc, char** argv) {
   } catch (const std::exception& error) {
     return complain(std::string("this is a fault in Foveola: ") + error.what(), user_error);
   }
-  return signals.token().stop_requested() ? SignalStop::interrupted_exit_code : EXIT_SUCCESS;
+  return signals.token().stop_requested() ? stopped_exit_code : EXIT_SUCCESS;
 }
 
 /// The exit code of a command that ended with `exit_code`, once all that it printed is written.

@@ -11,7 +11,7 @@ CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scen
   bench->require_subcommand(1);
   add_bench_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);
-  add_bench_tracing(*bench, find_scene);
+  add_bench_tracing(*bench, find_scene, stop);
   add_bench_preview(*bench, find_scene, stop);
   return *bench;
 }

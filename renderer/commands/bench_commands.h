@@ -30,6 +30,6 @@ void add_bench_sampling(CLI::App& bench);
 void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes,
                          const SceneFinder& find_scene, const std::stop_token& stop);
 
-void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene);
+void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene, const std::stop_token& stop);
 
 }  // namespace foveola

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
@@ -78,7 +79,8 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   const RenderSettings settings = settings_of(arguments);
   PreviewRun run = run_of(arguments, settings);
   const Workers workers(settings.threads);
-  const LoadedScene loaded(source, workers, settings.scene);
+  const LoadedScene loaded =
+      load_or_exit(stop, [&] { return LoadedScene(source, workers, settings.scene); });
   print_warnings(loaded.warnings);
   run.threads = workers.threads();
   const SteadyClock clock;

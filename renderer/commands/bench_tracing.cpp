@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/cores.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
@@ -161,9 +163,10 @@ class RepeatedRender {
 
 /// Full renders and Embree alone take turns, so that a busy machine slows both.
 TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int repetitions,
-                       bool with_general) {
+                       bool with_general, const std::stop_token& stop) {
   const Workers workers(settings.threads);
-  const LoadedScene loaded(source, workers, settings.scene);
+  const LoadedScene loaded =
+      load_or_exit(stop, [&] { return LoadedScene(source, workers, settings.scene); });
   const RepeatedRender usual(loaded, settings, workers);
   RenderSettings general_settings = settings;
   general_settings.progressive.trace.uses_general_path = true;
@@ -235,13 +238,14 @@ std::vector<int> usual_threads() {
   return cores == 1 ? std::vector{1} : std::vector{1, cores};
 }
 
-void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
+void run(const TracingArguments& arguments, const SceneFinder& find_scene,
+         const std::stop_token& stop) {
   const SceneSource source = find_scene(arguments.scene);
   RenderSettings settings = settings_from(arguments);
   std::vector<TracingFigures> runs;
   for (const int threads : arguments.threads.empty() ? usual_threads() : arguments.threads) {
     settings.threads = threads;
-    runs.push_back(measure(source, settings, arguments.repetitions, arguments.no_fast_path));
+    runs.push_back(measure(source, settings, arguments.repetitions, arguments.no_fast_path, stop));
   }
   print_warnings(runs.front().warnings);
   if (arguments.json) {
@@ -254,7 +258,8 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
 
 }  // namespace
 
-void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
+void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
+                       const std::stop_token& stop) {
   const auto arguments = std::make_shared<TracingArguments>();
   CLI::App* command = bench.add_subcommand(
       "tracing", "Measure what a path costs, beside what Embree alone takes for the same rays");
@@ -286,8 +291,9 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
                     "Measure the general path too, and what the fast path gains over it");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
-  command->callback(
-      [arguments, find = with_scene_file_options(*command, find_scene)] { run(*arguments, find); });
+  command->callback([arguments, stop, find = with_scene_file_options(*command, find_scene)] {
+    run(*arguments, find, stop);
+  });
 }
 
 }  // namespace foveola

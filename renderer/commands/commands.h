@@ -24,10 +24,10 @@ void add_merge_images(CLI::App& app);
 void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
 
 /// Adds `info` to the command `scene`; see add_renderer_commands.
-void add_scene_info(CLI::App& scene, const SceneFinder& find_scene);
+void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop);
 
 /// Adds `pick` to the command `scene`; see add_renderer_commands.
-void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene);
+void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop);
 
 /// Adds `sheet` to the command `scene`; see add_renderer_commands. It shows `scenes` unless others
 /// are named.

@@ -172,9 +172,13 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   if (arguments.watch) {
     kept.expects_changes();
   }
-  auto first = load_beside(shown_in.events, stop, [&] {
-    return std::make_shared<const LoadedScene>(request.source, workers, choices, &kept);
-  });
+  auto first = [&] {
+    const StuckLoadExit by_program(stop);
+    const StuckLoadExit by_user(shown_in.events.closing());
+    return load_beside(shown_in.events, stop, [&] {
+      return std::make_shared<const LoadedScene>(request.source, workers, choices, &kept);
+    });
+  }();
   const LoadedScene& loaded = *first;  // until another takes its place
   print_warnings(loaded.warnings);
   std::optional<SceneReloader> reloader;

@@ -6,6 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/film_parts.h"
@@ -87,7 +88,8 @@ Rendering render_film(const SceneSource& source, RenderSettings settings,
     facts.merge(light_facts(arguments.look));
     return identity_of(report, settings, std::move(facts), tone_curve(arguments.look));
   };
-  settings.begin = [&](const RenderReport& report) {
+  settings.begin = [&, loaded = std::move(settings.begin)](const RenderReport& report) {
+    loaded(report);
     if (so_far) {
       require_same_render(arguments.output, *so_far, identity(report), settings.part);
     }
@@ -115,6 +117,8 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
     require_writable_image(arguments.view);
   }
   const SceneSource source = lit_scene(arguments.scene, arguments.look, find_scene);
+  std::optional<StuckLoadExit> loading(std::in_place, stop);
+  settings.begin = [&](const RenderReport&) { loading.reset(); };
   Rendering rendering = is_film(arguments.output) ? render_film(source, settings, arguments, stop)
                                                   : render(source, settings, stop);
   RenderReport& report = rendering.report;

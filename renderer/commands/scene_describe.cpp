@@ -11,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/output_guard.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
@@ -153,7 +154,8 @@ void describe(const DescribeArguments& arguments, SceneSource source,
   require_free(outputs, arguments.may_replace);
   apply_light(arguments.look, source);
   const Workers workers(arguments.threads);
-  const LoadedScene loaded(source, workers, scene_choices(arguments.look));
+  const LoadedScene loaded = load_or_exit(
+      stop, [&] { return LoadedScene(source, workers, scene_choices(arguments.look)); });
   print_warnings(loaded.warnings);
   describe_view(loaded, exposure_choice(arguments.look), workers, source);
   const std::vector<ProposedObject> objects = propose_objects(loaded, workers);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
@@ -40,10 +42,11 @@ struct LoadedFacts {
   DVec3 upper;
 };
 
-LoadedFacts load_facts(const SceneSource& source) {
+LoadedFacts load_facts(const SceneSource& source, const std::stop_token& stop) {
+  const StuckLoadExit exit(stop);
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
-  const Scene scene = load_scene(source);
+  const Scene scene = load_watched(stop, [&] { return load_scene(source); });
   const double load_s = seconds(clock.now() - start);
   const SceneFacts facts = facts_of(scene);
   return {.source = source,
@@ -224,7 +227,7 @@ void print_words(const LoadedFacts& loaded) {
 
 }  // namespace
 
-void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
+void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto name = std::make_shared<std::string>();
   const auto look = std::make_shared<LookArguments>();
   const auto as_json = std::make_shared<bool>(false);
@@ -234,8 +237,8 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
   add_light_options(*command, *look);
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");
-  command->callback([name, look, as_json, find_scene] {
-    const LoadedFacts loaded = load_facts(lit_scene(*name, *look, find_scene));
+  command->callback([name, look, as_json, find_scene, stop] {
+    const LoadedFacts loaded = load_facts(lit_scene(*name, *look, find_scene), stop);
     *as_json ? print_json(loaded) : print_words(loaded);
   });
 }

@@ -1,10 +1,12 @@
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
@@ -31,7 +33,8 @@ struct Answer {
   float distance_m;
 };
 
-std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& source) {
+std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& source,
+                           const std::stop_token& stop) {
   RenderSettings settings;
   if (!arguments.gaze.empty()) {
     settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
@@ -39,7 +42,8 @@ std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& so
   settings.scene = scene_choices(arguments.look);
   settings.scene.learns_lights = false;  // no light is traced
   const Workers workers;
-  const LoadedScene loaded(source, workers, settings.scene);
+  const LoadedScene loaded =
+      load_or_exit(stop, [&] { return LoadedScene(source, workers, settings.scene); });
   print_warnings(loaded.warnings);
   const auto picked =
       loaded.tracer.pick(loaded.camera.position, direction_from(gaze_of(settings, loaded)));
@@ -73,7 +77,7 @@ void print(const std::optional<Answer>& answer, bool as_json) {
 
 }  // namespace
 
-void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
+void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<PickArguments>();
   CLI::App* command =
       scene.add_subcommand("pick", "Which object a gaze meets first, of which material, and where");
@@ -86,8 +90,8 @@ void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
   add_viewpoint_options(*command, arguments->look);
   command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");
-  command->callback([arguments, find = with_scene_file_options(*command, find_scene)] {
-    print(pick(*arguments, find(arguments->scene)), arguments->json);
+  command->callback([arguments, stop, find = with_scene_file_options(*command, find_scene)] {
+    print(pick(*arguments, find(arguments->scene), stop), arguments->json);
   });
 }
 

@@ -1,15 +1,18 @@
 #include "renderer/base/work_scope.h"
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <optional>
 #include <stop_token>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/load_watched.h"
 #include "renderer/base/parallel.h"
 
 namespace foveola {
@@ -53,6 +56,33 @@ TEST(WorkScope, IsThatOfTheInnermost) {
   part.reset();
   EXPECT_TRUE(is_work_stopped());
   EXPECT_THROW(throw_if_work_stopped(), WorkStopped);
+}
+
+TEST(StuckLoadExit, EndsTheProgramWhereALoadDoesNotObey) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        std::stop_source stop;
+        const StuckLoadExit exit(stop.get_token());
+        stop.request_stop();
+        std::this_thread::sleep_for(std::chrono::hours(1));
+      },
+      testing::ExitedWithCode(130), "stopped while a scene was loaded");
+}
+
+TEST(StuckLoadExit, LeavesALoadThatObeysOrWasNotStopped) {
+  std::stop_source stop;
+  {
+    const StuckLoadExit exit(stop.get_token());
+  }
+  stop.request_stop();
+  EXPECT_EQ(load_or_exit(stop.get_token(), [] { return 7; }), 7);
+  EXPECT_THROW(load_or_exit(stop.get_token(),
+                            [] {
+                              throw_if_work_stopped();
+                              return 7;
+                            }),
+               WorkStopped);
 }
 
 }  // namespace
