@@ -177,7 +177,9 @@ int run(int argc, char** argv) {
     return apart_from_outputs(scenes::find_scene_beside(name, folder));
   };
   add_demo(app, signals.token());
-  add_renderer_commands(app, find_scene, signals.token());
+  add_render(app, find_scene, signals.token());
+  add_merge_images(app);
+  add_compare(app);
   add_preview(app, find_scene, signals.token());
   CLI::App& bench = add_bench_commands(app, scenes::builtin_names(), find_scene, signals.token());
   analysis::add_bench_convergence(bench, find_scene, signals.token());

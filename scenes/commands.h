@@ -9,7 +9,7 @@ class App;
 
 namespace foveola::scenes {
 
-/// Adds `scene list` and `scene fetch` to `app`; see add_renderer_commands. Returns the
+/// Adds `scene list` and `scene fetch` to `app`; see add_render. Returns the
 /// command `scene`, for modules that have more to say of one.
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop);
 

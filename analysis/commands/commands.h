@@ -14,10 +14,10 @@ class App;
 
 namespace foveola::analysis {
 
-/// Adds `analyze` to `app`; see add_renderer_commands.
+/// Adds `analyze` to `app`; see add_render.
 void add_analysis_commands(CLI::App& app, std::stop_token stop);
 
-/// Adds `calibration` to the command `bench`; see add_renderer_commands.
+/// Adds `calibration` to the command `bench`; see add_render.
 void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
                            std::stop_token stop);
 

@@ -13,23 +13,24 @@ class App;
 
 namespace foveola {
 
-/// Adds `render` and `compare` to `app`. They run when the command line is parsed, print
-/// their result to standard output and throw Error for whatever the user can mend. Work ends early,
-/// with what there is, when `stop` is requested.
-void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop);
+/// Adds `render` to `app`. It runs when the command line is parsed, prints its result to standard
+/// output and throws Error for whatever the user can mend. Work ends early, with what there is,
+/// when `stop` is requested. So do the other commands.
+void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
+
+/// Adds `compare` to `app`.
+void add_compare(CLI::App& app);
 
 /// Adds the command, which makes an image of the films of a render's parts.
 void add_merge_images(CLI::App& app);
 
-void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
-
-/// Adds `info` to the command `scene`; see add_renderer_commands.
+/// Adds `info` to the command `scene`; see add_render.
 void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop);
 
-/// Adds `pick` to the command `scene`; see add_renderer_commands.
+/// Adds `pick` to the command `scene`; see add_render.
 void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop);
 
-/// Adds `sheet` to the command `scene`; see add_renderer_commands. It shows `scenes` unless others
+/// Adds `sheet` to the command `scene`; see add_render. It shows `scenes` unless others
 /// are named.
 void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
                      const SceneFinder& find_scene, const std::stop_token& stop);

@@ -18,7 +18,7 @@ namespace foveola {
 using DescriptorText =
     std::function<std::string(const SceneSource& source, const std::vector<std::string>& remarks)>;
 
-/// Adds `describe` to `scene`; see add_renderer_commands.
+/// Adds `describe` to `scene`; see add_render.
 void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
                         const std::stop_token& stop);
 

@@ -271,6 +271,41 @@ std::vector<double> feature_errors(const Plane& a, const Plane& b, double per_de
   return errors;
 }
 
+// --- Exposures of an image of high dynamic range ---
+
+void require_radiance(const RgbImage& image, const char* name) {
+  for (const Rgb& pixel : image.pixels) {
+    if (!(std::min({pixel.r, pixel.g, pixel.b}) >= 0.0F) ||
+        !std::isfinite(pixel.r + pixel.g + pixel.b)) {
+      throw Error("HDR-FLIP", fmt::format("{} has negative or infinite pixels, or NaN", name),
+                  "compare radiances that are finite and not negative");
+    }
+  }
+}
+
+/// In stops.
+struct ExposureRange {
+  double first;
+  double last;
+};
+
+/// The exposures at which the brightest and the median luminance become 0.85 (section 3.1).
+ExposureRange exposure_range(const RgbImage& reference) {
+  constexpr double shown = 2.1189;  ///< the linear value that filmic() turns into 0.85
+  std::vector<double> luminances;
+  for (const Rgb& pixel : reference.pixels) {
+    luminances.push_back(xyz_of(DVec3(pixel)).y);
+  }
+  const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
+  std::nth_element(luminances.begin(), middle, luminances.end());
+  const double brightest = *std::max_element(middle, luminances.end());
+  if (!(brightest > 0.0)) {
+    throw Error("HDR-FLIP", "the reference is black", "compare with one that shows something");
+  }
+  const double first = std::log2(shown / brightest);
+  return {first, *middle > 0.0 ? std::log2(shown / *middle) : first};
+}
+
 }  // namespace
 
 std::vector<float> flip_errors(const RgbImage& image, const RgbImage& reference,
@@ -298,6 +333,24 @@ std::vector<float> flip_errors(const RgbImage& image, const RgbImage& reference,
         std::pow(color_error(colors[i], reference_colors[i]), 1.0 - features[i])));
   }
   return errors;
+}
+
+std::vector<float> hdr_flip_errors(const RgbImage& image, const RgbImage& reference,
+                                   double pixels_per_degree) {
+  require_radiance(image, "the image");
+  require_radiance(reference, "the reference");
+  const ExposureRange range = exposure_range(reference);
+  const int exposures = std::max(2, static_cast<int>(std::ceil(range.last - range.first)));
+  std::vector<float> largest(image.pixels.size(), 0.0F);
+  for (int i = 0; i < exposures; ++i) {
+    const double stops = std::lerp(range.first, range.last, i / (exposures - 1.0));
+    const std::vector<float> errors =
+        flip_errors(display_image(image, stops, ToneCurve::filmic),
+                    display_image(reference, stops, ToneCurve::filmic), pixels_per_degree);
+    std::transform(errors.begin(), errors.end(), largest.begin(), largest.begin(),
+                   [](float a, float b) { return std::max(a, b); });
+  }
+  return largest;
 }
 
 double pixels_per_degree(double fov_rad, int width) {

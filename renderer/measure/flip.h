@@ -15,6 +15,13 @@ namespace foveola {
 std::vector<float> flip_errors(const RgbImage& image, const RgbImage& reference,
                                double pixels_per_degree);
 
+/// HDR-FLIP of each pixel: the largest LDR-FLIP over exposures that take the reference from its
+/// brightest pixel to its median, by the filmic curve (Andersson et al. 2021, "Visualizing Errors
+/// in Rendered High Dynamic Range Images"). Both images are linear, finite and not negative, and
+/// the reference is not black; throws Error otherwise, and as flip_errors does.
+std::vector<float> hdr_flip_errors(const RgbImage& image, const RgbImage& reference,
+                                   double pixels_per_degree);
+
 /// Pixels per degree in the middle of a flat display: `width` pixels over a field of view in (0,
 /// pi) radians.
 double pixels_per_degree(double fov_rad, int width);

@@ -29,7 +29,7 @@ struct SimulationReporter {
 void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop);
 
-/// Adds `study` and its commands to `app`; see add_renderer_commands.
+/// Adds `study` and its commands to `app`; see add_render.
 void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
                         const SimulationReporter& reporter, std::stop_token stop);
 

@@ -6,8 +6,10 @@
 
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
+#include "renderer/image/tone_mapping.h"
 #include "tests/end_to_end/rendered_room.h"
 #include "tests/matchers.h"
+#include "tests/noisy_pair.h"
 
 namespace foveola::test {
 namespace {
@@ -94,6 +96,31 @@ TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
   const nlohmann::json metrics = nlohmann::json::parse(result.output);
   EXPECT_EQ(metrics.at("rmse"), 0.0);
   EXPECT_EQ(metrics.at("pixels"), 32 * 16);
+  EXPECT_FALSE(metrics.contains("flip"));
+}
+
+RgbImage linear_image(RgbImage encoded) {
+  for (Rgb& pixel : encoded.pixels) {
+    pixel = Rgb(linear_from_srgb(pixel.r));
+  }
+  return encoded;
+}
+
+TEST_F(Render, CompareSaysWhatIsSeenOnADisplay) {
+  const NoisyPair pair = noisy_pair();
+  write_image(folder_ / "image.png", linear_image(pair.image), 0.0);
+  write_image(folder_ / "reference.png", linear_image(pair.reference), 0.0);
+  const auto compared = [&](const std::vector<std::string>& options) {
+    return nlohmann::json::parse(
+        succeeded(run_foveola(joined({"compare", (folder_ / "image.png").string(),
+                                      (folder_ / "reference.png").string(), "--json"},
+                                     options)))
+            .output);
+  };
+  EXPECT_NEAR(compared({"--pixels-per-degree", "67.0206"}).at("flip"), 0.047088, 1e-5);
+  const double aside = compared({"--display", "desktop", "--fixation", "0,0"}).at("jod");
+  EXPECT_LT(compared({"--display", "desktop", "--fixation", "256,256"}).at("jod"), aside);
+  EXPECT_LT(compared({"--display", "desktop"}).at("jod"), aside);
 }
 
 }  // namespace

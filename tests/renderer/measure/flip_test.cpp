@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
+#include "renderer/image/tone_mapping.h"
 #include "tests/matchers.h"
+#include "tests/noisy_pair.h"
 
 namespace foveola {
 namespace {
@@ -112,6 +115,41 @@ TEST(Flip, RefusesWhatCannotBeCompared) {
 TEST(PixelsPerDegree, IsThatOfTheMiddle) {
   EXPECT_NEAR(pixels_per_degree(radians(90.0), 1000), 500.0 * 0.0174533, 1e-3);
   EXPECT_NEAR(pixels_per_degree(radians(1.0), 67), 67.0, 0.01);
+}
+
+/// Mean of the errors of 512 x 512 pixels.
+double mean_of(const std::vector<float>& errors) {
+  return std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+}
+
+RgbImage radiance_of(const RgbImage& encoded) {
+  RgbImage linear = encoded;
+  for (Rgb& pixel : linear.pixels) {
+    pixel = 16.0F * Rgb(linear_from_srgb(pixel.r));
+  }
+  return linear;
+}
+
+TEST(HdrFlip, IsTheAuthorsOfAPairOfRadiances) {
+  // Means of the authors' program.
+  constexpr double pixels_per_degree = 67.0206;
+  const test::NoisyPair pair = test::noisy_pair();
+  EXPECT_NEAR(mean_of(flip_errors(pair.image, pair.reference, pixels_per_degree)), 0.047088, 1e-5);
+  EXPECT_NEAR(mean_of(hdr_flip_errors(radiance_of(pair.image), radiance_of(pair.reference),
+                                      pixels_per_degree)),
+              0.044649, 1e-5);
+}
+
+TEST(HdrFlip, RefusesWhatIsNoRadiance) {
+  const RgbImage grey = plain(Rgb(0.5F));
+  for (const float value :
+       {-1.0F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    RgbImage damaged = grey;
+    damaged.at(3, 2).g = value;
+    EXPECT_THROW(hdr_flip_errors(damaged, grey, 60.0), Error);
+    EXPECT_THROW(hdr_flip_errors(grey, damaged, 60.0), Error);
+  }
+  EXPECT_THROW(hdr_flip_errors(grey, plain(Rgb(0.0F)), 60.0), Error);
 }
 
 }  // namespace
