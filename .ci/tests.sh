@@ -11,8 +11,8 @@ reading_tests=(base_test image_test scene_test gaze_test protocol_test record_te
 
 # Those of modules that use what differs between Debian's releases, the libraries that trace rays and draw
 # in windows and terminals; what reads scenes, pictures and devices and keeps the record runs there with
-# the sanitizer.
-release_tests=(trace_test progressive_test window_test renderer_commands_test console_test)
+# the sanitizer. .ci/long new_machines runs all.
+release_tests=(trace_test window_test console_test)
 
 # build PRESET TARGET...: prints the errors if it fails.
 build() {
