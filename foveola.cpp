@@ -199,6 +199,7 @@ int run(int argc, char** argv) {
       {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
       signals.token());
   analysis::add_analysis_commands(app, signals.token());
+  analysis::add_replicate(app, signals.token());
   add_command_line_commands(app, analysis::manual_text());
   try {
     check_numbers(app);

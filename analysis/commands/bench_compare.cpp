@@ -6,11 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/commands/bench_ratios.h"
 #include "analysis/commands/commands.h"
+#include "analysis/replication/bench_ratios.h"
+#include "renderer/base/files.h"
 #include "renderer/base/print.h"
 
 namespace foveola::analysis {
@@ -75,8 +75,8 @@ void print_json(const BenchComparison& comparison) {
     ratios.push_back(json_of(row));
   }
   nlohmann::ordered_json differing = nlohmann::ordered_json::array();
-  for (const BenchDifference& difference : comparison.differing) {
-    differing.push_back({{"setting", difference.text}, {"files", difference.files}});
+  for (const std::string& difference : comparison.differing) {
+    differing.push_back({{"setting", difference}});
   }
   const nlohmann::ordered_json json = {
       {"moved_together", comparison.moved(BenchMove::together).size()},
@@ -88,9 +88,7 @@ void print_json(const BenchComparison& comparison) {
       {"level_of_each_together", comparison.level_of_each},
       {"ratios", ratios},
       {"differing_settings", differing},
-      {"in_one_run_only", comparison.unmatched},
-      {"files_only_before", comparison.only_before},
-      {"files_only_after", comparison.only_after}};
+      {"in_one_run_only", comparison.unmatched}};
   print_text("{}\n", json.dump(2));
 }
 
@@ -165,16 +163,8 @@ void print_table(const BenchComparison& comparison) {
 }
 
 void print_differences(const BenchComparison& comparison) {
-  for (const BenchDifference& difference : comparison.differing) {
-    print_text(
-        "Differs: {}{}\n", difference.text,
-        difference.files.empty() ? "" : fmt::format(" ({})", fmt::join(difference.files, ", ")));
-  }
-  for (const std::string& name : comparison.only_before) {
-    print_text("Only before: {}\n", name);
-  }
-  for (const std::string& name : comparison.only_after) {
-    print_text("Only after: {}\n", name);
+  for (const std::string& difference : comparison.differing) {
+    print_text("Differs: {}\n", difference);
   }
   if (const std::size_t count = comparison.unmatched.size(); count > 0) {
     print_text("{} figure{} in one run only; --json names {}\n", count, count == 1 ? "" : "s",
@@ -187,22 +177,18 @@ void print_differences(const BenchComparison& comparison) {
 void add_bench_compare(CLI::App& bench) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = bench.add_subcommand(
-      "compare",
-      "Compare two runs of a benchmark, or two folders of them: what moved beyond its interval");
-  command
-      ->add_option("BEFORE", arguments->before,
-                   "What a bench command printed with --json, or a folder of such files")
+      "compare", "Compare two runs of a benchmark: what moved beyond its interval");
+  command->add_option("BEFORE", arguments->before, "What a bench command printed with --json")
       ->required();
-  command
-      ->add_option(
-          "AFTER", arguments->after,
-          "What the same command printed at another time, or a folder of files of the same names")
+  command->add_option("AFTER", arguments->after, "What the same command printed at another time")
       ->required();
   command->add_flag("--all", arguments->all, "Print all figures, not only those that moved");
   command->add_flag("--json", arguments->json, "Print the ratios as JSON");
-  command->footer("Example: foveola bench compare data/baselines/0.1.0 now");
+  command->footer("Example: foveola bench compare before.json after.json");
   command->callback([arguments] {
-    const BenchComparison comparison = compare_bench_files(arguments->before, arguments->after);
+    const BenchComparison comparison =
+        compare_benches(read_file(arguments->before), arguments->before,
+                        read_file(arguments->after), arguments->after);
     if (arguments->json) {
       print_json(comparison);
       return;

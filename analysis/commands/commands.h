@@ -32,6 +32,9 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
 /// range; `stop` ends it without figures.
 void add_bench_statistics(CLI::App& bench, const std::stop_token& stop);
 
+/// Adds `replicate` to `app`; see add_renderer_commands. It throws Error if a claim does not hold.
+void add_replicate(CLI::App& app, const std::stop_token& stop);
+
 /// The paths, the warnings and the main numbers as an indented JSON object. What does not exist is
 /// null; invalid UTF-8 in texts is replaced.
 std::string analysis_json(const AnalysisOutput& output);

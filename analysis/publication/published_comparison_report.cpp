@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/own_cells.h"
@@ -293,11 +294,11 @@ std::string comparison_summary(const StudyTables& tables,
 
 std::string report_published_comparison(const fs::path& database, const fs::path& folder) {
   const Comparison comparison = compare_study(database);
-  const std::string table =
-      csv_of(published_comparison_table(comparison.tables, comparison.numbers));
+  const Table table = published_comparison_table(comparison.tables, comparison.numbers);
   const std::string page = comparison_html(comparison.tables, comparison.numbers);
   make_output_folder(folder);
-  write_file(folder / "published_comparison.csv", table);
+  write_file(folder / "published_comparison.csv", csv_of(table));
+  write_file(folder / "published_comparison.json", json_of(table).dump(2) + "\n");
   write_file(folder / "published_comparison.html", page);
   return comparison_summary(comparison.tables, comparison.numbers) +
          fmt::format("Compared with the published study in {}\n",

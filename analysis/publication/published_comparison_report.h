@@ -25,9 +25,9 @@ std::string comparison_html(const StudyTables& tables, const std::vector<Compare
 std::string comparison_summary(const StudyTables& tables,
                                const std::vector<ComparedNumber>& numbers);
 
-/// Reads a study's file and writes published_comparison.html and .csv to `folder`, which is made if
-/// its parent exists. Returns lines for the terminal, each ended by a line break. Throws Error as
-/// analyze_study does.
+/// Reads a study's file and writes published_comparison.html, .csv and .json to `folder`, which is
+/// made if its parent exists. Returns lines for the terminal, each ended by a line break. Throws
+/// Error as analyze_study does.
 std::string report_published_comparison(const std::filesystem::path& database,
                                         const std::filesystem::path& folder);
 

@@ -172,6 +172,7 @@ ProgramEnd run_to_end(const Command& command) {
   const MemoryFile output;
   const MemoryFile errors;
   const pid_t process = start(command, Streams(input, output, errors));
+  const std::stop_callback end_it(command.stop, [process] { ::kill(process, SIGTERM); });
   int status = 0;
   while (::waitpid(process, &status, 0) < 0) {
     require(errno == EINTR, errno, "waitpid");

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Command {
       words;            ///< the program, sought on PATH unless it is a path; its arguments
   std::string input{};  ///< on its standard input
   OnInterrupt on_interrupt = OnInterrupt::as_here;
+  std::stop_token stop{};  ///< sends it SIGTERM
 };
 
 struct ProgramEnd {

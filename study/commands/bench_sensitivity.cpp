@@ -151,7 +151,12 @@ nlohmann::json json_of(const std::vector<Outcome>& outcomes) {
                        {"baseline_s", mean.baseline_s},
                        {"percent", mean.percent}});
     }
-    list.push_back({{"number", outcome.number}, {"value", outcome.value}, {"means", means}});
+    list.push_back(
+        {{"name", outcome.number.empty() ? "as they are"
+                                         : fmt::format("{} {:.4g}", outcome.number, outcome.value)},
+         {"number", outcome.number},
+         {"value", outcome.value},
+         {"means", means}});
   }
   return list;
 }

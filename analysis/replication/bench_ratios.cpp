@@ -1,12 +1,9 @@
-#include "analysis/commands/bench_ratios.h"
+#include "analysis/replication/bench_ratios.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <iterator>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,9 +11,6 @@
 
 #include "analysis/statistics/distributions.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-
-namespace fs = std::filesystem;
 
 namespace foveola::analysis {
 namespace {
@@ -28,23 +22,16 @@ constexpr std::array<std::string_view, 14> identities = {
     "name",  "kind", "scene",  "gaze",   "configuration", "region", "metric",
     "level", "unit", "method", "option", "threads",       "what",   "claim"};
 
-bool is_identity(std::string_view key) {
+bool is_identity(std::string_view key, const BenchJson& /*value*/) {
   return std::find(identities.begin(), identities.end(), key) != identities.end();
 }
 
-struct BenchFigure {
-  std::string place;
-  double value = 0.0;
-  std::optional<Interval> interval;
-  bool is_exact = false;
-};
-
 /// "threads=2", or the position where no key distinguishes it.
-std::string identity_of(const BenchJson& element, std::size_t position) {
+std::string identity_of(const BenchJson& element, std::size_t position, IsIdentity is_identity) {
   std::string identity;
   if (element.is_object()) {
     for (const auto& [key, value] : element.items()) {
-      if (is_identity(key)) {
+      if (is_identity(key, value)) {
         identity += fmt::format("{}{}={}", identity.empty() ? "" : ",", key,
                                 value.is_string() ? value.get<std::string>() : value.dump());
       }
@@ -66,28 +53,6 @@ const BenchJson* estimated_value(const BenchJson& node) {
   return nullptr;
 }
 
-void collect(const BenchJson& node, const std::string& place, std::vector<BenchFigure>& figures) {
-  if (node.is_number()) {
-    figures.push_back({place, node.get<double>(), {}, true});
-  } else if (const BenchJson* value = estimated_value(node)) {
-    BenchFigure figure{place, value->get<double>(), {}, false};
-    if (node["low"].is_number() && node["high"].is_number()) {
-      figure.interval = Interval{node["low"].get<double>(), node["high"].get<double>()};
-    }
-    figures.push_back(figure);
-  } else if (node.is_object()) {
-    for (const auto& [key, child] : node.items()) {
-      if (!is_identity(key)) {
-        collect(child, fmt::format("{}.{}", place, key), figures);
-      }
-    }
-  } else if (node.is_array()) {
-    for (std::size_t i = 0; i < node.size(); ++i) {
-      collect(node[i], fmt::format("{}[{}]", place, identity_of(node[i], i)), figures);
-    }
-  }
-}
-
 BenchJson parse(const std::string& text, const std::string& name) {
   BenchJson json = BenchJson::parse(text, nullptr, false);
   if (!json.is_object()) {
@@ -104,7 +69,7 @@ std::vector<BenchFigure> figures_of(const BenchJson& json) {
   std::vector<BenchFigure> figures;
   for (const auto& [key, value] : json.items()) {
     if (is_of_figures(value)) {
-      collect(value, key, figures);
+      collect_figures(value, key, is_identity, figures);
     }
   }
   return figures;
@@ -124,23 +89,22 @@ void collect_settings(const BenchJson& node, const std::string& place, BenchJson
   }
 }
 
-std::vector<BenchDifference> differing_settings(const BenchJson& before, const BenchJson& after) {
+std::vector<std::string> differing_settings(const BenchJson& before, const BenchJson& after) {
   BenchJson was = BenchJson::object();
   BenchJson is = BenchJson::object();
   collect_settings(before, "", was);
   collect_settings(after, "", is);
-  std::vector<BenchDifference> differing;
+  std::vector<std::string> differing;
   for (const auto& [key, value] : was.items()) {
     if (!is.contains(key)) {
-      differing.push_back({fmt::format("{}: {}, now absent", key, value.dump()), {}});
+      differing.push_back(fmt::format("{}: {}, now absent", key, value.dump()));
     } else if (is.at(key) != value) {
-      differing.push_back(
-          {fmt::format("{}: {}, now {}", key, value.dump(), is.at(key).dump()), {}});
+      differing.push_back(fmt::format("{}: {}, now {}", key, value.dump(), is.at(key).dump()));
     }
   }
   for (const auto& [key, value] : is.items()) {
     if (!was.contains(key)) {
-      differing.push_back({fmt::format("{}: absent, now {}", key, value.dump()), {}});
+      differing.push_back(fmt::format("{}: absent, now {}", key, value.dump()));
     }
   }
   return differing;
@@ -237,14 +201,13 @@ BenchRatio judged(const BenchPair& pair, double widening) {
   return row;
 }
 
-/// What two outputs have in common; `prefix` comes before the figures' names.
-void pair_figures(const BenchJson& before, const BenchJson& after, const std::string& prefix,
-                  std::vector<BenchPair>& pairs, std::vector<std::string>& unmatched) {
+/// What two outputs have in common.
+void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<BenchPair>& pairs,
+                  std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);
   for (BenchFigure& figure : figures_of(before)) {
     const auto other = std::find_if(others.begin(), others.end(),
                                     [&](const BenchFigure& o) { return o.place == figure.place; });
-    figure.place.insert(0, prefix);
     if (other == others.end()) {
       unmatched.push_back(figure.place);
       continue;
@@ -253,7 +216,7 @@ void pair_figures(const BenchJson& before, const BenchJson& after, const std::st
     others.erase(other);
   }
   for (const BenchFigure& other : others) {
-    unmatched.push_back(prefix + other.place);
+    unmatched.push_back(other.place);
   }
 }
 
@@ -271,66 +234,32 @@ void judge(const std::vector<BenchPair>& pairs, BenchComparison& comparison) {
   }
 }
 
-void require_figures(const BenchComparison& comparison, const std::string& before_name,
-                     const std::string& after_name) {
-  if (comparison.ratios.empty()) {
-    throw Error(after_name, "has no figure in common with " + before_name,
-                "compare two outputs of the same bench command");
-  }
-}
-
-/// The names of the .json files in a folder, in alphabetical order.
-std::vector<std::string> outputs_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") {
-      names.push_back(entry.path().filename().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::vector<std::string> names_missing(const std::vector<std::string>& names,
-                                       const std::vector<std::string>& others) {
-  std::vector<std::string> missing;
-  std::set_difference(names.begin(), names.end(), others.begin(), others.end(),
-                      std::back_inserter(missing));
-  return missing;
-}
-
-void add_differences(const std::vector<BenchDifference>& found, const std::string& file,
-                     std::vector<BenchDifference>& all) {
-  for (const BenchDifference& difference : found) {
-    auto known = std::find_if(all.begin(), all.end(), [&](const BenchDifference& other) {
-      return other.text == difference.text;
-    });
-    if (known == all.end()) {
-      known = all.insert(all.end(), difference);
-    }
-    known->files.push_back(file);
-  }
-}
-
-BenchComparison compare_folders(const fs::path& before, const fs::path& after) {
-  const std::vector<std::string> were = outputs_in(before);
-  const std::vector<std::string> are = outputs_in(after);
-  BenchComparison comparison;
-  comparison.only_before = names_missing(were, are);
-  comparison.only_after = names_missing(are, were);
-  std::vector<BenchPair> pairs;
-  for (const std::string& name : names_missing(were, comparison.only_before)) {
-    const BenchJson was = parse(read_file(before / name), (before / name).string());
-    const BenchJson is = parse(read_file(after / name), (after / name).string());
-    pair_figures(was, is, fs::path(name).stem().string() + ": ", pairs, comparison.unmatched);
-    add_differences(differing_settings(was, is), name, comparison.differing);
-  }
-  judge(pairs, comparison);
-  require_figures(comparison, before.string(), after.string());
-  return comparison;
-}
-
 }  // namespace
+
+void collect_figures(const BenchJson& node, const std::string& place, IsIdentity is_identity,
+                     std::vector<BenchFigure>& figures) {
+  if (node.is_number()) {
+    figures.push_back({place, node.get<double>(), {}, true});
+  } else if (const BenchJson* value = estimated_value(node)) {
+    BenchFigure figure{place, value->get<double>(), {}, false};
+    if (node["low"].is_number() && node["high"].is_number()) {
+      figure.interval = Interval{node["low"].get<double>(), node["high"].get<double>()};
+    }
+    figures.push_back(figure);
+  } else if (node.is_object()) {
+    for (const auto& [key, child] : node.items()) {
+      if (!is_identity(key, child)) {
+        collect_figures(child, fmt::format("{}{}{}", place, place.empty() ? "" : ".", key),
+                        is_identity, figures);
+      }
+    }
+  } else if (node.is_array()) {
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      collect_figures(node[i], fmt::format("{}[{}]", place, identity_of(node[i], i, is_identity)),
+                      is_identity, figures);
+    }
+  }
+}
 
 std::size_t BenchComparison::count(BenchFigureKind kind) const {
   return static_cast<std::size_t>(std::count_if(
@@ -350,22 +279,14 @@ BenchComparison compare_benches(const std::string& before, const std::string& be
   const BenchJson is = parse(after, after_name);
   BenchComparison comparison;
   std::vector<BenchPair> pairs;
-  pair_figures(was, is, "", pairs, comparison.unmatched);
+  pair_figures(was, is, pairs, comparison.unmatched);
   comparison.differing = differing_settings(was, is);
   judge(pairs, comparison);
-  require_figures(comparison, before_name, after_name);
-  return comparison;
-}
-
-BenchComparison compare_bench_files(const std::string& before, const std::string& after) {
-  std::error_code ignored;
-  const bool was_folder = fs::is_directory(before, ignored);
-  if (was_folder != fs::is_directory(after, ignored)) {
-    throw Error(was_folder ? after : before, "is no folder, and the other one is",
-                "compare two files, or two folders");
+  if (comparison.ratios.empty()) {
+    throw Error(after_name, "has no figure in common with " + before_name,
+                "compare two outputs of the same bench command");
   }
-  return was_folder ? compare_folders(before, after)
-                    : compare_benches(read_file(before), before, read_file(after), after);
+  return comparison;
 }
 
 }  // namespace foveola::analysis

@@ -1,7 +1,6 @@
-#include "analysis/commands/bench_ratios.h"
+#include "analysis/replication/bench_ratios.h"
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,12 +8,9 @@
 
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
-#include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
 namespace {
-
-namespace fs = std::filesystem;
 
 BenchComparison compare(const std::string& before, const std::string& after) {
   return compare_benches(before, "before.json", after, "after.json");
@@ -75,21 +71,13 @@ TEST(BenchRatios, HaveNoIntervalWhereOneFigureHasNone) {
   EXPECT_FALSE(comparison.ratios.at(0).interval);
 }
 
-std::vector<std::string> texts_of(const std::vector<BenchDifference>& differences) {
-  std::vector<std::string> texts;
-  for (const BenchDifference& difference : differences) {
-    texts.push_back(difference.text);
-  }
-  return texts;
-}
-
 TEST(BenchRatios, SayWhatDiffersAndWhatHasNoRatio) {
   const BenchComparison comparison = compare(
       R"({"width": 8, "plan": {"spp": 4}, "seed": 1, "processor": "A", "date": "2026-01-01",
                   "runs": [{"name": "x", "a": 1, "b": 0, "c": 2, "d": -1, "e": null}]})",
       R"({"width": 9, "plan": {"spp": 5}, "scene": "z", "processor": "B", "date": "2026-01-02",
                   "runs": [{"name": "x", "a": 1, "b": 3, "d": 1, "f": 7, "e": 1}]})");
-  EXPECT_THAT(texts_of(comparison.differing),
+  EXPECT_THAT(comparison.differing,
               ElementsAre("width: 8, now 9", "plan.spp: 4, now 5", "seed: 1, now absent",
                           R"(processor: "A", now "B")", R"(scene: absent, now "z")"));
   EXPECT_THAT(comparison.unmatched,
@@ -164,67 +152,6 @@ TEST(BenchMoves, WithoutAnIntervalNobodyKnows) {
               R"({"seconds": {"value": 81.0, "low": null, "high": null}})");
   EXPECT_EQ(comparison.ratios.at(0).figure, "seconds");
   EXPECT_EQ(comparison.ratios.at(0).move, BenchMove::without_interval);
-}
-
-class BenchFolders : public testing::Test {
- protected:
-  BenchFolders() {
-    fs::create_directory(scratch_ / "before");
-    fs::create_directory(scratch_ / "after");
-    for (const char* folder : {"before", "after"}) {
-      scratch_.write(fs::path(folder) / "a.json", runs(2, 100.0));
-      scratch_.write(fs::path(folder) / "b.json", runs(2, 100.0));
-      scratch_.write(fs::path(folder) / "README.md", "no figures");
-    }
-  }
-  BenchComparison compare_both() const {
-    return compare_bench_files((scratch_ / "before").string(), (scratch_ / "after").string());
-  }
-
-  const test::TemporaryFolder scratch_;
-};
-
-TEST_F(BenchFolders, AreComparedFileByFileAndJudgedTogether) {
-  scratch_.write("after/b.json", runs(2, 200.0));
-  const BenchComparison comparison = compare_both();
-  ASSERT_EQ(comparison.ratios.size(), 4U);
-  EXPECT_EQ(comparison.ratios[2].figure, "b: figures[name=0]");
-  EXPECT_EQ(comparison.ratios[2].move, BenchMove::together);
-  EXPECT_EQ(comparison.moved(BenchMove::none).size(), 3U);
-  EXPECT_NEAR(comparison.level_of_each, std::pow(0.95, 0.25), 1e-12) << "of all four figures";
-  EXPECT_THAT(comparison.only_before, IsEmpty());
-}
-
-TEST_F(BenchFolders, NameTheFilesThatOneLacks) {
-  scratch_.write("before/c.json", runs(1, 1.0));
-  scratch_.write("after/d.json", runs(1, 1.0));
-  const BenchComparison comparison = compare_both();
-  EXPECT_THAT(comparison.only_before, ElementsAre("c.json"));
-  EXPECT_THAT(comparison.only_after, ElementsAre("d.json"));
-  EXPECT_EQ(comparison.ratios.size(), 4U);
-}
-
-TEST_F(BenchFolders, SayOnceWhatDiffersInSeveralFiles) {
-  for (const char* file : {"a.json", "b.json"}) {
-    scratch_.write(fs::path("before") / file, R"({"processor": "A", "runs": [{"x": 1}]})");
-    scratch_.write(fs::path("after") / file, R"({"processor": "B", "runs": [{"x": 1}]})");
-  }
-  const BenchComparison comparison = compare_both();
-  ASSERT_EQ(comparison.differing.size(), 1U);
-  EXPECT_EQ(comparison.differing[0].text, R"(processor: "A", now "B")");
-  EXPECT_THAT(comparison.differing[0].files, ElementsAre("a.json", "b.json"));
-}
-
-TEST_F(BenchFolders, AFileThatIsNoJsonIsNamed) {
-  scratch_.write("after/b.json", "Stopped.");
-  EXPECT_THAT([this] { (void)compare_both(); },
-              ThrowsMessage<Error>(HasSubstr("b.json: is no JSON object")));
-  EXPECT_THAT(
-      [this] {
-        (void)compare_bench_files((scratch_ / "before").string(),
-                                  (scratch_ / "after" / "a.json").string());
-      },
-      ThrowsMessage<Error>(HasSubstr("is no folder, and the other one is")));
 }
 
 TEST(BenchRatios, RefuseWhatCannotBeCompared) {

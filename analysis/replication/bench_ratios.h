@@ -3,11 +3,29 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "analysis/statistics/descriptive.h"
 
 namespace foveola::analysis {
+
+/// A number in what a bench command prints with --json.
+struct BenchFigure {
+  std::string place;  ///< where it stands: "runs[threads=2].seconds"
+  double value = 0.0;
+  std::optional<Interval> interval;
+  bool is_exact = false;
+};
+
+/// Whether a member of an array's element tells it from the others, as a name does.
+using IsIdentity = bool (*)(std::string_view key, const nlohmann::ordered_json& value);
+
+/// Appends the figures of `node`, which stands at `place`; identities are not figures.
+void collect_figures(const nlohmann::ordered_json& node, const std::string& place,
+                     IsIdentity is_identity, std::vector<BenchFigure>& figures);
 
 /// What is known of a figure's uncertainty.
 enum class BenchFigureKind {
@@ -36,19 +54,11 @@ struct BenchRatio {
   BenchMove move = BenchMove::none;
 };
 
-/// A setting, or a fact of the machine or the program, that is not the same in both runs.
-struct BenchDifference {
-  std::string text;                ///< "width: 1024, now 2048"
-  std::vector<std::string> files;  ///< of folders, those in which it differs
-};
-
 struct BenchComparison {
-  std::vector<BenchRatio> ratios;  ///< in the order of the earlier run's figures
-  std::vector<BenchDifference> differing;
-  std::vector<std::string> unmatched;    ///< figures that only one run has
-  std::vector<std::string> only_before;  ///< of folders, files that the other has not
-  std::vector<std::string> only_after;
-  double level_of_each = 0.0;  ///< of the intervals that hold together with 95 %
+  std::vector<BenchRatio> ratios;      ///< in the order of the earlier run's figures
+  std::vector<std::string> differing;  ///< settings and facts: "width: 1024, now 2048"
+  std::vector<std::string> unmatched;  ///< figures that only one run has
+  double level_of_each = 0.0;          ///< of the intervals that hold together with 95 %
 
   std::size_t count(BenchFigureKind kind) const;
   std::vector<BenchRatio> moved(BenchMove move) const;
@@ -67,10 +77,5 @@ struct BenchComparison {
 /// is no JSON object, and if the two have no figure in common.
 BenchComparison compare_benches(const std::string& before, const std::string& before_name,
                                 const std::string& after, const std::string& after_name);
-
-/// The same of two files, or of the .json files of the same names in two folders, all of whose
-/// figures are judged together. Throws Error too for a folder beside a file, and for two folders
-/// without a file of the same name.
-BenchComparison compare_bench_files(const std::string& before, const std::string& after);
 
 }  // namespace foveola::analysis

@@ -1,0 +1,396 @@
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fnmatch.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/commands/commands.h"
+#include "analysis/publication/output_folder.h"
+#include "analysis/publication/report_style.h"
+#include "analysis/replication/bench_ratios.h"
+#include "analysis/replication/claims.h"
+#include "analysis/tables/html.h"
+#include "analysis/tables/printed_table.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/print.h"
+#include "renderer/base/programs.h"
+#include "renderer/base/progress.h"
+#include "renderer/base/similar_word.h"
+#include "renderer/commands/bench_facts.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::analysis {
+namespace {
+
+using ResultJson = nlohmann::ordered_json;
+using Figures = std::vector<BenchFigure>;
+
+struct ReplicateArguments {
+  fs::path folder;
+  fs::path claims;
+  std::vector<std::string> only;
+  std::vector<fs::path> from;
+  bool quick = false;
+  bool write = false;
+  bool json = false;
+};
+
+/// The figure that a pattern matches, in which * is any text; of several, after "min " or "max ",
+/// the least or greatest. Throws Error if it matches none, or too many.
+const BenchFigure& find_figure(const std::string& term, const Figures& figures) {
+  const bool is_least = term.starts_with("min ");
+  const bool is_extreme = is_least || term.starts_with("max ");
+  std::string glob;
+  for (const char c : std::string_view(term).substr(is_extreme ? 4 : 0)) {
+    glob += std::string_view("?[]\\").find(c) == std::string_view::npos ? "" : "\\";
+    glob += c;
+  }
+  const BenchFigure* found = nullptr;
+  for (const BenchFigure& figure : figures) {
+    if (::fnmatch(glob.c_str(), figure.place.c_str(), 0) != 0) {
+      continue;
+    }
+    if (found != nullptr && !is_extreme) {
+      throw Error(term, "matches several figures of what was made", "mend the claim");
+    }
+    found = found == nullptr || (figure.value < found->value) == is_least ? &figure : found;
+  }
+  if (found == nullptr) {
+    throw Error(term, "matches no figure of what was made", "mend the claim");
+  }
+  return *found;
+}
+
+/// Evaluates patterns and numbers between " * " and " / " from left to right, and so its interval
+/// at both ends of the figures' intervals.
+ClaimValue make_value(const std::string& expression, const Figures& figures) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, 3> value_low_high = {1.0, 1.0, 1.0};
+  bool is_quotient = false;
+  for (std::size_t begin = 0; begin < expression.size();) {
+    const std::size_t end =
+        std::min({expression.find(" * ", begin), expression.find(" / ", begin), expression.size()});
+    const std::string term = expression.substr(begin, end - begin);
+    char* rest = nullptr;
+    const double number = std::strtod(term.c_str(), &rest);
+    std::array<double, 3> factor = {number, number, number};
+    if (*rest != '\0') {
+      const BenchFigure& figure = find_figure(term, figures);
+      const Interval interval = figure.interval.value_or(Interval{unknown, unknown});
+      factor = {figure.value, interval.low, interval.high};
+    }
+    for (std::size_t i = 0; i < factor.size(); ++i) {
+      value_low_high[i] *= is_quotient ? 1.0 / factor[i] : factor[i];
+    }
+    is_quotient = expression.compare(end, 3, " / ") == 0;
+    begin = end + 3;
+  }
+  const auto [low, high] = std::minmax(value_low_high[1], value_low_high[2]);
+  return {value_low_high[0], low <= high ? std::optional(Interval{low, high}) : std::nullopt};
+}
+
+/// The results of stages, each of which is kept in a folder.
+class StageResults {
+ public:
+  StageResults(fs::path folder, const Claims& claims, std::stop_token stop)
+      : folder_(std::move(folder)), claims_(claims), stop_(std::move(stop)) {}
+
+  /// Takes the results in this folder or another one like it. Throws Error for those of another
+  /// version or of other claims.
+  void take_kept(const fs::path& folder) {
+    for (const ClaimStage& stage : claims_.stages) {
+      const fs::path file = folder / "results" / (stage.id + ".json");
+      if (made.contains(stage.id) || !fs::exists(file)) {
+        continue;
+      }
+      const ResultJson kept = ResultJson::parse(read_file(file), nullptr, false);
+      if (!kept.is_object() || kept.value("version", "") != program_facts()["version"] ||
+          kept.value("claims_sha256", "") != claims_.sha256) {
+        throw Error(file.string(), "was made by another version, or for other claims",
+                    "name another folder");
+      }
+      keep(stage, kept);
+    }
+  }
+
+  /// Makes those of the stages' that are not there, until it is stopped.
+  void make(std::vector<const ClaimStage*> stages) {
+    std::erase_if(stages, [&](const ClaimStage* stage) { return made.contains(stage->id); });
+    double minutes = 0.0;
+    for (const ClaimStage* stage : stages) {
+      minutes += stage->minutes;
+    }
+    Progress progress("Making claims again");
+    double minutes_done = 0.0;
+    for (const ClaimStage* stage : stages) {
+      make(*stage, [&](double so_far) {
+        progress.update((minutes_done + std::min(so_far, stage->minutes)) / minutes, stage->id);
+      });
+      minutes_done += stage->minutes;
+    }
+  }
+
+  std::map<std::string, ResultJson> made;  ///< by the stages' ids; without "result" if it failed
+
+ private:
+  void keep(const ClaimStage& stage, const ResultJson& result) {
+    made[stage.id] = result;
+    fs::create_directories(folder_ / "results");
+    write_file(folder_ / "results" / (stage.id + ".json"), result.dump(1) + "\n");
+  }
+
+  void make(const ClaimStage& stage, const std::function<void(double minutes)>& report) {
+    const SteadyClock clock;
+    const Nanoseconds start = clock.now();
+    const auto minutes = [&] { return seconds(clock.now() - start) / 60.0; };
+    const fs::path folder = fs::absolute(folder_ / "stages" / stage.id);
+    fs::create_directories(folder);
+    ProgramEnd end;
+    for (auto run = stage.run.begin(); run != stage.run.end() && end.status == 0; ++run) {
+      auto running = std::async(std::launch::async, run_to_end, command(*run, folder));
+      while (running.wait_for(std::chrono::milliseconds(200)) != std::future_status::ready) {
+        report(minutes());
+      }
+      end = running.get();
+      if (stop_.stop_requested()) {
+        return;
+      }
+    }
+    const bool is_in_file = !stage.result.empty() && end.status == 0;
+    const ResultJson result = ResultJson::parse(
+        is_in_file ? read_file(folder / stage.result) : end.output, nullptr, false);
+    const std::size_t error = std::min(end.errors.rfind("error: "), end.errors.size());
+    const std::string complaint = end.errors.substr(error, end.errors.find('\n', error) - error);
+    ResultJson facts = {{"stage", stage.id},
+                        {"commands", fmt::format("{}", fmt::join(stage.run, "; "))},
+                        {"complaint", complaint},
+                        {"minutes_claimed", stage.minutes},
+                        {"minutes", minutes()}};
+    facts.update(bench_facts());
+    facts["program_sha256"] = sha256_of_file(own_program());
+    facts["claims_sha256"] = claims_.sha256;
+    if (result.is_discarded()) {
+      made[stage.id] = facts;
+      return;
+    }
+    facts["result"] = result;
+    keep(stage, facts);
+  }
+
+  /// This program's; {dir} at the beginning of a word is the stage's folder.
+  Command command(const std::string& run, const fs::path& folder) const {
+    Command command{.words = {own_program().string()}, .stop = stop_};
+    std::istringstream words(run);
+    for (std::string word; words >> word;) {
+      command.words.push_back(word.starts_with("{dir}") ? folder.string() + word.substr(5) : word);
+    }
+    return command;
+  }
+
+  fs::path folder_;
+  const Claims& claims_;
+  std::stop_token stop_;
+};
+
+/// What was made beside what is claimed.
+struct Replication {
+  ResultJson page;                              ///< tables by their titles, each a list of rows
+  std::vector<NewValues> made;                  ///< of the claims all of whose numbers were made
+  std::map<std::string, std::size_t> verdicts;  ///< the number of numbers with each
+
+  void add_row(const Claim& claim, const ClaimedNumber& number, const std::string& made_text,
+               const std::string& verdict, const std::string& remark) {
+    const auto& [absolute, relative, errors] = claim.tolerance;
+    ++verdicts[verdict];
+    page["Claims"].push_back({{"claim", claim.id},
+                              {"document", claim.document},
+                              {"text", fmt::format("{}", fmt::join(claim.words, "…"))},
+                              {"claimed", number.shown},
+                              {"made", made_text},
+                              {"verdict", verdict},
+                              {"tolerance", fmt::format("{:g} + {:g} % + {:g} standard errors",
+                                                        absolute, 100.0 * relative, errors)},
+                              {"remark", remark}});
+  }
+
+  void add_stage(const ClaimStage& stage, ResultJson result) {
+    Figures figures;
+    const auto is_text = [](std::string_view, const ResultJson& value) {
+      return value.is_string();
+    };
+    const bool is_made = result.contains("result");
+    if (is_made) {
+      collect_figures(result["result"], "", is_text, figures);
+    }
+    std::string why_not = stage.needs;
+    if (!result.empty()) {
+      why_not += fmt::format(" ({})", result.value("complaint", ""));
+      result["result"] = is_made ? sha256(result["result"].dump()) : "";
+      page["Stages"].push_back(result);
+    }
+    for (const Claim& claim : stage.claims) {
+      NewValues values{&claim};
+      for (const ClaimedNumber& number : claim.numbers) {
+        if (!is_made) {
+          const bool has_failed = !result.empty() && stage.needs.empty();
+          add_row(claim, number, "", has_failed ? "outside" : "not made here", why_not);
+          continue;
+        }
+        try {
+          const ClaimValue value = make_value(number.figure, figures);
+          values.values.push_back(value);
+          add_row(claim, number, shown_like(number.shown, value),
+                  is_within(claim.tolerance, number, value) ? "within" : "outside",
+                  fmt::format("{:g}", value.value));
+        } catch (const Error& fault) {
+          add_row(claim, number, "", "outside", fault.what());
+        }
+      }
+      if (values.values.size() == claim.numbers.size()) {
+        made.push_back(std::move(values));
+      }
+    }
+  }
+};
+
+std::string page_html(const ResultJson& page) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<title>Claims made again</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+      report_style());
+  for (const auto& [title, rows] : page.items()) {
+    PrintedTable table{.title = title + ".", .is_numeric = false};
+    for (const ResultJson& row : rows) {
+      table.columns.clear();
+      table.rows.emplace_back();
+      for (const auto& [key, value] : row.items()) {
+        table.columns.push_back(key);
+        table.rows.back().push_back(value.is_string() ? value.get<std::string>() : value.dump());
+      }
+    }
+    html += html_section(title, html_of(table, ""));
+  }
+  return html + "</main>\n</body>\n</html>\n";
+}
+
+/// The stages to make, by --quick and --only.
+std::vector<const ClaimStage*> chosen_stages(const ReplicateArguments& arguments,
+                                             const Claims& claims) {
+  std::set<std::string> wanted(arguments.only.begin(), arguments.only.end());
+  std::vector<std::string> known;
+  std::vector<const ClaimStage*> chosen;
+  for (const ClaimStage& stage : claims.stages) {
+    known.push_back(stage.id);
+    std::size_t named = wanted.erase(stage.id);
+    for (const Claim& claim : stage.claims) {
+      known.push_back(claim.id);
+      named += wanted.erase(claim.id);
+    }
+    if (!stage.run.empty() && (stage.is_quick || !arguments.quick) &&
+        (named > 0 || arguments.only.empty())) {
+      chosen.push_back(&stage);
+    }
+  }
+  if (!wanted.empty()) {
+    throw Error("--only", fmt::format("no claim is called '{}'", *wanted.begin()),
+                did_you_mean(*wanted.begin(), known, "see " + claims.file.string()));
+  }
+  return chosen;
+}
+
+void run(const ReplicateArguments& arguments, const std::stop_token& stop) {
+  const Claims claims = read_claims(arguments.claims);
+  const std::vector<const ClaimStage*> stages = chosen_stages(arguments, claims);
+  check_output_folder(arguments.folder);
+  make_output_folder(arguments.folder);
+  StageResults results(arguments.folder, claims, stop);
+  results.take_kept(arguments.folder);
+  for (const fs::path& folder : arguments.from) {
+    results.take_kept(folder);
+  }
+  if (arguments.from.empty()) {
+    results.make(stages);
+  }
+  Replication replication;
+  for (const ClaimStage& stage : claims.stages) {
+    replication.add_stage(stage, results.made[stage.id]);
+  }
+  const std::vector<std::string> faults = faults_of_documents(claims);
+  for (const std::string& fault : faults) {
+    replication.page["Documents"].push_back({{"fault", fault}});
+    print_text(stderr, "{}\n", fault);
+  }
+  const fs::path page = arguments.folder / "replication.html";
+  write_file(page, page_html(replication.page));
+  if (arguments.json) {
+    print_text("{}\n", replication.page.dump(2));
+  } else {
+    for (const auto& [verdict, count] : replication.verdicts) {
+      print_text("{:<14}{:>6} numbers\n", verdict, count);
+    }
+    print_text("Page: {}\n", page.string());
+  }
+  if (arguments.write) {
+    write_values(claims, replication.made);
+  }
+  const std::size_t wrong = replication.verdicts["outside"] + faults.size();
+  if (stop.stop_requested()) {
+    print_text(stderr, "Stopped. To continue, repeat the command.\n");
+  } else if (wrong > 0) {
+    throw Error(page.string(), fmt::format("has {} claims that do not hold", wrong), "read it");
+  }
+}
+
+}  // namespace
+
+void add_replicate(CLI::App& app, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<ReplicateArguments>();
+  CLI::App* command = app.add_subcommand(
+      "replicate", "Make the figures that the documents state again, and compare them");
+  command
+      ->add_option("DIR", arguments->folder,
+                   "The folder for results and a page of them; made if its parent exists. Results "
+                   "that are there are not made again")
+      ->required();
+  command->add_flag("--quick", arguments->quick, "Only what takes a quarter of an hour in all");
+  command->add_option("--only", arguments->only, "Only the stages with these ids, or such claims");
+  command->add_option("--from", arguments->from,
+                      "Make nothing, but take what these folders have, as of other machines");
+  command->add_flag("--write", arguments->write,
+                    "Write what was made into the documents and into the file of claims");
+  command->add_option("--claims", arguments->claims,
+                      "The file of claims (default: the clone's data/claims.toml)");
+  command->add_flag("--json", arguments->json, "Print the page's tables as JSON");
+  command->footer("Example: foveola replicate made-again --quick");
+  command->callback([arguments, stop] {
+    if (arguments->claims.empty()) {
+      arguments->claims = resource_folder() / "data" / "claims.toml";
+    }
+    run(*arguments, stop);
+  });
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,259 @@
+#include "analysis/replication/claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <regex>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/toml_file.h"
+#include "renderer/base/toml_reader.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::analysis {
+namespace {
+
+/// "19.5", "-0.55", "734 700".
+const std::string number_pattern = R"((?:-|−)?\d+(?: \d{3})*(?:\.\d+)?)";
+
+/// {51}, or {51 [34, 75]} with its interval.
+const std::regex& claimed_numbers() {
+  static const std::regex pattern(fmt::format(R"(\{{({0}(?: \[{0}, {0}\])?)\}})", number_pattern));
+  return pattern;
+}
+
+std::vector<std::string> numbers_in(const std::string& shown) {
+  static const std::regex number(number_pattern);
+  return {std::sregex_token_iterator(shown.begin(), shown.end(), number), {}};
+}
+
+double parse_number(std::string text) {
+  std::erase(text, ' ');
+  const std::string minus = "−";
+  return text.starts_with(minus) ? -std::strtod(text.c_str() + minus.size(), nullptr)
+                                 : std::strtod(text.c_str(), nullptr);
+}
+
+int decimals_of(const std::string& number) {
+  const std::size_t point = std::min(number.find('.'), number.size() - 1);
+  return static_cast<int>(number.size() - 1 - point);
+}
+
+std::string number_like(const std::string& shown, double value) {
+  std::string text = fmt::format("{:.{}f}", std::abs(value), decimals_of(shown));
+  for (std::size_t end = std::min(text.find('.'), text.size());
+       end > 3 && shown.find(' ') != std::string::npos; end -= 3) {
+    text.insert(end - 3, " ");
+  }
+  return (value >= 0.0 ? "" : shown.starts_with("−") ? "−" : "-") + text;
+}
+
+void read_text(TomlReader& reader, Claim& claim) {
+  const std::string text = reader.require_text("text");
+  claim.line = static_cast<int>(reader.source("text").begin.line);
+  auto rest = text.begin();
+  for (std::sregex_iterator i(rest, text.end(), claimed_numbers()), none; i != none; ++i) {
+    claim.words.emplace_back(rest, (*i)[0].first);
+    rest = (*i)[0].second;
+    const std::string shown = (*i)[1];
+    const std::vector<std::string> numbers = numbers_in(shown);
+    ClaimValue value{parse_number(numbers[0])};
+    if (numbers.size() == 3) {
+      value.interval = Interval{parse_number(numbers[1]), parse_number(numbers[2])};
+    }
+    claim.numbers.push_back({shown, value, {}});
+  }
+  claim.words.emplace_back(rest, text.end());
+  // Words around the numbers show where these begin and end.
+  if (claim.numbers.empty() || claim.words.front().empty() || claim.words.back().empty()) {
+    reader.fail(reader.source("text"), "must have numbers in braces, and words before and behind",
+                "write it as \"covers {94.4} %\" or \"takes {51 [34, 75]} s\"");
+  }
+}
+
+void read_figures(TomlReader& reader, Claim& claim) {
+  constexpr double largest = 1e9;
+  reader.read("absolute", claim.tolerance.absolute, 0.0, largest);
+  reader.read("relative", claim.tolerance.relative, 0.0, largest);
+  reader.read("standard_errors", claim.tolerance.standard_errors, 0.0, largest);
+  if (!reader.has("absolute") && !reader.has("relative") && !reader.has("standard_errors")) {
+    reader.fail(reader.source(), fmt::format("claim '{}' has no tolerance", claim.id),
+                "give absolute, relative or standard_errors");
+  }
+  const std::vector<TomlReader::Text> figures = reader.require_texts("figures");
+  if (figures.size() != claim.numbers.size()) {
+    reader.fail(reader.source("figures"), "are not as many as the numbers in braces",
+                "name one for each");
+  }
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    claim.numbers[i].figure = figures[i].value;
+  }
+}
+
+ClaimStage read_stage(TomlReader& reader, const std::string& file) {
+  constexpr double most_minutes = 100'000.0;
+  ClaimStage stage{.id = reader.require_text("id")};
+  for (const TomlReader::Text& command : reader.texts("run")) {
+    stage.run.push_back(command.value);
+  }
+  reader.require(stage.run.empty() ? "needs" : "minutes");
+  reader.read("result", stage.result);
+  reader.read("needs", stage.needs);
+  reader.read("minutes", stage.minutes, 0.0, most_minutes);
+  reader.read("quick", stage.is_quick);
+  for (TomlReader& inner : reader.tables("claim")) {
+    Claim claim{.id = inner.require_text("id"), .place = place_of(file, inner.source())};
+    claim.document = inner.require_text("document");
+    read_text(inner, claim);
+    if (!stage.run.empty()) {
+      read_figures(inner, claim);
+    }
+    inner.reject_unknown_keys();
+    stage.claims.push_back(std::move(claim));
+  }
+  reader.reject_unknown_keys();
+  return stage;
+}
+
+fs::path document_file(const Claims& claims, const Claim& claim) {
+  return (claims.file.parent_path() / ".." / claim.document).lexically_normal();
+}
+
+/// Where each of a claim's numbers stands in a document: its begin and its end.
+using NumberSpans = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Throws Error unless the claim stands in the document once, in which lines are broken anywhere.
+NumberSpans find_claim(const fs::path& file, const Claim& claim) {
+  std::string document = read_file(file);
+  std::replace(document.begin(), document.end(), '\n', ' ');
+  std::string text = claim.words[0];
+  NumberSpans spans;
+  std::string missing = "text";
+  std::size_t known = 0;  // the place of as much of the text as the document has
+  for (std::size_t i = 0; i < claim.numbers.size(); ++i) {
+    const std::string& shown = claim.numbers[i].shown;
+    if (const std::size_t begin = document.find(text); begin != std::string::npos) {
+      missing = shown;
+      known = begin + text.size();
+    }
+    spans.emplace_back(text.size(), text.size() + shown.size());
+    text += shown + claim.words[i + 1];
+  }
+  const std::size_t begin = document.find(text);
+  if (begin == std::string::npos || document.find(text, begin + 1) != std::string::npos) {
+    const std::string lines = read_file(file).substr(0, known);
+    throw Error(
+        fmt::format("{}:{}", file.string(), std::count(lines.begin(), lines.end(), '\n') + 1),
+        fmt::format("{} of claim '{}'",
+                    begin == std::string::npos ? "does not state the " + missing
+                                               : "states more than once the text",
+                    claim.id),
+        "see " + claim.place);
+  }
+  for (auto& [from, to] : spans) {
+    from += begin;
+    to += begin;
+  }
+  return spans;
+}
+
+/// New texts in place of parts of a text, by where these begin and end.
+using Edits = std::map<std::pair<std::size_t, std::size_t>, std::string>;
+
+}  // namespace
+
+Claims read_claims(const fs::path& file) {
+  const std::string text = read_toml_file(file);
+  const toml::table table = parse_toml(file.string(), text, "see docs/howto/replicate.md");
+  Claims claims{.file = file, .sha256 = sha256(std::regex_replace(text, claimed_numbers(), "{}"))};
+  TomlReader top(file.string(), table, "");
+  std::set<std::string> ids;
+  for (TomlReader& reader : top.tables("stage")) {
+    claims.stages.push_back(read_stage(reader, file.string()));
+    bool is_new = ids.insert(claims.stages.back().id).second;
+    for (const Claim& claim : claims.stages.back().claims) {
+      is_new = ids.insert(claim.id).second && is_new;
+    }
+    if (!is_new) {
+      reader.fail(reader.source(), "has an id that was given before", "choose another one");
+    }
+  }
+  top.reject_unknown_keys();
+  return claims;
+}
+
+std::vector<std::string> faults_of_documents(const Claims& claims) {
+  std::vector<std::string> faults;
+  for (const ClaimStage& stage : claims.stages) {
+    for (const Claim& claim : stage.claims) {
+      try {
+        find_claim(document_file(claims, claim), claim);
+      } catch (const Error& fault) {
+        faults.emplace_back(fault.what());
+      }
+    }
+  }
+  return faults;
+}
+
+std::string shown_like(const std::string& shown, const ClaimValue& value) {
+  const std::vector<std::string> numbers = numbers_in(shown);
+  std::string text = number_like(numbers[0], value.value);
+  if (numbers.size() == 3 && value.interval) {
+    text += fmt::format(" [{}, {}]", number_like(numbers[1], value.interval->low),
+                        number_like(numbers[2], value.interval->high));
+  }
+  return text;
+}
+
+bool is_within(const Tolerance& tolerance, const ClaimedNumber& number, const ClaimValue& made) {
+  // A 95 % confidence interval is 2 × 1.96 standard errors wide.
+  const auto standard_error = [](const std::optional<Interval>& interval) {
+    return interval ? (interval->high - interval->low) / 3.92 : 0.0;
+  };
+  const auto& [value, interval] = number.claimed;
+  const double error = std::hypot(standard_error(made.interval),
+                                  standard_error(interval ? interval : made.interval));
+  const int decimals = decimals_of(numbers_in(number.shown).front());
+  return std::abs(made.value - value) <= tolerance.absolute + tolerance.relative * std::abs(value) +
+                                             tolerance.standard_errors * error +
+                                             0.5000001 * std::pow(10.0, -decimals);
+}
+
+void write_values(const Claims& claims, const std::vector<NewValues>& made) {
+  const std::string source = read_file(claims.file);
+  std::map<fs::path, Edits> edits;
+  for (const auto& [claim, values] : made) {
+    const fs::path file = document_file(claims, *claim);
+    const NumberSpans spans = find_claim(file, *claim);
+    std::size_t at = 0;
+    for (int line = 1; line < claim->line; ++line) {
+      at = source.find('\n', at) + 1;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string& shown = claim->numbers[i].shown;
+      const std::string text = shown_like(shown, values[i]);
+      edits[file][spans[i]] = text;
+      at = source.find("{" + shown + "}", at) + 1;
+      edits[claims.file][{at, at + shown.size()}] = text;
+    }
+  }
+  for (const auto& [file, of_file] : edits) {
+    std::string text = read_file(file);
+    for (auto edit = of_file.rbegin(); edit != of_file.rend(); ++edit) {
+      const auto [begin, end] = edit->first;
+      text.replace(begin, end - begin, edit->second);
+    }
+    write_file(file, text);
+  }
+}
+
+}  // namespace foveola::analysis
