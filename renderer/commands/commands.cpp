@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/print.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/image/image_file.h"
 #include "renderer/measure/region_error.h"
 
@@ -52,7 +53,7 @@ void add_compare(CLI::App& app) {
       ->required();
   command->add_flag("--solid-angle", arguments->solid_angle,
                     "Weight pixels by their solid angle: the cosine of their latitude");
-  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  add_json_option(*command, arguments->json);
   command->footer("Example: foveola compare preview.exr reference.exr --solid-angle");
   command->callback([arguments] { run_compare(*arguments); });
 }

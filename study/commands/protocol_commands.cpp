@@ -116,7 +116,7 @@ void add_check(CLI::App& study, const SceneFinderBeside& find_scene) {
                                   "be analysed, how long a session takes",
                                   "check demo");
   add_protocol(command, arguments->protocol);
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments, find_scene] { run_check(*arguments, find_scene); });
 }
 
@@ -128,7 +128,7 @@ void add_plan(CLI::App& study) {
       "plan demo --participants 16 --seed 7");
   add_protocol(command, arguments->protocol);
   add_participants_and_seed(command, arguments->participants, arguments->seed);
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments] { run_plan(*arguments); });
 }
 
@@ -139,7 +139,7 @@ void add_keys(CLI::App& study) {
       "Print every key that protocols, questionnaires' files and profiles may have: type, range, "
       "default and meaning, as Markdown",
       "keys > PROTOCOL.md");
-  add_json(command, *json);
+  add_json_option(*command, *json);
   command->callback([json] {
     print_text("{}", *json ? protocol_reference_json().dump(2) + "\n" : protocol_reference());
   });
