@@ -15,6 +15,7 @@
 #include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_reference.h"
+#include "study/protocol/protocol_schema.h"
 #include "study/stage/protocol_notes.h"
 #include "study/tables/protocol_json.h"
 #include "study/tables/protocol_tables.h"
@@ -134,14 +135,19 @@ void add_plan(CLI::App& study) {
 
 void add_keys(CLI::App& study) {
   const auto json = std::make_shared<bool>(false);
+  const auto schema = std::make_shared<bool>(false);
   CLI::App* command = add_command(
       study, "keys",
       "Print every key that protocols, questionnaires' files and profiles may have: type, range, "
       "default and meaning, as Markdown",
       "keys > PROTOCOL.md");
   add_json_option(*command, *json);
-  command->callback([json] {
-    print_text("{}", *json ? protocol_reference_json().dump(2) + "\n" : protocol_reference());
+  command->add_flag("--schema", *schema, "Print the JSON schema by which editors explain the keys")
+      ->excludes("--json");
+  command->callback([json, schema] {
+    print_text("{}", *schema ? protocol_schema()
+                     : *json ? protocol_reference_json().dump(2) + "\n"
+                             : protocol_reference());
   });
 }
 
