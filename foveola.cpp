@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <stop_token>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -26,6 +27,7 @@
 #include "renderer/base/utf8.h"
 #include "renderer/base/work_scope.h"
 #include "renderer/command_line/commands.h"
+#include "renderer/command_line/completion.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
@@ -132,13 +134,10 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   const auto participants = std::make_shared<int>(4);
   CLI::App* command =
       app.add_subcommand("demo", "Simulate a small study and analyse it, from scenes to a report");
-  command
-      ->add_option("-o,--output", *parent,
-                   "The folder in which to make foveola-demo-1 (or the next free number)")
-      ->capture_default_str();
+  command->add_option("-o,--output", *parent,
+                      "The folder in which to make foveola-demo-1 (or the next free number)");
   command->add_option("--participants", *participants, "Number of simulated participants")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      ->check(CLI::Range(1, 1000));
   command->footer("Example: foveola demo");
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
@@ -168,6 +167,7 @@ int run(int argc, char** argv) {
   CLI::App app("A laboratory for foveated previews: renderer, user study, statistics.", "foveola");
   app.set_version_flag("--version", "foveola " + build_info().version + " (computing with " +
                                         build_info().instruction_set + ")");
+  app.option_defaults()->always_capture_default();  // Before the commands, which inherit it.
   app.require_subcommand(1);
   app.parse_complete_callback([&] { keep_outputs_apart(app); });
   const SceneFinder find_scene = [](const std::string& name) {
@@ -201,6 +201,10 @@ int run(int argc, char** argv) {
   analysis::add_analysis_commands(app, signals.token());
   analysis::add_replicate(app, signals.token());
   add_command_line_commands(app, analysis::manual_text());
+  if (argc > 2 && argv[1] == std::string_view(complete_command)) {
+    print_text("{}", completions(describe(app), {argv + 2, argv + argc}));
+    return EXIT_SUCCESS;
+  }
   try {
     check_numbers(app);
     reject_unknown_commands(app, {argv + 1, argv + argc});

@@ -13,6 +13,7 @@
 #include "renderer/base/confined_path.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/light_unit_words.h"
 #include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"
 #include "scenes/builtin.h"
@@ -154,10 +155,8 @@ SunAndSky read_sky(TomlReader table) {
 }
 
 void read_light_units(TomlReader& table, SceneSource& source) {
-  constexpr std::array words{Word<LightUnits>{"photometric", LightUnits::photometric},
-                             Word<LightUnits>{"radiometric", LightUnits::radiometric}};
   if (table.has("light_units")) {
-    table.read("light_units", source.light_units.emplace(), words);
+    table.read("light_units", source.light_units.emplace(), light_unit_words);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/light_unit_words.h"
 #include "renderer/base/utf8.h"
 #include "scenes/descriptor.h"
 
@@ -62,9 +63,7 @@ std::string facts_of_file(const SceneSource& source) {
     text += fmt::format("metres_per_unit = {}\n", number(source.metres_per_unit));
   }
   if (source.light_units) {
-    text +=
-        fmt::format("light_units = \"{}\"\n",
-                    *source.light_units == LightUnits::photometric ? "photometric" : "radiometric");
+    text += fmt::format("light_units = \"{}\"\n", word_for(light_unit_words, *source.light_units));
   }
   return text;
 }

@@ -2,6 +2,7 @@
 // written about the keys can then be made from this, or held against it.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,6 +13,26 @@
 #include <vector>
 
 namespace foveola {
+
+/// A key as the code that reads it declares it.
+struct TomlKeyName {
+  // Implicit, so that a key about which nothing needs to be said is its name.
+  template <std::convertible_to<std::string_view> Text>
+  TomlKeyName(const Text& key, std::string_view key_meaning = {},
+              std::string_view text_pattern = {})
+      : name(key), meaning(key_meaning), pattern(text_pattern) {}
+  operator std::string_view() const { return name; }
+
+  std::string_view name;
+  std::string_view meaning;  ///< for people; empty: none stated
+  std::string_view pattern;  ///< a regular expression of ECMA-262 that a text must match; or empty
+  bool is_required = false;  ///< it is an error if the key is absent
+};
+
+inline TomlKeyName required(TomlKeyName key) {
+  key.is_required = true;
+  return key;
+}
 
 /// What a reader asks of a key's value.
 struct TomlKeyRule {
@@ -27,6 +48,8 @@ struct TomlKeyRule {
 struct TomlKey {
   std::string table;  ///< "tracker.validation", also of each of a list of tables; empty: the file
   std::string key;
+  std::string meaning;
+  std::string pattern;
   std::vector<std::string> types;  ///< in the order of asking; any of them will do
   std::optional<double> minimum;
   std::optional<double> maximum;
@@ -44,7 +67,7 @@ class TomlKeys {
   /// In the order in which they were first asked for.
   std::vector<TomlKey> keys() const;
 
-  void asked(const std::string& table, std::string_view key, const TomlKeyRule& rule);
+  void asked(const std::string& table, const TomlKeyName& key, const TomlKeyRule& rule);
   /// All of a table was read, for which the reader asked for these keys.
   void finished(const std::string& table, const std::set<std::string, std::less<>>& asked);
   void required(const std::string& table, std::string_view key);

@@ -46,7 +46,7 @@ TomlReader::TomlReader(std::string file, const toml::table& table, std::string n
       keys_(keys),
       notes_(std::make_shared<std::vector<std::string>>()) {}
 
-std::string_view TomlReader::present_name(std::string_view key, std::string_view former) {
+TomlKeyName TomlReader::present_name(const TomlKeyName& key, std::string_view former) {
   if (keys_ != nullptr) {
     keys_->called_formerly(name_, key, former);
   }
@@ -58,7 +58,7 @@ std::string_view TomlReader::present_name(std::string_view key, std::string_view
   return former;
 }
 
-void TomlReader::read(std::string_view key, std::string& value) {
+void TomlReader::read(const TomlKeyName& key, std::string& value) {
   TomlKeyRule rule = rule_of("text");
   if (!value.empty()) {
     rule.default_text = value;
@@ -76,7 +76,7 @@ std::string TomlReader::text_in(const toml::node& node, std::string_view key) co
   return *text;
 }
 
-void TomlReader::read(std::string_view key, bool& value) {
+void TomlReader::read(const TomlKeyName& key, bool& value) {
   TomlKeyRule rule = rule_of("true or false");
   rule.default_text = fmt::format("{}", value);
   if (const toml::node* node = find(key, rule)) {
@@ -88,13 +88,13 @@ void TomlReader::read(std::string_view key, bool& value) {
   }
 }
 
-void TomlReader::read(std::string_view key, int& value, int minimum, int maximum) {
+void TomlReader::read(const TomlKeyName& key, int& value, int minimum, int maximum) {
   std::int64_t number = value;
   read(key, number, minimum, maximum);
   value = static_cast<int>(number);
 }
 
-void TomlReader::read(std::string_view key, std::optional<int>& value, int minimum, int maximum) {
+void TomlReader::read(const TomlKeyName& key, std::optional<int>& value, int minimum, int maximum) {
   std::int64_t number = value.value_or(0);
   read_whole(key, number, rule_of(whole_number, value, minimum, maximum), minimum, maximum);
   if (has(key)) {
@@ -102,13 +102,13 @@ void TomlReader::read(std::string_view key, std::optional<int>& value, int minim
   }
 }
 
-void TomlReader::read(std::string_view key, std::int64_t& value, std::int64_t minimum,
+void TomlReader::read(const TomlKeyName& key, std::int64_t& value, std::int64_t minimum,
                       std::int64_t maximum) {
   read_whole(key, value, rule_of(whole_number, std::optional(value), minimum, maximum), minimum,
              maximum);
 }
 
-void TomlReader::read(std::string_view key, int& value, const std::vector<int>& choices) {
+void TomlReader::read(const TomlKeyName& key, int& value, const std::vector<int>& choices) {
   TomlKeyRule rule = rule_of(whole_number, std::optional(value), choices.front(), choices.back());
   for (const int choice : choices) {
     rule.words.push_back(fmt::format("{}", choice));
@@ -122,7 +122,7 @@ void TomlReader::read(std::string_view key, int& value, const std::vector<int>& 
   }
 }
 
-void TomlReader::read_whole(std::string_view key, std::int64_t& value, const TomlKeyRule& rule,
+void TomlReader::read_whole(const TomlKeyName& key, std::int64_t& value, const TomlKeyRule& rule,
                             std::int64_t minimum, std::int64_t maximum) {
   if (const toml::node* node = find(key, rule)) {
     const auto number = node->value_exact<std::int64_t>();
@@ -134,11 +134,11 @@ void TomlReader::read_whole(std::string_view key, std::int64_t& value, const Tom
   }
 }
 
-void TomlReader::read(std::string_view key, double& value, double minimum, double maximum) {
+void TomlReader::read(const TomlKeyName& key, double& value, double minimum, double maximum) {
   read_number(key, value, rule_of("number", std::optional(value), minimum, maximum));
 }
 
-void TomlReader::read(std::string_view key, std::optional<double>& value, double minimum,
+void TomlReader::read(const TomlKeyName& key, std::optional<double>& value, double minimum,
                       double maximum) {
   double number = 0.0;
   read_number(key, number, rule_of("number", value, minimum, maximum));
@@ -147,7 +147,7 @@ void TomlReader::read(std::string_view key, std::optional<double>& value, double
   }
 }
 
-void TomlReader::read_number(std::string_view key, double& value, const TomlKeyRule& rule) {
+void TomlReader::read_number(const TomlKeyName& key, double& value, const TomlKeyRule& rule) {
   if (const toml::node* node = find(key, rule)) {
     const auto number = node->is_number() ? node->value<double>() : std::nullopt;
     if (!number || !(*number >= *rule.minimum && *number <= *rule.maximum)) {
@@ -159,7 +159,7 @@ void TomlReader::read_number(std::string_view key, double& value, const TomlKeyR
 }
 
 template <typename Vector>
-void TomlReader::read_vector(std::string_view key, Vector& value, double minimum, double maximum,
+void TomlReader::read_vector(const TomlKeyName& key, Vector& value, double minimum, double maximum,
                              const std::optional<std::string>& default_text) {
   TomlKeyRule rule = rule_of(fmt::format("list of {} numbers", Vector::length()));
   rule.minimum = minimum;
@@ -185,11 +185,11 @@ void TomlReader::read_vector(std::string_view key, Vector& value, double minimum
   }
 }
 
-void TomlReader::read(std::string_view key, Vec2& value, double minimum, double maximum) {
+void TomlReader::read(const TomlKeyName& key, Vec2& value, double minimum, double maximum) {
   read_vector(key, value, minimum, maximum, fmt::format("[{}, {}]", value.x, value.y));
 }
 
-void TomlReader::read(std::string_view key, std::optional<Vec2>& value, double minimum,
+void TomlReader::read(const TomlKeyName& key, std::optional<Vec2>& value, double minimum,
                       double maximum) {
   Vec2 both(0.0F);
   read_vector(key, both, minimum, maximum, std::nullopt);
@@ -198,11 +198,12 @@ void TomlReader::read(std::string_view key, std::optional<Vec2>& value, double m
   }
 }
 
-void TomlReader::read(std::string_view key, Vec3& value, double minimum, double maximum) {
+void TomlReader::read(const TomlKeyName& key, Vec3& value, double minimum, double maximum) {
   read_vector(key, value, minimum, maximum, fmt::format("[{}, {}, {}]", value.x, value.y, value.z));
 }
 
-std::size_t TomlReader::find_word(std::string_view key, const std::vector<std::string_view>& known,
+std::size_t TomlReader::find_word(const TomlKeyName& key,
+                                  const std::vector<std::string_view>& known,
                                   const std::optional<std::string>& default_text) {
   TomlKeyRule rule = rule_of("text");
   rule.words.assign(known.begin(), known.end());
@@ -214,7 +215,7 @@ std::size_t TomlReader::find_word(std::string_view key, const std::vector<std::s
   const std::string text = text_in(*node, key);
   const auto found = std::find(known.begin(), known.end(), text);
   if (found == known.end()) {
-    fail(source(key), fmt::format("there is no {} '{}'", key, text),
+    fail(source(key), fmt::format("there is no {} '{}'", key.name, text),
          did_you_mean(text, {known.begin(), known.end()},
                       fmt::format("choose one of {}", fmt::join(known, ", "))));
   }
@@ -228,7 +229,7 @@ void TomlReader::require(std::string_view key) const {
   }
 }
 
-std::vector<TomlReader::Text> TomlReader::texts(std::string_view key) {
+std::vector<TomlReader::Text> TomlReader::texts(const TomlKeyName& key) {
   const toml::node* node = find(key, rule_of("list of texts"));
   if (node == nullptr) {
     return {};
@@ -251,7 +252,7 @@ std::vector<TomlReader::Text> TomlReader::texts(std::string_view key) {
   return texts;
 }
 
-std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
+std::vector<TomlReader::Text> TomlReader::require_texts(const TomlKeyName& key) {
   note_required(key);
   if (!has(key)) {
     fail(source(), full_name(key) + " is missing", "give a list of names");
@@ -259,7 +260,7 @@ std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
   return texts(key);
 }
 
-std::string TomlReader::require_text(std::string_view key) {
+std::string TomlReader::require_text(const TomlKeyName& key) {
   note_required(key);
   std::string value;
   read(key, value);
@@ -269,9 +270,13 @@ std::string TomlReader::require_text(std::string_view key) {
   return value;
 }
 
-TomlReader TomlReader::table(std::string_view key) {
+TomlReader TomlReader::table(const TomlKeyName& key) { return table(key, "table"); }
+
+TomlReader TomlReader::table_by_ids(const TomlKeyName& key) { return table(key, "table by ids"); }
+
+TomlReader TomlReader::table(const TomlKeyName& key, const char* type) {
   static const toml::table absent;
-  const toml::node* node = find(key, rule_of("table"));
+  const toml::node* node = find(key, rule_of(type));
   if (node != nullptr && !node->is_table()) {
     fail(node->source(), full_name(key) + " must be a table",
          fmt::format("write [{}] on a line of its own", full_name(key)));
@@ -279,7 +284,7 @@ TomlReader TomlReader::table(std::string_view key) {
   return inner(node != nullptr ? *node->as_table() : absent, key);
 }
 
-std::vector<TomlReader> TomlReader::tables(std::string_view key) {
+std::vector<TomlReader> TomlReader::tables(const TomlKeyName& key) {
   const toml::node* node = find(key, rule_of("list of tables"));
   if (node == nullptr) {
     return {};
@@ -320,8 +325,11 @@ TomlReader TomlReader::inner(const toml::table& table, std::string_view key) con
   return reader;
 }
 
-const toml::node* TomlReader::find(std::string_view key, const TomlKeyRule& rule) {
-  asked_.emplace(key);
+const toml::node* TomlReader::find(const TomlKeyName& key, const TomlKeyRule& rule) {
+  if (key.is_required) {
+    require(key);
+  }
+  asked_.emplace(key.name);
   if (keys_ != nullptr) {
     keys_->asked(name_, key, rule);
   }

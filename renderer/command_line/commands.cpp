@@ -19,14 +19,6 @@ void add_manual(CLI::App& app, const ManualText& text) {
       [&app, text] { print_text("{}", manual_page(describe(app), build_info().version, text)); });
 }
 
-/// shell: one of those that the command line accepts.
-std::string completion_for(const std::string& shell, const CommandDescription& program) {
-  if (shell == "bash") {
-    return bash_completion(program);
-  }
-  return shell == "zsh" ? zsh_completion(program) : fish_completion(program);
-}
-
 void add_completion(CLI::App& app) {
   const auto shell = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
@@ -37,7 +29,7 @@ void add_completion(CLI::App& app) {
   command->footer(
       "Examples: source <(foveola completion bash)\n"
       "          foveola completion fish > ~/.config/fish/completions/foveola.fish");
-  command->callback([&app, shell] { print_text("{}", completion_for(*shell, describe(app))); });
+  command->callback([&app, shell] { print_text("{}", completion_script(*shell, app.get_name())); });
 }
 
 }  // namespace

@@ -1,16 +1,48 @@
 #include "renderer/command_line/completion.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "renderer/base/words.h"
 
 namespace foveola {
 namespace {
 
-/// Behind a file's functions: read by `source`, or as the body of the function that it is named
-/// after, when it is called first.
-constexpr const char* zsh_end = R"(
+constexpr const char* bash_script = R"(# bash completion of PROGRAM
+_PROGRAM() {
+  local word rest current=${COMP_WORDS[COMP_CWORD]}
+  COMPREPLY=()
+  while IFS=$'\t' read -r word rest; do
+    if [[ $word != / ]]; then
+      COMPREPLY+=("$word")
+    else
+      # The shell takes quotes and backslashes for part of the word.
+      current=${current#[\"\'=]}
+      mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -f -- "${current//\\/}")
+      compopt -o filenames 2>/dev/null
+    fi
+  done < <("${COMP_WORDS[0]}" __complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+}
+complete -F _PROGRAM PROGRAM
+)";
+
+/// Its end: read by `source`, or as the body of the function that the file is named after, when it
+/// is called first.
+constexpr const char* zsh_script = R"(#compdef PROGRAM
+_PROGRAM() {
+  local line
+  local -a found
+  for line in "${(@f)$(${(Q)words[1]} __complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)}"; do
+    case $line in
+      '') ;;
+      /) compset -P '--*='; _files ;;
+      *) found+=("${${line//:/\\:}/$'\t'/:}") ;;
+    esac
+  done
+  _describe PROGRAM found
+}
 if [ "$funcstack[1]" = _PROGRAM ]; then
   _PROGRAM "$@"
 else
@@ -18,296 +50,105 @@ else
 fi
 )";
 
-std::string zsh_quoted(const std::string& text) {
-  return "'" + replaced_all(text, "'", R"('\'')") + "'";
-}
-
-/// For what _arguments and _describe take apart at colons and brackets.
-std::string zsh_escaped(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '\\' || letter == ':' || letter == '[' || letter == ']') {
-      escaped += '\\';
-    }
-    escaped += letter;
-  }
-  return escaped;
-}
-
-/// ":MESSAGE:ACTION" as _arguments has it; a lone blank is the action that completes nothing.
-std::string zsh_value(const OptionDescription& option, const std::string& message) {
-  std::string action = " ";
-  if (!option.choices.empty()) {
-    action = fmt::format("({})", fmt::join(option.choices, " "));
-  } else if (may_take_file(option)) {
-    action = "_files";
-  }
-  return fmt::format(":{}:{}", zsh_escaped(message), action);
-}
-
-/// What _arguments takes for one name of the option. None of its names is offered twice, unless it
-/// takes many values.
-std::string zsh_option(const OptionDescription& option, const std::string& name) {
-  const std::string before =
-      option.takes_many ? "*" : fmt::format("({})", fmt::join(option.names, " "));
-  const bool takes_value = !option.value_name.empty();
-  const bool may_be_one_word = takes_value && name.starts_with("--");
-  return fmt::format("{}{}{}[{}]{}", before, name, may_be_one_word ? "=" : "",
-                     zsh_escaped(first_clause(option.description)),
-                     takes_value ? zsh_value(option, option.value_name) : "");
-}
-
-std::string zsh_positional(const OptionDescription& positional) {
-  return (positional.takes_many ? "*" : "") + zsh_value(positional, positional.names.front());
-}
-
-/// A call of _arguments with what it completes.
-std::string zsh_arguments(const CommandDescription& command) {
-  std::string call = "  _arguments -C";
-  const auto add = [&call](const std::string& what) { call += " \\\n    " + zsh_quoted(what); };
-  for (const OptionDescription& option : command.options) {
-    for (const std::string& name : option.names) {
-      add(zsh_option(option, name));
-    }
-  }
-  for (const OptionDescription& positional : command.positionals) {
-    add(zsh_positional(positional));
-  }
-  if (!command.commands.empty()) {
-    add("1: :->command");
-    add("*:: :->arguments");
-  }
-  return call + "\n";
-}
-
-/// What follows when _arguments has come to a command, or to what is behind it.
-std::string zsh_inner_commands(const CommandDescription& command, const std::string& function) {
-  std::string list;
-  std::string cases;
-  for (const CommandDescription& inner : command.commands) {
-    list += fmt::format("\n        {}", zsh_quoted(inner.name + ":" +
-                                                   zsh_escaped(first_clause(inner.description))));
-    cases += fmt::format("\n        {0}) {1}_{0} ;;", inner.name, function);
-  }
-  return fmt::format(
-      "  case $state in\n"
-      "    command)\n      commands=({})\n      _describe command commands ;;\n"
-      "    arguments)\n      case $words[1] in{}\n      esac ;;\n"
-      "  esac\n",
-      list, cases);
-}
-
-/// The command's function and, before it, those of its own commands.
-std::string zsh_functions(const CommandDescription& command, const std::string& function) {
-  std::string functions;
-  for (const CommandDescription& inner : command.commands) {
-    functions += zsh_functions(inner, function + "_" + inner.name);
-  }
-  functions += fmt::format("\n{}() {{\n", function);
-  if (command.commands.empty()) {
-    return functions + zsh_arguments(command) + "}\n";
-  }
-  return functions + "  local curcontext=$curcontext line state\n  local -a commands\n" +
-         zsh_arguments(command) + zsh_inner_commands(command, function) + "}\n";
-}
-
-/// The words that were typed, without the program's name and without options, tell the command.
-constexpr const char* fish_functions = R"(# fish completion of PROGRAM
-
-function __PROGRAM_words
-    set -l words (commandline -opc)
-    set -e words[1]
-    for word in $words
-        string match -q -- '-*' $word
-        or echo $word
+constexpr const char* fish_script = R"(# fish completion of PROGRAM
+function __PROGRAM_complete
+    set -l current (commandline -ct)
+    set -l words (commandline -opc) "$current"
+    for line in (command $words[1] __complete $words[2..-1] 2>/dev/null)
+        if test "$line" = /
+            __fish_complete_path "$current"
+        else
+            echo $line
+        end
     end
 end
-
-# Whether these are all the words so far.
-function __PROGRAM_at
-    set -l words (__PROGRAM_words)
-    test "$words" = "$argv"
-end
-
-# Whether these are the first of the words so far.
-function __PROGRAM_in
-    set -l words (__PROGRAM_words)
-    set -l count (count $argv)
-    test (count $words) -ge $count
-    and test "$words[1..$count]" = "$argv"
-end
-
-complete -c PROGRAM -f
+complete -c PROGRAM -f -a '(__PROGRAM_complete)'
 )";
 
-std::string fish_quoted(const std::string& text) {
-  return "'" + replaced_all(replaced_all(text, "\\", "\\\\"), "'", "\\'") + "'";
-}
+constexpr std::array scripts{Word<const char*>{"bash", bash_script},
+                             Word<const char*>{"zsh", zsh_script},
+                             Word<const char*>{"fish", fish_script}};
 
-/// The part of a `complete` that says which values follow.
-std::string fish_value(const OptionDescription& option) {
-  if (!option.choices.empty()) {
-    return fmt::format(" -x -a {}", fish_quoted(fmt::format("{}", fmt::join(option.choices, " "))));
-  }
-  return may_take_file(option) ? " -r -F" : " -x";
-}
+/// What may stand in one place.
+struct Candidates {
+  std::vector<std::pair<std::string, std::string>> words;  ///< with their descriptions
+  bool has_files = false;
 
-/// `complete`: the beginning of a line of the script. condition: a command of fish.
-std::string fish_complete(const std::string& program, const std::string& condition) {
-  return fmt::format("complete -c {} -n {}", program, fish_quoted(condition));
-}
-
-std::string fish_option(const OptionDescription& option) {
-  std::string names;
-  for (const std::string& name : option.names) {
-    const bool is_long = name.starts_with("--");
-    names += (is_long ? " -l " : " -s ") + name.substr(is_long ? 2 : 1);
-  }
-  return fmt::format("{}{} -d {}\n", names, option.value_name.empty() ? "" : fish_value(option),
-                     fish_quoted(first_clause(option.description)));
-}
-
-std::string fish_positional(const OptionDescription& positional) {
-  return may_take_file(positional)
-             ? " -F\n"
-             : fmt::format(" -a {}\n",
-                           fish_quoted(fmt::format("{}", fmt::join(positional.choices, " "))));
-}
-
-/// The lines for a command and for its own. path: the words that name it, each behind a blank.
-std::string fish_lines(const std::string& program, const CommandDescription& command,
-                       const std::string& path) {
-  const bool is_last = command.commands.empty();
-  const std::string begin =
-      fish_complete(program, fmt::format("__{}_{}{}", program, is_last ? "in" : "at", path));
-  std::string lines;
-  for (const OptionDescription& option : command.options) {
-    lines += begin + fish_option(option);
-  }
-  for (const OptionDescription& positional : command.positionals) {
-    lines += begin + fish_positional(positional);
-  }
-  for (const CommandDescription& inner : command.commands) {
-    lines += fmt::format("{} -a {} -d {}\n", begin, inner.name,
-                         fish_quoted(first_clause(inner.description)));
-  }
-  for (const CommandDescription& inner : command.commands) {
-    lines += fish_lines(program, inner, path + " " + inner.name);
-  }
-  return lines;
-}
-
-/// What goes through the words. Its variables are those of the functions that it calls, which are
-/// the tables.
-constexpr const char* bash_function = R"(
-_PROGRAM() {
-  local IFS=$' \t\n' current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  # Of --option=value bash makes three words.
-  if [[ $current == = ]]; then
-    current=
-  elif [[ $previous == = ]]; then
-    previous=${COMP_WORDS[COMP_CWORD - 2]}
-  fi
-  local command=PROGRAM word commands options words files
-  COMPREPLY=()
-  _PROGRAM_command "$command"
-  for word in "${COMP_WORDS[@]:1:COMP_CWORD - 1}"; do
-    if [[ ${#commands[@]} -eq 0 ]]; then
-      break
-    elif [[ $word != -* ]]; then
-      command+=" $word"
-      _PROGRAM_command "$command" || return 0
-    fi
-  done
-  if ! _PROGRAM_value "$command $previous"; then
-    if [[ $current == -* ]]; then
-      words=("${options[@]}") files=
-    else
-      words+=("${commands[@]}")
-    fi
-  fi
-  for word in "${words[@]}"; do
-    if [[ $word == "$current"* ]]; then
-      COMPREPLY+=("$word")
-    fi
-  done
-  if [[ -n $files ]]; then
-    # The shell takes quotes and backslashes for part of the word.
-    current=${current#[\"\']}
-    mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -f -- "${current//\\/}")
-    compopt -o filenames 2>/dev/null
-  fi
-}
-
-complete -F _PROGRAM PROGRAM
-)";
-
-std::string bash_words(const std::vector<std::string>& words) {
-  return fmt::format("({})", fmt::join(words, " "));
-}
-
-std::vector<std::string> bash_choices(const std::vector<OptionDescription>& positionals) {
-  std::vector<std::string> choices;
-  for (const OptionDescription& positional : positionals) {
-    choices.insert(choices.end(), positional.choices.begin(), positional.choices.end());
-  }
-  return choices;
-}
-
-/// A case of the table of commands, and those of its own commands.
-std::string bash_command_cases(const CommandDescription& command, const std::string& path) {
-  std::vector<std::string> names;
-  std::string inner_cases;
-  for (const CommandDescription& inner : command.commands) {
-    names.push_back(inner.name);
-    inner_cases += bash_command_cases(inner, path + " " + inner.name);
-  }
-  std::vector<std::string> options;
-  for (const OptionDescription& option : command.options) {
-    options.insert(options.end(), option.names.begin(), option.names.end());
-  }
-  const bool has_files =
-      std::any_of(command.positionals.begin(), command.positionals.end(), may_take_file);
-  return fmt::format("    '{}')\n      commands={} words={} files={}\n      options={} ;;\n", path,
-                     bash_words(names), bash_words(bash_choices(command.positionals)),
-                     has_files ? "yes" : "", bash_words(options)) +
-         inner_cases;
-}
-
-/// A case of the table of values for each option of the command, and those of its own commands.
-std::string bash_value_cases(const CommandDescription& command, const std::string& path) {
-  std::string cases;
-  for (const OptionDescription& option : command.options) {
-    if (option.value_name.empty()) {
-      continue;
+  /// Those of a value.
+  void add_values(const OptionDescription& option) {
+    for (const std::string& choice : option.choices) {
+      words.emplace_back(choice, "");
     }
-    std::vector<std::string> patterns;
-    for (const std::string& name : option.names) {
-      patterns.push_back(fmt::format("'{} {}'", path, name));
+    has_files = has_files || may_take_file(option);
+  }
+};
+
+/// The command that the words name, and all but the last; null if there is no such.
+const CommandDescription* find_command(const CommandDescription& program,
+                                       const std::vector<std::string>& words) {
+  const CommandDescription* command = &program;
+  for (auto word = words.begin(); word + 1 != words.end() && !command->commands.empty(); ++word) {
+    if (!word->starts_with('-')) {
+      const auto inner = std::ranges::find(command->commands, *word, &CommandDescription::name);
+      if (inner == command->commands.end()) {
+        return nullptr;
+      }
+      command = &*inner;
     }
-    cases += fmt::format("    {}) words={} files={} ;;\n", fmt::join(patterns, " | "),
-                         bash_words(option.choices), may_take_file(option) ? "yes" : "");
   }
-  for (const CommandDescription& inner : command.commands) {
-    cases += bash_value_cases(inner, path + " " + inner.name);
-  }
-  return cases;
+  return command;
 }
 
-/// A function that looks its argument up, and fails if it is none of the cases.
-std::string bash_table(const std::string& name, const std::string& cases) {
-  return fmt::format("\n{}() {{\n  case $1 in\n{}    *) return 1 ;;\n  esac\n}}\n", name, cases);
+/// Null if the command has no option of this name that takes a value.
+const OptionDescription* find_valued_option(const CommandDescription& command,
+                                            const std::string& name) {
+  const auto option = std::ranges::find_if(command.options, [&](const OptionDescription& known) {
+    return !known.value_name.empty() && std::ranges::find(known.names, name) != known.names.end();
+  });
+  return option != command.options.end() ? &*option : nullptr;
+}
+
+Candidates candidates_for(const CommandDescription& command,
+                          const std::vector<std::string>& words) {
+  Candidates found;
+  const OptionDescription* option =
+      words.size() > 1 ? find_valued_option(command, words[words.size() - 2]) : nullptr;
+  if (option != nullptr) {
+    found.add_values(*option);
+  } else if (words.back().starts_with('-')) {
+    for (const OptionDescription& known : command.options) {
+      for (const std::string& name : known.names) {
+        found.words.emplace_back(name, first_clause(known.description));
+      }
+    }
+  } else {
+    for (const OptionDescription& positional : command.positionals) {
+      found.add_values(positional);
+    }
+    for (const CommandDescription& inner : command.commands) {
+      found.words.emplace_back(inner.name, first_clause(inner.description));
+    }
+  }
+  return found;
+}
+
+/// Puts --option=value as two words. Returns what stood before the value in its word.
+std::string split_value(std::vector<std::string>& words) {
+  const std::string last = words.back();
+  const std::size_t equals = last.find('=');
+  if (last == "=") {
+    words.back().clear();
+  } else if (words.size() > 1 && words[words.size() - 2] == "=") {
+    words.erase(words.end() - 2);
+  } else if (last.starts_with("--") && equals != std::string::npos) {
+    words.back() = last.substr(0, equals);
+    words.push_back(last.substr(equals + 1));
+    return last.substr(0, equals + 1);
+  }
+  return "";
 }
 
 }  // namespace
-
-std::string replaced_all(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
 
 std::string first_clause(const std::string& description) {
   std::size_t end = description.size();
@@ -317,23 +158,29 @@ std::string first_clause(const std::string& description) {
   return description.substr(0, end);
 }
 
-std::string bash_completion(const CommandDescription& program) {
-  const std::string& name = program.name;
-  return fmt::format("# bash completion of {}\n\n# What can follow a command.", name) +
-         bash_table("_" + name + "_command", bash_command_cases(program, name)) +
-         "\n# What can follow an option that takes a value." +
-         bash_table("_" + name + "_value", bash_value_cases(program, name)) +
-         replaced_all(bash_function, "PROGRAM", name);
+std::string completions(const CommandDescription& program, std::vector<std::string> words) {
+  const std::string before = split_value(words);
+  const CommandDescription* command = find_command(program, words);
+  if (command == nullptr) {
+    return "";
+  }
+  const Candidates found = candidates_for(*command, words);
+  std::string lines;
+  for (const auto& [word, description] : found.words) {
+    if (word.starts_with(words.back())) {
+      lines += before + word + (description.empty() ? "" : "\t" + description) + "\n";
+    }
+  }
+  return found.has_files ? lines + "/\n" : lines;
 }
 
-std::string fish_completion(const CommandDescription& program) {
-  return replaced_all(fish_functions, "PROGRAM", program.name) +
-         fish_lines(program.name, program, "");
-}
-
-std::string zsh_completion(const CommandDescription& program) {
-  return fmt::format("#compdef {}\n", program.name) + zsh_functions(program, "_" + program.name) +
-         replaced_all(zsh_end, "PROGRAM", program.name);
+std::string completion_script(const std::string& shell, const std::string& program) {
+  constexpr std::string_view place = "PROGRAM";
+  std::string script = value_of(scripts, shell);
+  for (std::size_t at = script.find(place); at != std::string::npos; at = script.find(place, at)) {
+    script.replace(at, place.size(), program);
+  }
+  return script;
 }
 
 }  // namespace foveola

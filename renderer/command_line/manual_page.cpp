@@ -1,11 +1,14 @@
 #include "renderer/command_line/manual_page.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "renderer/base/words.h"
 
 namespace foveola {
 namespace {
@@ -177,37 +180,24 @@ std::string part_of(const ManualSection& written) {
 }  // namespace
 
 std::string roff_text(std::string_view text) {
+  constexpr auto escapes = std::to_array<Word<char>>({{"\\(rs", '\\'},
+                                                      {"\\-", '-'},
+                                                      {"\\(aq", '\''},
+                                                      {"\\(dq", '"'},
+                                                      {"\\(ga", '`'},
+                                                      {"\\(ha", '^'},
+                                                      {"\\(ti", '~'}});
   std::string roff;
   char before = ' ';
   for (const char letter : text) {
-    switch (letter) {
-      case '\\':
-        roff += "\\(rs";
-        break;
-      case '-':
-        roff += "\\-";
-        break;
-      case '\'':
-        roff += "\\(aq";
-        break;
-      case '"':
-        roff += "\\(dq";
-        break;
-      case '`':
-        roff += "\\(ga";
-        break;
-      case '^':
-        roff += "\\(ha";
-        break;
-      case '~':
-        roff += "\\(ti";
-        break;
-      case '.':
-        // A dot that begins a line begins a request, and any word may come to begin one.
-        roff += before == ' ' || before == '\n' ? "\\&." : ".";
-        break;
-      default:
-        roff += letter;
+    const auto* const escape = std::ranges::find(escapes, letter, &Word<char>::value);
+    // A dot that begins a line begins a request, and any word may come to begin one.
+    if (letter == '.' && (before == ' ' || before == '\n')) {
+      roff += "\\&.";
+    } else if (escape != escapes.end()) {
+      roff += escape->text;
+    } else {
+      roff += letter;
     }
     before = letter;
   }

@@ -12,6 +12,7 @@
 #include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
@@ -142,36 +143,27 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
       "preview",
       "Measure without a window whether a live preview's frames are in time, and the latency from "
       "the eye to the display's light");
-  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
-      ->required();
-  command->add_option("--method", arguments->method, "The method, as render's --method")
-      ->capture_default_str();
-  command->add_option("--size", arguments->size, "Size of the film in pixels, WIDTHxHEIGHT")
-      ->capture_default_str();
+  add_scene_option(*command, arguments->scene);
+  command->add_option("--method", arguments->method, "The method, as render's --method");
+  add_film_size_option(*command, arguments->size);
   command->add_option(
       "--view", arguments->view,
       "Resample every frame to a view of so many pixels, WIDTHxHEIGHT (default: do not; "
       "in a window the graphics card does it)");
-  command->add_option("--tracker", arguments->tracker, "The tracker: a profile's name or file")
-      ->capture_default_str();
-  command->add_option("--display", arguments->display, "The display: a profile's name or file")
-      ->capture_default_str();
+  command->add_option("--tracker", arguments->tracker, "The tracker: a profile's name or file");
+  command->add_option("--display", arguments->display, "The display: a profile's name or file");
   command
       ->add_option("--rate", arguments->rate_hz,
                    "The display's refresh rate in Hz (default: as its profile says)")
       ->check(CLI::Range(1.0, 1000.0));
   command->add_option("--frames", arguments->frames, "Number of frames")
-      ->check(CLI::Range(1, 10'000'000))
-      ->capture_default_str();
+      ->check(CLI::Range(1, 10'000'000));
   command
       ->add_option("--restart-every", arguments->restart_every,
                    "Begin a new picture after so many frames")
-      ->check(CLI::Range(1, 10'000'000))
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+      ->check(CLI::Range(1, 10'000'000));
+  add_threads_option(*command, arguments->threads);
+  add_json_option(*command, arguments->json);
   command->footer("Example: foveola bench preview arcade --frames 10000");
   command->callback([arguments, find = with_scene_file_options(*command, find_scene), stop] {
     run_bench(*arguments, find, stop);

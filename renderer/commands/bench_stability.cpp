@@ -13,6 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/progress.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/stability/checks.h"
@@ -160,15 +161,13 @@ void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes
       ->excludes(quick);
   command->add_option("--only", arguments->only,
                       "Run only the stress tests whose name contains this");
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads_option(*command, arguments->threads);
   command->add_option("--paths", arguments->scene_paths,
                       "Number of paths over the scenes, instead of what --quick or --full say");
   command->add_option(
       "--seed", arguments->scene_seed,
       "Seed of these paths: many can be traced in several runs, each with its own seed");
-  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  add_json_option(*command, arguments->json);
   command->footer("Example: foveola bench stability --quick");
   command->callback([arguments, scenes, find_scene, stop] {
     run_stability(*arguments, found(scenes, find_scene), stop);

@@ -14,6 +14,7 @@
 #include "renderer/base/cores.h"
 #include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
@@ -35,7 +36,7 @@ struct TracingArguments {
   std::string camera;
   std::vector<int> threads;
   std::uint64_t paths = 1 << 18;
-  int max_depth = TraceSettings{}.max_depth;
+  TraceSettings trace{.seed = 1};
   int repetitions = 7;
   bool no_fast_path = false;
   bool json = false;
@@ -228,7 +229,7 @@ RenderSettings settings_from(const TracingArguments& arguments) {
     settings.scene.camera = parse_vec3("--camera", arguments.camera);
   }
   settings.budget.samples = arguments.paths;
-  settings.progressive.trace = {.max_depth = arguments.max_depth, .seed = 1};
+  settings.progressive.trace = arguments.trace;
   return settings;
 }
 
@@ -263,12 +264,9 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
   const auto arguments = std::make_shared<TracingArguments>();
   CLI::App* command = bench.add_subcommand(
       "tracing", "Measure what a path costs, beside what Embree alone takes for the same rays");
-  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
-      ->required();
-  command->add_option("--method", arguments->method, "The method, as render's --method")
-      ->capture_default_str();
-  command->add_option("--size", arguments->size, "Size of the film in pixels, WIDTHxHEIGHT")
-      ->capture_default_str();
+  add_scene_option(*command, arguments->scene);
+  command->add_option("--method", arguments->method, "The method, as render's --method");
+  add_film_size_option(*command, arguments->size);
   command->add_option("--camera", arguments->camera,
                       "Where the camera stands: x,y,z in metres (default: as in render)");
   command
@@ -277,19 +275,15 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
   command->add_option("--paths", arguments->paths, "Paths of each repetition")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22))
-      ->capture_default_str();
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22));
   command
       ->add_option("--repetitions", arguments->repetitions,
                    "Number of repetitions, whose median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str();
+      ->check(CLI::Range(1, 1000));
+  add_max_depth_option(*command, arguments->trace.max_depth);
   command->add_flag("--no-fast-path", arguments->no_fast_path,
                     "Measure the general path too, and what the fast path gains over it");
-  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  add_json_option(*command, arguments->json);
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
   command->callback([arguments, stop, find = with_scene_file_options(*command, find_scene)] {
     run(*arguments, find, stop);

@@ -11,6 +11,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/image/image_file.h"
@@ -189,7 +190,7 @@ void add_compare(CLI::App& app) {
       ->delimiter(',')
       ->expected(2)
       ->needs(display);
-  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  add_json_option(*command, arguments->json);
   command->footer(
       "Example: foveola compare view.png reference.png --display desktop --fixation 320,240");
   command->callback([arguments] { run_compare(*arguments); });

@@ -1,6 +1,7 @@
 #include "renderer/commands/look_options.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string_view>
 
@@ -8,9 +9,14 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/words.h"
+#include "renderer/command_line/common_options.h"
 
 namespace foveola {
 namespace {
+
+constexpr std::array tone_curves{Word<ToneCurve>{"plain", ToneCurve::plain},
+                                 Word<ToneCurve>{"filmic", ToneCurve::filmic}};
 
 /// The help text of --environment.
 constexpr const char* environment_help =
@@ -109,8 +115,13 @@ void add_tone_option(CLI::App& command, LookArguments& arguments) {
       .add_option("--tone", arguments.tone,
                   "How bright light is shown: plain (cut off at white) or filmic (rolling off "
                   "towards it)")
-      ->check(CLI::IsMember({"plain", "filmic"}))
-      ->capture_default_str();
+      ->check(CLI::IsMember(texts_of(tone_curves)));
+}
+
+void add_path_options(CLI::App& command, TraceSettings& trace) {
+  add_max_depth_option(command, trace.max_depth);
+  command.add_option("--seed", trace.seed,
+                     "Seed of the random numbers; another seed gives other noise");
 }
 
 SceneChoices scene_choices(const LookArguments& arguments) {
@@ -178,7 +189,7 @@ ExposureChoice exposure_choice(const LookArguments& arguments) {
 }
 
 ToneCurve tone_curve(const LookArguments& arguments) {
-  return arguments.tone == "filmic" ? ToneCurve::filmic : ToneCurve::plain;
+  return value_of(tone_curves, arguments.tone);
 }
 
 ImageFacts light_facts(const LookArguments& arguments) {

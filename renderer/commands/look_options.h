@@ -11,6 +11,7 @@
 #include "renderer/image/tone_mapping.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/trace/path_tracer.h"
 
 namespace CLI {
 class App;
@@ -44,6 +45,9 @@ void add_light_options(CLI::App& command, LookArguments& arguments);
 void add_exposure_option(CLI::App& command, LookArguments& arguments);
 /// --tone.
 void add_tone_option(CLI::App& command, LookArguments& arguments);
+
+/// --max-depth and --seed.
+void add_path_options(CLI::App& command, TraceSettings& trace);
 
 /// Where to stand and look, by --camera and --head. Throws UsageError.
 SceneChoices scene_choices(const LookArguments& arguments);

@@ -8,6 +8,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/film_parts.h"
 #include "renderer/image/image_file.h"
@@ -51,7 +52,7 @@ void add_merge_images(CLI::App& app) {
   command->add_option("PART", arguments->parts, "The .film of each part, in any order")->required();
   command->add_option("-o,--output", arguments->output, "The image to write, as .exr, .png or .jpg")
       ->required();
-  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  add_json_option(*command, arguments->json);
   command->footer(
       "Example: foveola render arcade --shard 1/2 -o 1.film (and 2/2, elsewhere), then\n"
       "         foveola merge-images 1.film 2.film -o arcade.exr");

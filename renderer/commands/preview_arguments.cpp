@@ -1,10 +1,12 @@
 #include "renderer/commands/preview_arguments.h"
 
-#include <utility>
+#include <array>
 
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/files.h"
+#include "renderer/base/words.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"
@@ -14,6 +16,16 @@
 
 namespace foveola {
 namespace {
+
+constexpr auto overlays =
+    std::to_array<Word<bool PreviewChoices::*>>({{"gaze", &PreviewChoices::shows_gaze},
+                                                 {"rings", &PreviewChoices::shows_rings},
+                                                 {"density", &PreviewChoices::shows_density},
+                                                 {"times", &PreviewChoices::shows_frame_times},
+                                                 {"latency", &PreviewChoices::shows_latency},
+                                                 {"view", &PreviewChoices::shows_view},
+                                                 {"warnings", &PreviewChoices::shows_warnings},
+                                                 {"help", &PreviewChoices::shows_help}});
 
 /// The methods that a key goes through, the one that was asked for first.
 std::vector<std::string> methods_from(const std::string& first) {
@@ -30,15 +42,8 @@ PreviewChoices choices_from(const PreviewArguments& arguments) {
   PreviewChoices choices{
       .methods = methods_from(arguments.method),
       .look = {.fill_unsampled = arguments.fill_unsampled, .curve = tone_curve(arguments.look)}};
-  const std::vector<std::pair<std::string, bool*>> overlays = {
-      {"gaze", &choices.shows_gaze},         {"rings", &choices.shows_rings},
-      {"density", &choices.shows_density},   {"times", &choices.shows_frame_times},
-      {"latency", &choices.shows_latency},   {"view", &choices.shows_view},
-      {"warnings", &choices.shows_warnings}, {"help", &choices.shows_help}};
   for (const std::string& name : arguments.shown) {
-    for (const auto& [overlay, choice] : overlays) {
-      *choice = *choice || name == overlay;
-    }
+    choices.*value_of(overlays, name) = true;
   }
   return choices;
 }
@@ -46,34 +51,24 @@ PreviewChoices choices_from(const PreviewArguments& arguments) {
 }  // namespace
 
 void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "A scene's name, or a .glb, .gltf or .obj file")
-      ->required();
-  command
-      .add_option("--method", arguments.method, "The method to begin with, as render's --method")
-      ->capture_default_str();
-  command.add_option("--size", arguments.size, "Size of the film in pixels, WIDTHxHEIGHT")
-      ->capture_default_str();
-  command
-      .add_option("--display", arguments.display,
-                  "A display's profile, by name or file: a monitor's window, or a headset's two "
-                  "views side by side")
-      ->capture_default_str();
-  CLI::Option* tracker =
-      command
-          .add_option(
-              "--tracker", arguments.tracker,
-              "Where the gaze comes from: pointer, or a tracker's profile (see tracker list)")
-          ->capture_default_str();
+  add_scene_option(command, arguments.scene);
+  command.add_option("--method", arguments.method,
+                     "The method to begin with, as render's --method");
+  add_film_size_option(command, arguments.size);
+  command.add_option("--display", arguments.display,
+                     "A display's profile, by name or file: a monitor's window, or a headset's two "
+                     "views side by side");
+  CLI::Option* tracker = command.add_option(
+      "--tracker", arguments.tracker,
+      "Where the gaze comes from: pointer, or a tracker's profile (see tracker list)");
   add_headset_option(command, arguments.display, arguments.tracker);
   command
       .add_option("--gaze-file", arguments.gaze_file,
                   "Replay a recorded gaze from this file instead")
       ->excludes(tracker);
-  command
-      .add_option(
-          "--gaze-filter", arguments.gaze_filter,
-          std::string("What the gaze goes through before frames use it: ") + gaze_filter_notation)
-      ->capture_default_str();
+  command.add_option(
+      "--gaze-filter", arguments.gaze_filter,
+      std::string("What the gaze goes through before frames use it: ") + gaze_filter_notation);
   command.add_flag("--correct-gaze", arguments.correct_gaze,
                    "Correct the gaze by what each check of the tracker (key c) finds");
   add_viewpoint_options(command, arguments.look);
@@ -81,14 +76,12 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
       .add_option("--head-file", arguments.head_file,
                   "Replay recorded head poses from this file instead")
       ->excludes(command.get_option("--head"));
-  command.add_option("--window", arguments.window, "Size of the window, WIDTHxHEIGHT")
-      ->capture_default_str();
+  command.add_option("--window", arguments.window, "Size of the window, WIDTHxHEIGHT");
   CLI::Option* full_screen = command.add_flag("--full-screen", arguments.full_screen,
                                               "Fill a monitor instead of a window");
   command.add_option("--monitor", arguments.monitor, "Which monitor to fill, counted from 0")
       ->check(CLI::Range(0, 100))
-      ->needs(full_screen)
-      ->capture_default_str();
+      ->needs(full_screen);
   CLI::Option* true_angles = command.add_flag(
       "--true-angles", arguments.true_angles,
       "Show on a monitor what a pane of its size would let through, as the participants of a study "
@@ -103,8 +96,7 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
       "Fill unsampled pixels from what is known around them; they are black otherwise");
   command.add_option("--show", arguments.shown, "Overlays to show to begin with")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {"gaze", "rings", "density", "times", "latency", "view", "warnings", "help"}));
+      ->check(CLI::IsMember(texts_of(overlays)));
   command.add_flag("--watch", arguments.watch,
                    "Expect the scene's files to change, so that the first change, too, is shown as "
                    "soon as later ones; rays take a third longer");
@@ -118,18 +110,9 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
           "--screenshot", arguments.screenshot,
           "Write the last frame's picture, with all that stands over it, as .png, .jpg or .exr"))
       ->needs(frames);
-  command
-      .add_option("--max-depth", arguments.trace.max_depth, "The most surface vertices of a path")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      .add_option("--seed", arguments.trace.seed,
-                  "Seed of the random numbers; another seed gives other noise")
-      ->capture_default_str();
-  command.add_option("--threads", arguments.threads, "Number of threads; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command.add_flag("--json", arguments.json, "Print the report as JSON");
+  add_path_options(command, arguments.trace);
+  add_threads_option(command, arguments.threads);
+  add_json_option(command, arguments.json);
 }
 
 PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFinder& find_scene) {

@@ -7,12 +7,16 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/words.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/progressive/render_limits.h"
 
 namespace foveola {
 namespace {
 
+constexpr std::array splits{Word<RenderPart::By>{"tiles", RenderPart::By::tiles},
+                            Word<RenderPart::By>{"seeds", RenderPart::By::seeds}};
 constexpr double usual_samples_per_pixel = 32.0;
 constexpr double usual_samples_per_pixel_of_panorama = 16.0;
 
@@ -99,7 +103,6 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
           "Where the samples go: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or a "
           "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
           "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
-      ->capture_default_str()
       ->group("360-degree image");
   command
       .add_option("--gaze", arguments.gaze,
@@ -122,7 +125,6 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
       .add_option("--view-size", arguments.view_size,
                   "Size of the display's image in pixels, WIDTHxHEIGHT")
       ->needs(view)
-      ->capture_default_str()
       ->group("360-degree image");
   command
       .add_flag("--fill-unsampled", arguments.fill_unsampled,
@@ -158,9 +160,8 @@ std::optional<RenderPart> part_from(const RenderArguments& arguments) {
   require(arguments.adaptive_contrast == 0.0, "--shard",
           "does not go with --adaptive, which looks at the whole film");
   require(arguments.view.empty(), "--shard", "has no --view: that is of the whole film");
-  return RenderPart{
-      .shard = parse_shard("--shard", arguments.shard),
-      .by = arguments.split == "seeds" ? RenderPart::By::seeds : RenderPart::By::tiles};
+  return RenderPart{.shard = parse_shard("--shard", arguments.shard),
+                    .by = value_of(splits, arguments.split)};
 }
 
 void add_part_options(CLI::App& command, RenderArguments& arguments) {
@@ -175,8 +176,7 @@ void add_part_options(CLI::App& command, RenderArguments& arguments) {
                   "its own, so that together they are the whole image bit for bit; or seeds, each "
                   "of which takes a part of the samples, from random numbers of its own")
       ->needs(shard)
-      ->check(CLI::IsMember({"tiles", "seeds"}))
-      ->capture_default_str()
+      ->check(CLI::IsMember(texts_of(splits)))
       ->group("Parts");
   command
       .add_flag("--resume", arguments.resume,
@@ -188,18 +188,8 @@ void add_part_options(CLI::App& command, RenderArguments& arguments) {
 void add_tracing_options(CLI::App& command, RenderArguments& arguments) {
   command.add_flag("--variance", arguments.settings.progressive.keep_variances,
                    "Add to the .exr the variance of the luminance of each pixel's samples");
-  command
-      .add_option("--max-depth", arguments.settings.progressive.trace.max_depth,
-                  "The most surface vertices of a path; 1 is direct light alone")
-      ->capture_default_str();
-  command
-      .add_option("--seed", arguments.settings.progressive.trace.seed,
-                  "Seed of the random numbers; another seed gives other noise")
-      ->capture_default_str();
-  command
-      .add_option("--threads", arguments.settings.threads,
-                  "Number of threads; 0: one for each core")
-      ->capture_default_str();
+  add_path_options(command, arguments.settings.progressive.trace);
+  add_threads_option(command, arguments.settings.threads);
   command.add_flag("--diffuse", arguments.settings.scene.diffuse,
                    "Show every material as Lambertian in its base colour, to compare renderers");
   command.add_option("--clamp", arguments.largest_radiance,
@@ -247,8 +237,7 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
 }
 
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "A scene's name, or a .glb, .gltf or .obj file")
-      ->required();
+  add_scene_option(command, arguments.scene);
   command.add_option(
       "-o,--output", arguments.output,
       "The image to write, as .exr (R, G, B, samples), .png or .jpg; or a .film, which "
@@ -276,7 +265,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       "--replay", arguments.replay,
       "Instead of rendering, trace one path of this render again and print its vertices: "
       "x,y,sample");
-  command.add_flag("--json", arguments.json, "Print the result as JSON");
+  add_json_option(command, arguments.json);
 }
 
 }  // namespace foveola

@@ -15,6 +15,7 @@
 #include "renderer/base/output_guard.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/object_sheet.h"
@@ -196,9 +197,7 @@ void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
   add_viewpoint_options(*command, arguments->look);
   add_light_options(*command, arguments->look);
   add_exposure_option(*command, arguments->look);
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads_option(*command, arguments->threads);
   command->footer("Example: foveola scene describe kitchen.glb");
   command->callback([arguments, descriptor_text, stop] {
     describe(*arguments, source_of_file(arguments->file), descriptor_text, stop);

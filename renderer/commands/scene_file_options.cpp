@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "renderer/base/light_unit_words.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
@@ -17,7 +18,7 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
           "Units of a glTF file's punctual lights: photometric (lux and candela, divided by "
           "683 lm/W) or radiometric (taken as they are); the default is photometric in "
           "files by Blender's exporter from 3.4.40 on, and radiometric in others")
-      ->check(CLI::IsMember({"photometric", "radiometric"}));
+      ->check(CLI::IsMember(texts_of(light_unit_words)));
   command.add_flag(
       "--strict", arguments.strict,
       "Refuse a scene with a texture or a material library that is missing or cannot be "
@@ -37,8 +38,7 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
 
 void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& source) {
   if (!arguments.light_units.empty()) {
-    source.light_units =
-        arguments.light_units == "photometric" ? LightUnits::photometric : LightUnits::radiometric;
+    source.light_units = value_of(light_unit_words, arguments.light_units);
   }
   source.strict = source.strict || arguments.strict;
   if (arguments.time_s) {

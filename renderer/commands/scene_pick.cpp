@@ -9,6 +9,7 @@
 #include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
@@ -81,8 +82,7 @@ void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene, const std::s
   const auto arguments = std::make_shared<PickArguments>();
   CLI::App* command =
       scene.add_subcommand("pick", "Which object a gaze meets first, of which material, and where");
-  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
-      ->required();
+  add_scene_option(*command, arguments->scene);
   command->add_option(
       "--gaze", arguments->gaze,
       "Where the eye looks: azimuth,elevation in degrees in the world (default: where the head "

@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
@@ -152,16 +153,11 @@ void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
                       "Scenes' names or files (default: the built-in ones)");
   command->add_option("-o,--output", arguments->output, "The .png or .exr file to write")
       ->required();
-  command
-      ->add_option("--size", arguments->size,
-                   "Size of a scene's 360-degree image in pixels, WIDTHxHEIGHT")
-      ->capture_default_str();
+  command->add_option("--size", arguments->size,
+                      "Size of a scene's 360-degree image in pixels, WIDTHxHEIGHT");
   command->add_option("--spp", arguments->samples_per_pixel, "Samples per pixel of that image")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+      ->check(CLI::Range(1, 1'000'000));
+  add_threads_option(*command, arguments->threads);
   add_light_options(*command, arguments->look);
   add_exposure_option(*command, arguments->look);
   add_tone_option(*command, arguments->look);

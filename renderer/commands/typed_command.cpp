@@ -1,9 +1,11 @@
 #include "renderer/commands/typed_command.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -14,6 +16,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/similar_word.h"
+#include "renderer/command_line/command_description.h"
 
 namespace foveola {
 namespace {
@@ -62,35 +65,19 @@ std::string check_whole_number(std::string& text) {
   return {};
 }
 
-/// Groups of options are commands without a name.
-bool is_command(const CLI::App& app) { return !app.get_name().empty(); }
-
-std::vector<const CLI::App*> subcommands(const CLI::App& app, bool are_commands) {
-  return app.get_subcommands(
-      [&](const CLI::App* command) { return is_command(*command) == are_commands; });
-}
-
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : subcommands(app, true)) {
-    names.push_back(command->get_name());
+  for (const CommandDescription& command : describe(app).commands) {
+    names.push_back(command.name);
   }
   return names;
 }
 
-/// Those that help lists: names of earlier versions are in no group.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      if (!option->get_group().empty()) {
-        names.push_back("--" + name);
-      }
-    }
-  }
-  for (const CLI::App* group : subcommands(app, false)) {
-    const std::vector<std::string> inner = option_names(*group);
-    names.insert(names.end(), inner.begin(), inner.end());
+  for (const OptionDescription& option : describe(app).options) {
+    std::ranges::copy_if(option.names, std::back_inserter(names),
+                         [](const std::string& name) { return name.starts_with("--"); });
   }
   return names;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -26,50 +27,51 @@ namespace {
 
 constexpr std::string_view pointer_name = "pointer";
 
-AcuityModel read_acuity(MethodText& method, const std::string& name) {
-  if (name == "guenter") {
-    return linear_resolution_model(method.number("slope", 0.022, 1e-4, 10.0));
+AcuityModel read_linear_fall_off(MethodText& method) {
+  const double inner = method.number("inner", 10.0, 0.0, 170.0);
+  const double outer = method.number("outer", 20.0, 0.1, 180.0);
+  if (inner >= outer) {
+    method.fail("inner is not below outer", "let the acuity fall from inner to outer");
   }
-  if (name == "linear") {
-    const double inner = method.number("inner", 10.0, 0.0, 170.0);
-    const double outer = method.number("outer", 20.0, 0.1, 180.0);
-    if (inner >= outer) {
-      method.fail("inner is not below outer", "let the acuity fall from inner to outer");
-    }
-    return linear_fall_off_model(inner, outer, method.number("least", 0.05, 0.0, 1.0));
-  }
-  // Weier et al. 2016, the three settings of their study: from memory, unchecked, since the paper's
-  // text is not public.
-  if (name == "weier1") {
-    return linear_fall_off_model(5.0, 10.0, 0.01);
-  }
-  if (name == "weier2") {
-    return linear_fall_off_model(10.0, 20.0, 0.05);
-  }
-  if (name == "weier3") {
-    return linear_fall_off_model(15.0, 30.0, 0.1);
-  }
-  return reddy_model();
+  return linear_fall_off_model(inner, outer, method.number("least", 0.05, 0.0, 1.0));
 }
 
-Eyes read_eyes(MethodText& method) {
-  const std::string eye = method.word("eye", "both", {"left", "right", "both"});
-  return eye == "both" ? Eyes::both : eye == "left" ? Eyes::left : Eyes::right;
-}
+constexpr std::string_view reddy_name = "reddy";
+constexpr std::string_view watson_name = "watson";
+
+/// The models of acuity, each with what reads its settings.
+constexpr auto acuity_models = std::to_array<Word<AcuityModel (*)(MethodText&)>>({
+    {reddy_name, [](MethodText&) { return reddy_model(); }},
+    {"guenter",
+     [](MethodText& method) {
+       return linear_resolution_model(method.number("slope", 0.022, 1e-4, 10.0));
+     }},
+    {"linear", read_linear_fall_off},
+    // Weier et al. 2016, the three settings of their study: from memory, unchecked, since the
+    // paper's text is not public.
+    {"weier1", [](MethodText&) { return linear_fall_off_model(5.0, 10.0, 0.01); }},
+    {"weier2", [](MethodText&) { return linear_fall_off_model(10.0, 20.0, 0.05); }},
+    {"weier3", [](MethodText&) { return linear_fall_off_model(15.0, 30.0, 0.1); }},
+    // Its acuity depends on the meridian, too: WatsonSampler has it.
+    {watson_name, [](MethodText&) { return AcuityModel{}; }},
+});
+
+constexpr auto eyes =
+    std::to_array<Word<Eyes>>({{"left", Eyes::left}, {"right", Eyes::right}, {"both", Eyes::both}});
+constexpr auto measures = std::to_array<Word<EccentricityMeasure>>(
+    {{"planar", EccentricityMeasure::planar}, {"solid-angle", EccentricityMeasure::solid_angle}});
 
 std::unique_ptr<ViewSampler> make_foveated(MethodText& method) {
-  const std::string acuity = method.word(
-      "acuity", "reddy", {"reddy", "guenter", "linear", "weier1", "weier2", "weier3", "watson"});
-  AcuityModel model = read_acuity(method, acuity);
+  const std::string acuity = method.word("acuity", reddy_name, texts_of(acuity_models));
+  AcuityModel model = value_of(acuity_models, acuity)(method);
   const double exponent = method.number("exponent", model.default_exponent, 0.01, 10.0);
   const double cutoff_deg = std::min(method.number("cutoff", 80.0, 0.1, 179.0), model.reach_deg);
-  const bool is_planar = method.word("measure", "planar", {"planar", "solid-angle"}) == "planar";
-  const EccentricityMeasure measure =
-      is_planar ? EccentricityMeasure::planar : EccentricityMeasure::solid_angle;
-  if (acuity == "watson") {
-    return std::make_unique<WatsonSampler>(read_eyes(method), exponent, cutoff_deg, measure);
+  const EccentricityMeasure measure = method.word("measure", "planar", measures);
+  if (acuity == watson_name) {
+    return std::make_unique<WatsonSampler>(method.word("eye", "both", eyes), exponent, cutoff_deg,
+                                           measure);
   }
-  if (acuity == "reddy" && exponent == 1.0 && is_planar) {
+  if (acuity == reddy_name && exponent == 1.0 && measure == EccentricityMeasure::planar) {
     return std::make_unique<FoveatedSampler>(std::make_unique<ReddyDistribution>(cutoff_deg));
   }
   return std::make_unique<FoveatedSampler>(

@@ -1,11 +1,15 @@
 // View methods as people write them: in protocols, on the command line, in records.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "renderer/base/words.h"
 
 namespace foveola {
 
@@ -27,6 +31,11 @@ class MethodText {
   /// One of `known`. Throws Error if the value is none of them.
   std::string word(std::string_view key, std::string_view fallback,
                    const std::vector<std::string>& known);
+  template <typename Value, std::size_t count>
+  Value word(std::string_view key, std::string_view fallback,
+             const std::array<Word<Value>, count>& words) {
+    return value_of(words, word(key, fallback, texts_of(words)));
+  }
 
   /// To be called after everything was read: throws Error for a setting that nothing asked for.
   void reject_unknown_settings() const;

@@ -208,8 +208,7 @@ void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
   command
       ->add_option("--factor", arguments->factor,
                    "Each number is divided by this, and multiplied by it")
-      ->check(CLI::Range(1.001, 1000.0))
-      ->capture_default_str();
+      ->check(CLI::Range(1.001, 1000.0));
   command->add_option(
       "--number", arguments->numbers,
       "Vary only these numbers, such as decision.material_jnd (default: all that need no "

@@ -32,21 +32,8 @@ void add_participants_and_seed(CLI::App* command, int& participants, std::uint64
   command->add_option("--participants", participants, "The number of participants")
       ->check(CLI::Range(1, most_participants))
       ->required();
-  command
-      ->add_option("--seed", seed,
-                   "The seed of orders and simulated people; another one gives others")
-      ->capture_default_str();
-}
-
-void add_threads(CLI::App* command, int& threads) {
-  constexpr int most_threads = 1024;
-  command->add_option("--threads", threads, "The number of threads; 0: one for every core")
-      ->check(CLI::Range(0, most_threads))
-      ->capture_default_str();
-}
-
-void add_json(CLI::App* command, bool& json) {
-  command->add_flag("--json", json, "Print the result as JSON");
+  command->add_option("--seed", seed,
+                      "The seed of orders and simulated people; another one gives others");
 }
 
 void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments,
@@ -57,9 +44,9 @@ void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments
 }
 
 void add_effort_and_json(CLI::App* command, SimulatedBenchArguments& arguments) {
-  add_threads(command, arguments.simulation.threads);
+  add_threads_option(*command, arguments.simulation.threads);
   command->add_option("--jobs", arguments.simulation.jobs, "As in study simulate");
-  add_json(command, arguments.json);
+  add_json_option(*command, arguments.json);
 }
 
 SimulateReport simulate_study(const SimulatedBenchArguments& arguments,

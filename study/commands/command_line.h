@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/command_line/common_options.h"
 #include "study/simulation/simulate_study.h"
 
 namespace foveola::study {
@@ -37,8 +38,6 @@ SimulateReport simulate_study(const SimulatedBenchArguments& arguments,
 void add_protocol(CLI::App* command, std::string& protocol);
 void add_database(CLI::App* command, std::string& database);  ///< the file of a study that exists
 void add_participants_and_seed(CLI::App* command, int& participants, std::uint64_t& seed);
-void add_threads(CLI::App* command, int& threads);
-void add_json(CLI::App* command, bool& json);
 /// PROTOCOL, the folder, the participants and the seed.
 void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments,
                            const std::string& folder_help);

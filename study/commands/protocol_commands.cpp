@@ -15,6 +15,7 @@
 #include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_reference.h"
+#include "study/protocol/protocol_schema.h"
 #include "study/stage/protocol_notes.h"
 #include "study/tables/protocol_json.h"
 #include "study/tables/protocol_tables.h"
@@ -116,7 +117,7 @@ void add_check(CLI::App& study, const SceneFinderBeside& find_scene) {
                                   "be analysed, how long a session takes",
                                   "check demo");
   add_protocol(command, arguments->protocol);
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments, find_scene] { run_check(*arguments, find_scene); });
 }
 
@@ -128,20 +129,25 @@ void add_plan(CLI::App& study) {
       "plan demo --participants 16 --seed 7");
   add_protocol(command, arguments->protocol);
   add_participants_and_seed(command, arguments->participants, arguments->seed);
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments] { run_plan(*arguments); });
 }
 
 void add_keys(CLI::App& study) {
   const auto json = std::make_shared<bool>(false);
+  const auto schema = std::make_shared<bool>(false);
   CLI::App* command = add_command(
       study, "keys",
       "Print every key that protocols, questionnaires' files and profiles may have: type, range, "
       "default and meaning, as Markdown",
       "keys > PROTOCOL.md");
-  add_json(command, *json);
-  command->callback([json] {
-    print_text("{}", *json ? protocol_reference_json().dump(2) + "\n" : protocol_reference());
+  add_json_option(*command, *json);
+  command->add_flag("--schema", *schema, "Print the JSON schema by which editors explain the keys")
+      ->excludes("--json");
+  command->callback([json, schema] {
+    print_text("{}", *schema ? protocol_schema()
+                     : *json ? protocol_reference_json().dump(2) + "\n"
+                             : protocol_reference());
   });
 }
 

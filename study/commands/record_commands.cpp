@@ -283,7 +283,7 @@ void add_status(CLI::App& study) {
                                   "Print which sessions a study's file holds, and how far they are",
                                   "status study.sqlite --json");
   add_database(command, arguments->database);
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments] { run_status(*arguments); });
 }
 
@@ -296,7 +296,7 @@ void add_verify(CLI::App& study) {
   command->add_option(
       "--head", arguments->head,
       "A file of what study status printed earlier: the study must go on from there");
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments] { run_verify(*arguments); });
 }
 

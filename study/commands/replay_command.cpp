@@ -157,8 +157,8 @@ void add_replay(CLI::App& study, const SceneFinderBeside& find_scene, const std:
       "The folder of the files that the protocol names (default: the database's folder)");
   command->add_option("-o,--output", arguments->output,
                       "A folder that gets a picture of each attempt's last view");
-  add_threads(command, arguments->threads);
-  add_json(command, arguments->json);
+  add_threads_option(*command, arguments->threads);
+  add_json_option(*command, arguments->json);
   command->callback([arguments, find_scene, stop] { run_replay(*arguments, find_scene, stop); });
 }
 

@@ -145,14 +145,12 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                       std::string("What a pilot's gaze goes through before frames use it (default: "
                                   "the protocol's): ") +
                           gaze_filter_notation);
-  command->add_option("--window", arguments->window, "The window's size, WIDTHxHEIGHT")
-      ->capture_default_str();
+  command->add_option("--window", arguments->window, "The window's size, WIDTHxHEIGHT");
   CLI::Option* full_screen = command->add_flag("--full-screen", arguments->full_screen,
                                                "Fill a monitor instead of a window");
   command->add_option("--monitor", arguments->monitor, "The monitor to fill, counted from 0")
       ->check(CLI::Range(0, monitor_limit))
-      ->needs(full_screen)
-      ->capture_default_str();
+      ->needs(full_screen);
   command->add_option(
       "--seed", arguments->settings.seed,
       "The seed of orders and noise (default: drawn at random; the record keeps it)");
@@ -161,7 +159,7 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                    "The row of the design that the file's first participant gets, so that sites "
                    "begin with different ones; the others follow it (default: 0)")
       ->check(CLI::Range(0, row_limit));
-  add_threads(command, arguments->settings.threads);
+  add_threads_option(*command, arguments->settings.threads);
   CLI::Option* resume = command->add_flag("--resume", arguments->settings.resumes,
                                           "Go on with this participant's unfinished session");
   command

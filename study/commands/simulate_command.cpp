@@ -159,7 +159,7 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                       "The study's database file; made if there is none, else it must be of the "
                       "same protocol (required, but for --prepare)");
   add_participants_and_seed(command, arguments->settings.participants, arguments->settings.seed);
-  add_threads(command, arguments->settings.threads);
+  add_threads_option(*command, arguments->settings.threads);
   command->add_option("--shard", arguments->shard,
                       "Only the Kth of N parts of the participants, as K/N, in a file of its own: "
                       "foveola study merge makes one study of all of them, as if they had been "
@@ -196,7 +196,7 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                     "Simulate nobody, but render what the caches lack for it: the references, or "
                     "the pilots of --predicted. With --shard, the Kth part of these, so that many "
                     "machines fill a cache that they share");
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments, find_scene, reporter, stop] {
     if (arguments->prepare) {
       run_prepare(*arguments, find_scene, stop);

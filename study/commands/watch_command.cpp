@@ -116,7 +116,7 @@ void add_watch(CLI::App& study, const std::stop_token& stop) {
   add_database(command, arguments->database);
   command->add_option("--participant", arguments->participant,
                       "The participant's code (default: who was begun last)");
-  add_json(command, arguments->json);
+  add_json_option(*command, arguments->json);
   command->callback([arguments, stop] { run_watch(*arguments, stop); });
 }
 

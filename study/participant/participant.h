@@ -12,15 +12,9 @@
 #include "renderer/view/viewport.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
+#include "study/stage/offered_object.h"
 
 namespace foveola::study {
-
-/// An object that may be chosen, as it is seen from the viewpoint.
-struct OfferedObject {
-  std::string name;
-  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< Unit length, world.
-  double radius_deg = 4.0;            ///< Angular radius that covers it.
-};
 
 /// The stimulus of one glance at the display. Nothing in it shows by which method the image was
 /// made.

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,132 +24,93 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
+// A number's place in a Population.
+double& number_in(Population& people, double GazeHabits::* number) { return people.gaze.*number; }
+double& number_in(Population& people, double DecisionHabits::* number) {
+  return people.decision.*number;
+}
+double& number_in(Population& people, double RatingHabits::* number) {
+  return people.rating.*number;
+}
+double& number_in(Population& people, double Background::* number) {
+  return people.background.*number;
+}
+double& number_in(Population& people, double Vision::* number) { return people.vision.*number; }
+
 /// The place of a number in a file and in a Population, and its range.
 struct Parameter {
   std::string_view table;
   std::string_view key;
   double minimum;
   double maximum;
-  double& (*in)(Population& population);
+  std::variant<double GazeHabits::*, double DecisionHabits::*, double RatingHabits::*,
+               double Background::*, double Vision::*>
+      member;
 };
 
 constexpr double tiny = 1e-6;
 
 // The members' order is that of Population.
-constexpr std::array parameters{
-    Parameter{"gaze", "shortest_fixation_s", 0.02, 10.0,
-              [](Population& p) -> double& { return p.gaze.shortest_fixation_s; }},
-    Parameter{"gaze", "longest_fixation_s", 0.02, 10.0,
-              [](Population& p) -> double& { return p.gaze.longest_fixation_s; }},
-    Parameter{"gaze", "saccade_latency_s", 0.0, 2.0,
-              [](Population& p) -> double& { return p.gaze.saccade_latency_s; }},
-    Parameter{"gaze", "saccade_s", 0.001, 0.5,
-              [](Population& p) -> double& { return p.gaze.saccade_s; }},
-    Parameter{"gaze", "saccade_s_per_deg", 0.0, 0.1,
-              [](Population& p) -> double& { return p.gaze.saccade_s_per_deg; }},
-    Parameter{"gaze", "suppression_s", 0.0, 2.0,
-              [](Population& p) -> double& { return p.gaze.suppression_s; }},
-    Parameter{"gaze", "examined_part", 0.0, 1.5,
-              [](Population& p) -> double& { return p.gaze.examined_part; }},
-    Parameter{"gaze", "head_azimuth_deg", 0.0, 360.0,
-              [](Population& p) -> double& { return p.gaze.head_azimuth_deg; }},
-    Parameter{"gaze", "head_elevation_deg", 0.0, 90.0,
-              [](Population& p) -> double& { return p.gaze.head_elevation_deg; }},
-    Parameter{"gaze", "head_turn_s", 0.01, 10.0,
-              [](Population& p) -> double& { return p.gaze.head_turn_s; }},
-    Parameter{"gaze", "head_turn_s_per_deg", 0.0, 0.1,
-              [](Population& p) -> double& { return p.gaze.head_turn_s_per_deg; }},
-    Parameter{"gaze", "eye_in_head_deg", 0.0, 45.0,
-              [](Population& p) -> double& { return p.gaze.eye_in_head_deg; }},
-    Parameter{"gaze", "fixations_per_head_turn", 1.0, 100.0,
-              [](Population& p) -> double& { return p.gaze.fixations_per_head_turn; }},
+constexpr auto parameters = std::to_array<Parameter>(
+    {{"gaze", "shortest_fixation_s", 0.02, 10.0, &GazeHabits::shortest_fixation_s},
+     {"gaze", "longest_fixation_s", 0.02, 10.0, &GazeHabits::longest_fixation_s},
+     {"gaze", "saccade_latency_s", 0.0, 2.0, &GazeHabits::saccade_latency_s},
+     {"gaze", "saccade_s", 0.001, 0.5, &GazeHabits::saccade_s},
+     {"gaze", "saccade_s_per_deg", 0.0, 0.1, &GazeHabits::saccade_s_per_deg},
+     {"gaze", "suppression_s", 0.0, 2.0, &GazeHabits::suppression_s},
+     {"gaze", "examined_part", 0.0, 1.5, &GazeHabits::examined_part},
+     {"gaze", "head_azimuth_deg", 0.0, 360.0, &GazeHabits::head_azimuth_deg},
+     {"gaze", "head_elevation_deg", 0.0, 90.0, &GazeHabits::head_elevation_deg},
+     {"gaze", "head_turn_s", 0.01, 10.0, &GazeHabits::head_turn_s},
+     {"gaze", "head_turn_s_per_deg", 0.0, 0.1, &GazeHabits::head_turn_s_per_deg},
+     {"gaze", "eye_in_head_deg", 0.0, 45.0, &GazeHabits::eye_in_head_deg},
+     {"gaze", "fixations_per_head_turn", 1.0, 100.0, &GazeHabits::fixations_per_head_turn},
 
-    Parameter{"decision", "outline_signal_to_noise", tiny, 1e6,
-              [](Population& p) -> double& { return p.decision.outline_signal_to_noise; }},
-    Parameter{"decision", "material_jnd", tiny, 1e6,
-              [](Population& p) -> double& { return p.decision.material_jnd; }},
-    Parameter{"decision", "integration_s", 0.0, 60.0,
-              [](Population& p) -> double& { return p.decision.integration_s; }},
-    Parameter{"decision", "evidence_limit", 0.01, 100.0,
-              [](Population& p) -> double& { return p.decision.evidence_limit; }},
-    Parameter{"decision", "glance_noise", 0.0, 10.0,
-              [](Population& p) -> double& { return p.decision.glance_noise; }},
-    Parameter{"decision", "criterion_spread", 0.0, 10.0,
-              [](Population& p) -> double& { return p.decision.criterion_spread; }},
-    Parameter{"decision", "drift_per_trial", 0.0, 1.0,
-              [](Population& p) -> double& { return p.decision.drift_per_trial; }},
-    Parameter{"decision", "impatience_per_s", 0.0, 1e3,
-              [](Population& p) -> double& { return p.decision.impatience_per_s; }},
-    Parameter{"decision", "reaction_mean_s", 0.0, 60.0,
-              [](Population& p) -> double& { return p.decision.reaction_mean_s; }},
-    Parameter{"decision", "reaction_deviation_s", 0.0, 10.0,
-              [](Population& p) -> double& { return p.decision.reaction_deviation_s; }},
-    Parameter{"decision", "reaction_tail_s", 0.0, 60.0,
-              [](Population& p) -> double& { return p.decision.reaction_tail_s; }},
-    Parameter{"decision", "reaction_spread", 0.0, 10.0,
-              [](Population& p) -> double& { return p.decision.reaction_spread; }},
-    Parameter{"decision", "lapse_part", 0.0, 1.0,
-              [](Population& p) -> double& { return p.decision.lapse_part; }},
-    Parameter{"decision", "lapse_s", 0.0, 60.0,
-              [](Population& p) -> double& { return p.decision.lapse_s; }},
-    Parameter{"decision", "early_part", 0.0, 1.0,
-              [](Population& p) -> double& { return p.decision.early_part; }},
-    Parameter{"decision", "early_factor", 1.0, 1e6,
-              [](Population& p) -> double& { return p.decision.early_factor; }},
-    // Below 1, or a person who is always early would be timed for ever.
-    Parameter{"decision", "early_noticed_part", 0.0, 0.9,
-              [](Population& p) -> double& { return p.decision.early_noticed_part; }},
+     {"decision", "outline_signal_to_noise", tiny, 1e6, &DecisionHabits::outline_signal_to_noise},
+     {"decision", "material_jnd", tiny, 1e6, &DecisionHabits::material_jnd},
+     {"decision", "integration_s", 0.0, 60.0, &DecisionHabits::integration_s},
+     {"decision", "evidence_limit", 0.01, 100.0, &DecisionHabits::evidence_limit},
+     {"decision", "glance_noise", 0.0, 10.0, &DecisionHabits::glance_noise},
+     {"decision", "criterion_spread", 0.0, 10.0, &DecisionHabits::criterion_spread},
+     {"decision", "drift_per_trial", 0.0, 1.0, &DecisionHabits::drift_per_trial},
+     {"decision", "impatience_per_s", 0.0, 1e3, &DecisionHabits::impatience_per_s},
+     {"decision", "reaction_mean_s", 0.0, 60.0, &DecisionHabits::reaction_mean_s},
+     {"decision", "reaction_deviation_s", 0.0, 10.0, &DecisionHabits::reaction_deviation_s},
+     {"decision", "reaction_tail_s", 0.0, 60.0, &DecisionHabits::reaction_tail_s},
+     {"decision", "reaction_spread", 0.0, 10.0, &DecisionHabits::reaction_spread},
+     {"decision", "lapse_part", 0.0, 1.0, &DecisionHabits::lapse_part},
+     {"decision", "lapse_s", 0.0, 60.0, &DecisionHabits::lapse_s},
+     {"decision", "early_part", 0.0, 1.0, &DecisionHabits::early_part},
+     {"decision", "early_factor", 1.0, 1e6, &DecisionHabits::early_factor},
+     // Below 1, or a person who is always early would be timed for ever.
+     {"decision", "early_noticed_part", 0.0, 0.9, &DecisionHabits::early_noticed_part},
 
-    Parameter{"rating", "second_point_jnd", tiny, 1e6,
-              [](Population& p) -> double& { return p.rating.second_point_jnd; }},
-    Parameter{"rating", "step_factor", 1.01, 1e3,
-              [](Population& p) -> double& { return p.rating.step_factor; }},
-    Parameter{"rating", "pooling_exponent", 1.0, 100.0,
-              [](Population& p) -> double& { return p.rating.pooling_exponent; }},
-    Parameter{"rating", "bias_spread", 0.0, 10.0,
-              [](Population& p) -> double& { return p.rating.bias_spread; }},
-    Parameter{"rating", "noise_spread", 0.0, 10.0,
-              [](Population& p) -> double& { return p.rating.noise_spread; }},
+     {"rating", "second_point_jnd", tiny, 1e6, &RatingHabits::second_point_jnd},
+     {"rating", "step_factor", 1.01, 1e3, &RatingHabits::step_factor},
+     {"rating", "pooling_exponent", 1.0, 100.0, &RatingHabits::pooling_exponent},
+     {"rating", "bias_spread", 0.0, 10.0, &RatingHabits::bias_spread},
+     {"rating", "noise_spread", 0.0, 10.0, &RatingHabits::noise_spread},
 
-    Parameter{"background", "age_mean_years", 0.0, 150.0,
-              [](Population& p) -> double& { return p.background.age_mean_years; }},
-    Parameter{"background", "age_deviation_years", 0.0, 100.0,
-              [](Population& p) -> double& { return p.background.age_deviation_years; }},
-    Parameter{"background", "first_gender_part", 0.0, 1.0,
-              [](Population& p) -> double& { return p.background.first_gender_part; }},
-    Parameter{"background", "scale_mean_part", 0.0, 1.0,
-              [](Population& p) -> double& { return p.background.scale_mean_part; }},
-    Parameter{"background", "scale_deviation_part", 0.0, 1.0,
-              [](Population& p) -> double& { return p.background.scale_deviation_part; }},
+     {"background", "age_mean_years", 0.0, 150.0, &Background::age_mean_years},
+     {"background", "age_deviation_years", 0.0, 100.0, &Background::age_deviation_years},
+     {"background", "first_gender_part", 0.0, 1.0, &Background::first_gender_part},
+     {"background", "scale_mean_part", 0.0, 1.0, &Background::scale_mean_part},
+     {"background", "scale_deviation_part", 0.0, 1.0, &Background::scale_deviation_part},
 
-    Parameter{"vision", "jnd_lab", 0.01, 100.0,
-              [](Population& p) -> double& { return p.vision.jnd_lab; }},
-    Parameter{"vision", "decay_deg", 0.0, 10.0,
-              [](Population& p) -> double& { return p.vision.decay_deg; }},
-    Parameter{"vision", "half_resolution_deg", 0.1, 100.0,
-              [](Population& p) -> double& { return p.vision.half_resolution_deg; }},
-    Parameter{"vision", "chromatic_decay_factor", 0.0, 100.0,
-              [](Population& p) -> double& { return p.vision.chromatic_decay_factor; }},
-    Parameter{"vision", "red_green_decades_per_deg", 0.0, 1.0,
-              [](Population& p) -> double& { return p.vision.red_green_decades_per_deg; }},
-    Parameter{"vision", "recognition_line_pairs", 0.5, 100.0,
-              [](Population& p) -> double& { return p.vision.recognition_line_pairs; }},
-    Parameter{"vision", "surround_factor", 1.0, 5.0,
-              [](Population& p) -> double& { return p.vision.surround_factor; }},
-    Parameter{"vision", "material_cell_deg", 0.05, 10.0,
-              [](Population& p) -> double& { return p.vision.material_cell_deg; }},
-    Parameter{"vision", "view_cell_deg", 0.25, 30.0,
-              [](Population& p) -> double& { return p.vision.view_cell_deg; }},
-    Parameter{"vision", "scale_count", 1.0, 6.0,
-              [](Population& p) -> double& { return p.vision.scale_count; }},
-    Parameter{"vision", "pooling_exponent", 1.0, 100.0,
-              [](Population& p) -> double& { return p.vision.pooling_exponent; }},
-    Parameter{"vision", "object_patch_deg", 0.05, 90.0,
-              [](Population& p) -> double& { return p.vision.object_patch_deg; }},
-    Parameter{"vision", "view_patch_deg", 0.25, 90.0,
-              [](Population& p) -> double& { return p.vision.view_patch_deg; }},
-    Parameter{"vision", "looked_at_deg", 0.5, 45.0,
-              [](Population& p) -> double& { return p.vision.looked_at_deg; }}};
+     {"vision", "jnd_lab", 0.01, 100.0, &Vision::jnd_lab},
+     {"vision", "decay_deg", 0.0, 10.0, &Vision::decay_deg},
+     {"vision", "half_resolution_deg", 0.1, 100.0, &Vision::half_resolution_deg},
+     {"vision", "chromatic_decay_factor", 0.0, 100.0, &Vision::chromatic_decay_factor},
+     {"vision", "red_green_decades_per_deg", 0.0, 1.0, &Vision::red_green_decades_per_deg},
+     {"vision", "recognition_line_pairs", 0.5, 100.0, &Vision::recognition_line_pairs},
+     {"vision", "surround_factor", 1.0, 5.0, &Vision::surround_factor},
+     {"vision", "material_cell_deg", 0.05, 10.0, &Vision::material_cell_deg},
+     {"vision", "view_cell_deg", 0.25, 30.0, &Vision::view_cell_deg},
+     {"vision", "scale_count", 1.0, 6.0, &Vision::scale_count},
+     {"vision", "pooling_exponent", 1.0, 100.0, &Vision::pooling_exponent},
+     {"vision", "object_patch_deg", 0.05, 90.0, &Vision::object_patch_deg},
+     {"vision", "view_patch_deg", 0.25, 90.0, &Vision::view_patch_deg},
+     {"vision", "looked_at_deg", 0.5, 45.0, &Vision::looked_at_deg}});
 
 fs::path people_folder() { return resource_folder() / "data" / "participants"; }
 
@@ -189,7 +151,9 @@ void read_table(TomlReader& file, std::string_view name, People& people) {
   for (const Parameter& parameter : parameters) {
     if (parameter.table == name) {
       people.numbers.push_back(read_number(table, parameter));
-      parameter.in(people.population) = people.numbers.back().value;
+      std::visit(
+          [&](auto member) { number_in(people.population, member) = people.numbers.back().value; },
+          parameter.member);
     }
   }
   table.reject_unknown_keys();

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "study/person/person_session.h"
-#include "study/stage/conduct.h"
+#include "study/stage/offered_object.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {

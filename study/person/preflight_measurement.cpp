@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "renderer/base/error.h"
-#include "renderer/commands/live_window.h"
+#include "renderer/headset/live_window.h"
 #include "study/person/live_attempt.h"
 #include "study/person/words.h"
 

@@ -13,8 +13,8 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "renderer/commands/live_display.h"
-#include "renderer/commands/live_window.h"
+#include "renderer/headset/live_display.h"
+#include "renderer/headset/live_window.h"
 #include "study/console/console_words.h"
 #include "study/console/line_reader.h"
 #include "study/console/screen_console.h"

@@ -9,11 +9,11 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/window/window_event.h"
+#include "study/participant/conduct.h"
 #include "study/participant/participant.h"
 #include "study/person/form_input.h"
 #include "study/person/person_keys.h"
 #include "study/person/prompt_state.h"
-#include "study/stage/conduct.h"
 
 namespace foveola::study {
 

@@ -1,6 +1,7 @@
 #include "study/protocol/measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -8,10 +9,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/words.h"
+
 namespace foveola::study {
 namespace {
 
 constexpr std::size_t most_counted_points = 20;
+
+constexpr std::array measure_kinds{Word<MeasureKind>{"time", MeasureKind::time},
+                                   Word<MeasureKind>{"response", MeasureKind::response},
+                                   Word<MeasureKind>{"rating", MeasureKind::rating},
+                                   Word<MeasureKind>{"answer", MeasureKind::answer}};
 
 /// A label for each point, or for the two ends.
 std::string labelled_points(const Measure& measure) {
@@ -31,19 +39,7 @@ std::string labelled_points(const Measure& measure) {
 
 }  // namespace
 
-const char* name_of(MeasureKind kind) {
-  switch (kind) {
-    case MeasureKind::response:
-      return "response";
-    case MeasureKind::rating:
-      return "rating";
-    case MeasureKind::answer:
-      return "answer";
-    case MeasureKind::time:
-      break;
-  }
-  return "time";
-}
+const char* name_of(MeasureKind kind) { return word_for(measure_kinds, kind); }
 
 std::string Measure::unit() const {
   if (is_time()) {

@@ -32,13 +32,22 @@ namespace foveola::study {
 namespace {
 
 void read_all_settings(TomlReader& reader, Protocol& protocol) {
-  protocol.machine = read_machine(reader.table("machine"));
-  protocol.display = read_display(reader.table("display"), folder_of(protocol));
-  protocol.film = read_film(reader.table("film"), {});
-  protocol.tracker = read_tracker(reader.table("tracker"), folder_of(protocol));
-  protocol.timing = read_timing(reader.table("timing"), {});
-  protocol.reference = read_reference(reader.table("reference"));
-  protocol.preflight = read_preflight(reader.table("preflight"));
+  protocol.machine =
+      read_machine(reader.table({"machine",
+                                 "The machine whose speed simulated participants see, whatever "
+                                 "computer runs the simulation. People see the real one."}));
+  protocol.display = read_display(reader.table({"display", "The display."}), folder_of(protocol));
+  protocol.film = read_film(
+      reader.table({"film", "The film: the 360-degree image that samples are summed in."}), {});
+  protocol.tracker =
+      read_tracker(reader.table({"tracker", "The eye tracker."}), folder_of(protocol));
+  protocol.timing = read_timing(reader.table({"timing", "Time-outs and times."}), {});
+  protocol.reference = read_reference(reader.table(
+      {"reference", "The quality of the reference images that simulated participants expect."}));
+  protocol.preflight =
+      read_preflight(reader.table({"preflight",
+                                   "What has to hold before a person's session begins; what is "
+                                   "left out is measured and recorded, but not asked for."}));
   read_overrides(reader, protocol);
 }
 
@@ -168,8 +177,8 @@ Protocol read_protocol(const std::string& text, const fs::path& path, TomlKeys* 
       parse_toml(path.string(), text, "see protocols/demo.toml for an example");
   TomlReader reader(path.string(), table, "", keys);
   refuse_old_tables(reader, table);
-  protocol.name = reader.require_text("name");
-  protocol.title = reader.require_text("title");
+  protocol.name = reader.require_text({"name", "The study's short name."});
+  protocol.title = reader.require_text({"title", "The study's title, for people."});
   protocol.scenes = read_scenes(reader);
   read_methods(reader, protocol);
   read_texts(reader, protocol);
@@ -178,7 +187,10 @@ Protocol read_protocol(const std::string& text, const fs::path& path, TomlKeys* 
   protocol.questionnaires =
       read_questionnaires(reader, questionnaire_files_in(folder_of(protocol)));
   read_phases(reader, protocol);
-  protocol.analysis = read_analysis(reader.table("analysis"), protocol);
+  protocol.analysis = read_analysis(reader.table({"analysis",
+                                                  "The analysis that is planned before there are "
+                                                  "data; any other comparison is exploratory."}),
+                                    protocol);
   require_computable(reader.table("analysis"), protocol.analysis);
   reader.reject_unknown_keys();
   protocol.notes = reader.notes();
@@ -215,28 +227,6 @@ DisplaySettings read_recorded_display(const std::string& text, const std::string
 }
 
 fs::path folder_of(const Protocol& protocol) { return fs::absolute(protocol.path).parent_path(); }
-
-std::string name_of(Order order) {
-  switch (order) {
-    case Order::fixed:
-      return "fixed";
-    case Order::latin:
-      return "latin";
-    case Order::williams:
-      return "williams";
-    case Order::random:
-      break;
-  }
-  return "random";
-}
-
-std::string name_of(SceneEffects scenes) {
-  return scenes == SceneEffects::random ? "random" : "fixed";
-}
-
-std::string name_of(RatingAnalysis analysis) {
-  return analysis == RatingAnalysis::ordinal_model ? "ordinal_model" : "signed_ranks";
-}
 
 std::string name_of(const PhaseEntry& phase) {
   switch (phase.kind) {

@@ -1,95 +1,165 @@
 #include "study/protocol/protocol_keys.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <iterator>
+#include <string_view>
 
-#include <fmt/format.h>
-
-#include "study/protocol/schema_tables.h"
+#include "renderer/gaze/profiles.h"
+#include "study/protocol/protocol.h"
+#include "study/protocol/read_questions.h"
 
 namespace foveola::study {
 namespace {
 
-/// What the readers ask for in files with these tables.
-std::vector<TomlKey> keys_read(const std::vector<SchemaTable>& tables) {
-  TomlKeys keys;
-  for (const SchemaTable& table : tables) {
-    for (const SchemaJson& example : table.examples) {
-      table.complaint(example, &keys);
-    }
-  }
-  return keys.keys();
+/// Questions of every kind.
+constexpr const char* questions = R"([
+  { id = "presence", text = "How present did you feel?" },
+  { id = "years", text = "For how many years?", kind = "number", minimum = 0, maximum = 99 },
+  { id = "hand", text = "With which?", kind = "choice", options = [{ label = "left" }, { label = "right" }] },
+  { id = "comments", text = "Anything else?", kind = "text" },
+  { id = "artifacts", text = "How many artifacts were there?" }])";
+
+/// A tracker's profile. source: its keys that depend on the source, and that.
+std::string tracker_from(const std::string& source) {
+  return source + R"(
+title = "A tracker"
+rate_hz = 120
+exposure = { duration_ms = 2, provenance = "assumed" }
+transfer = { duration_ms = 2, provenance = "assumed" }
+processing = { duration_ms = 2, provenance = "assumed" }
+)";
 }
 
-DescribedKey described(const TomlKey& key, const SchemaJson& property) {
-  return {.rule = key, .meaning = property.value("description", "")};
+/// A kind of TOML file of a study.
+struct FileKind {
+  std::string name;
+  std::string meaning;
+  /// Reads a text as such a file.
+  void (*read)(const std::string& toml, TomlKeys* keys);
+  /// Files in which its readers ask for every key; the first is the smallest.
+  std::vector<std::string> examples;
+};
+
+constexpr const char* example_name = "example.toml";
+
+std::vector<FileKind> file_kinds() {
+  return {{.name = "protocol",
+           .meaning = "A study of foveated previews: what is compared, in which order, what "
+                      "participants are asked and what is analysed. Settings cascade from the "
+                      "protocol to the scene to the method.",
+           .read = [](const std::string& toml,
+                      TomlKeys* keys) { read_protocol(toml, example_name, keys); },
+           .examples = {smallest_protocol, std::string(smallest_protocol) + R"(
+mark = [{ id = "outline", instruction = "Press." }, { id = "shape", instruction = "Press." }]
+practice = [{ scene = "arcade", method = "fv" }]
+override = [{ scene = "arcade" }]
+display = { fov_deg = [100, 90] }
+tracker = { validation = {}, filter = { hold_s = 0.6, one_euro = {} } }
+reaction = {}
+analysis = { primary = [{ measure = "outline", method = "fv" }] }
+rating = )" + questions + R"(
+questionnaire = [{ id = "debrief", title = "Afterwards", question = )" +
+                                               questions + "}]"}},
+          {.name = "questionnaire file",
+           .meaning = "A questionnaire in a file of its own, which a protocol names by `file` in "
+                      "`[[questionnaire]]`.",
+           .read = [](const std::string& toml,
+                      TomlKeys* keys) { read_questionnaire_file(example_name, toml, keys); },
+           .examples = {std::string("title = \"Afterwards\"\nquestion = ") + questions}},
+          {.name = "display profile",
+           .meaning = "What is known of a display. A protocol names it by `profile` in "
+                      "`[display]`; the program's own are in `data/displays`.",
+           .read = [](const std::string& toml,
+                      TomlKeys* keys) { display_profile_in(toml, example_name, keys); },
+           .examples = {"title = \"By OpenXR\"\nkind = \"openxr\"", R"(title = "Headset"
+kind = "headset"
+width_px = 2560
+height_px = 1440
+refresh_rate_hz = 70
+horizontal_fov_deg = 100
+vertical_fov_deg = 100
+lens = { k1 = 0.1, k2 = 0.05 }
+scan_out = { duration_ms = 14, provenance = "assumed" }
+)",
+                        R"(title = "Monitor"
+kind = "monitor"
+width_px = 1920
+height_px = 1080
+refresh_rate_hz = 60
+width_m = 0.5313
+height_m = 0.2989
+viewing_distance_m = 0.6
+scan_out = { duration_ms = 16.7, provenance = "assumed" }
+measured = { date = "2026-01-31" }
+timing_patch = { corner = "bottom left" }
+)"}},
+          {.name = "tracker profile",
+           .meaning = "What is known of an eye tracker. A protocol names it by `profile` in "
+                      "`[tracker]`; the program's own are in `data/trackers`.",
+           .read = [](const std::string& toml,
+                      TomlKeys* keys) { tracker_profile_in(toml, example_name, keys); },
+           .examples = {tracker_from(R"(source = "simulated")"),
+                        tracker_from(R"(source = "open-gaze")"),
+                        tracker_from("source = \"recorded\"\nrecording = \"gaze.csv\"")}}};
 }
 
-DescribedTable described(const SchemaTable& table, const std::vector<TomlKey>& keys) {
-  DescribedTable result{.file = table.file->name,
-                        .name = table.name,
-                        .is_list = table.is_list,
-                        .is_keyed_by_ids = false,
-                        .meaning = table.meaning,
-                        .keys = {}};
-  const SchemaJson& properties = table.schema.at("properties");
-  for (const auto& [name, property] : properties.items()) {
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const TomlKey& known) {
-      return known.table == table.name && known.key == name;
-    });
-    if (key == keys.end()) {
-      throw std::logic_error(fmt::format("no reader of a {} asks for '{}' in [{}]",
-                                         table.file->name, name, table.name));
+/// The tables of one kind of file.
+class TableWalk {
+ public:
+  explicit TableWalk(const FileKind& kind) : kind_(kind) {
+    TomlKeys asked;
+    for (const std::string& example : kind.examples) {
+      kind.read(example, &asked);
+      if (keys_of_smallest_.empty()) {
+        keys_of_smallest_ = asked.keys();
+      }
     }
-    result.keys.push_back(described(*key, property));
+    keys_ = asked.keys();
+    add("", kind.meaning, "table");
   }
-  for (const TomlKey& key : keys) {
-    if (key.table == table.name && !properties.contains(key.key)) {
-      throw std::logic_error(fmt::format("the schema does not describe '{}' in [{}] of a {}",
-                                         key.key, table.name, table.file->name));
-    }
-  }
-  return result;
-}
 
-/// A table whose keys are not the readers' own.
-DescribedTable keyed_by_ids(const SchemaTable& outer, const std::string& key,
-                            const SchemaJson& property, const std::vector<TomlKey>& keys) {
-  DescribedTable result{.file = outer.file->name,
-                        .name = outer.name.empty() ? key : outer.name + "." + key,
-                        .is_list = false,
-                        .is_keyed_by_ids = true,
-                        .meaning = property.value("description", ""),
-                        .keys = {}};
-  for (const TomlKey& known : keys) {
-    if (known.table == result.name) {
-      result.keys.push_back(described(known, property.at("additionalProperties")));
-    }
-  }
-  return result;
-}
+  std::vector<DescribedTable> tables() && { return std::move(tables_); }
 
-}  // namespace
-
-std::vector<DescribedTable> described_tables() {
-  const std::vector<SchemaTable> tables = schema_tables();
-  std::vector<DescribedTable> result;
-  for (auto begin = tables.begin(); begin != tables.end();) {
-    const auto end = std::find_if(begin + 1, tables.end(),
-                                  [](const SchemaTable& table) { return table.name.empty(); });
-    const std::vector<TomlKey> keys = keys_read(std::vector(begin, end));
+ private:
+  /// The table, then those in it.
+  void add(const std::string& name, const std::string& meaning, std::string_view type) {
+    DescribedTable table{.file = kind_.name,
+                         .name = name,
+                         .is_list = type == "list of tables",
+                         .is_keyed_by_ids = type == "table by ids",
+                         .meaning = meaning,
+                         .keys = {}};
     // Further examples would have further ids.
-    const std::vector<TomlKey> keys_of_smallest = keys_read(std::vector{*begin});
-    for (; begin != end; ++begin) {
-      result.push_back(described(*begin, keys));
-      for (const auto& [key, property] : begin->schema.at("properties").items()) {
-        if (property.value("type", "") == "object" && !property.contains("properties")) {
-          result.push_back(keyed_by_ids(*begin, key, property, keys_of_smallest));
-        }
+    std::ranges::copy_if(table.is_keyed_by_ids ? keys_of_smallest_ : keys_,
+                         std::back_inserter(table.keys),
+                         [&](const TomlKey& key) { return key.table == name; });
+    const std::size_t index = tables_.size();
+    tables_.push_back(std::move(table));
+    for (const TomlKey& key : std::vector(tables_[index].keys)) {
+      if (is_table(key)) {
+        add(name.empty() ? key.key : name + "." + key.key, key.meaning, key.types.front());
       }
     }
   }
-  return result;
+
+  const FileKind& kind_;
+  std::vector<TomlKey> keys_;
+  std::vector<TomlKey> keys_of_smallest_;
+  std::vector<DescribedTable> tables_;
+};
+
+}  // namespace
+
+bool is_table(const TomlKey& key) {
+  return key.types.front().starts_with("table") || key.types.front() == "list of tables";
+}
+
+std::vector<DescribedTable> described_tables() {
+  std::vector<DescribedTable> tables;
+  for (const FileKind& kind : file_kinds()) {
+    std::ranges::move(TableWalk(kind).tables(), std::back_inserter(tables));
+  }
+  return tables;
 }
 
 }  // namespace foveola::study

@@ -1,5 +1,5 @@
-// Every key of a study's TOML files: what the readers ask of it, and what it means. The reference
-// for readers, docs/PROTOCOL.md, is made from this.
+// Every key of a study's TOML files, as the code that reads them declares it: the source of
+// docs/PROTOCOL.md and of protocols/foveola-protocol.schema.json.
 #pragma once
 
 #include <string>
@@ -9,22 +9,28 @@
 
 namespace foveola::study {
 
-struct DescribedKey {
-  TomlKey rule;
-  std::string meaning;
-};
+/// Only what a protocol must have.
+inline constexpr const char* smallest_protocol =
+    R"(name = "small"
+title = "A small study"
+scenes = ["arcade", "church"]
+methods = ["od", "fv"]
+)";
 
 struct DescribedTable {
   std::string file;  ///< "protocol", "questionnaire file", "display profile", "tracker profile"
   std::string name;  ///< as "tracker.validation"; empty for the file itself
   bool is_list = false;
-  bool is_keyed_by_ids = false;  ///< its keys are ids that a study chooses; those of the example
+  bool is_keyed_by_ids = false;  ///< its keys are ids that a study chooses; those of the smallest
   std::string meaning;
-  std::vector<DescribedKey> keys;  ///< in the schema's order
+  std::vector<TomlKey> keys;  ///< in the order of reading
 };
 
-/// What the readers ask for when they read the schema's examples, with the schema's descriptions.
-/// Throws std::logic_error for a key that only the readers or only the schema know.
+/// Whether the key's value is a table, or a list of tables.
+bool is_table(const TomlKey& key);
+
+/// Each file's own keys first, then the tables in it, by what the readers ask for when they read
+/// examples.
 std::vector<DescribedTable> described_tables();
 
 }  // namespace foveola::study

@@ -11,7 +11,6 @@
 #include <fmt/ranges.h>
 
 #include "study/protocol/protocol_keys.h"
-#include "study/protocol/schema_tables.h"
 
 namespace foveola::study {
 namespace {
@@ -19,7 +18,7 @@ namespace {
 constexpr const char* before_the_smallest =
     R"md(# Protocols: every key
 
-This page is what `foveola study keys` prints. Types, ranges, words and defaults come from the code that reads protocols; the meanings are those that editors show from `protocols/foveola-protocol.schema.json`.
+This page is what `foveola study keys` prints: it comes from the code that reads protocols, as does `protocols/foveola-protocol.schema.json` (`foveola study keys --schema`), from which editors show the same.
 
 A protocol describes a study in one TOML file: which scenes are rendered with which methods, in which order, what participants mark and are asked, and what is analysed. This is the smallest one:
 
@@ -58,10 +57,6 @@ A default of “none” means that nothing is asked for or set unless the key is
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
 std::string code(const std::string& text) { return '`' + text + '`'; }
-
-bool is_table(const TomlKey& key) {
-  return key.types.front() == "table" || key.types.front() == "list of tables";
-}
 
 bool is_text(const TomlKey& key) { return key.types.front() == "text"; }
 
@@ -136,9 +131,9 @@ std::pair<std::string, std::string> first_sentence(const std::string& text) {
                                   : std::pair(text.substr(0, end + 1), text.substr(end + 2));
 }
 
-std::string with_former_name(const DescribedKey& key) {
-  return key.rule.former.empty() ? key.meaning
-                                 : fmt::format("{} Formerly `{}`.", key.meaning, key.rule.former);
+std::string with_former_name(const TomlKey& key) {
+  return key.former.empty() ? key.meaning
+                            : fmt::format("{} Formerly `{}`.", key.meaning, key.former);
 }
 
 /// The keys that are no tables. Cells are short: what follows a meaning's first sentence stands
@@ -146,16 +141,15 @@ std::string with_former_name(const DescribedKey& key) {
 std::string keys_in_markdown(const DescribedTable& table) {
   std::string rows;
   std::string rest;
-  for (const DescribedKey& key : table.keys) {
-    if (is_table(key.rule)) {
+  for (const TomlKey& key : table.keys) {
+    if (is_table(key)) {
       continue;
     }
     const auto [first, further] = first_sentence(with_former_name(key));
-    rows += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.rule.key,
-                        fmt::join(key.rule.types, " or "), range_of(key.rule), default_of(key.rule),
-                        first);
+    rows += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.key, fmt::join(key.types, " or "),
+                        range_of(key), default_of(key), first);
     if (!further.empty()) {
-      rest += fmt::format("\n`{}`: {}\n", key.rule.key, further);
+      rest += fmt::format("\n`{}`: {}\n", key.key, further);
     }
   }
   return rows.empty()
@@ -167,23 +161,22 @@ std::string keys_in_markdown(const DescribedTable& table) {
 /// The built-in words of the participant's screens.
 std::string texts_in_markdown(const DescribedTable& table) {
   std::string rows = "| key | the built-in words |\n|---|---|\n";
-  for (const DescribedKey& key : table.keys) {
-    std::string words = key.rule.default_text.value_or("");
+  for (const TomlKey& key : table.keys) {
+    std::string words = key.default_text.value_or("");
     for (std::size_t at = words.find('\n'); at != std::string::npos; at = words.find('\n', at)) {
       words.replace(at, 1, " ");
     }
-    rows += fmt::format("| `{}` | {} |\n", key.rule.key, words);
+    rows += fmt::format("| `{}` | {} |\n", key.key, words);
   }
   return rows + "\n";
 }
 
 bool has_same_keys(const DescribedTable& one, const DescribedTable& other) {
   return std::equal(one.keys.begin(), one.keys.end(), other.keys.begin(), other.keys.end(),
-                    [](const DescribedKey& a, const DescribedKey& b) {
-                      return a.rule.key == b.rule.key && a.rule.types == b.rule.types &&
-                             a.rule.minimum == b.rule.minimum && a.rule.maximum == b.rule.maximum &&
-                             a.rule.words == b.rule.words &&
-                             a.rule.is_required == b.rule.is_required && a.meaning == b.meaning;
+                    [](const TomlKey& a, const TomlKey& b) {
+                      return a.key == b.key && a.types == b.types && a.minimum == b.minimum &&
+                             a.maximum == b.maximum && a.words == b.words &&
+                             a.is_required == b.is_required && a.meaning == b.meaning;
                     });
 }
 
@@ -221,28 +214,22 @@ std::string section_of(std::size_t index, const std::vector<DescribedTable>& all
   return text + inner_tables(table, all);
 }
 
-std::string smallest_protocol() {
-  const SchemaTable protocol = schema_tables().front();
-  return protocol.toml_with(protocol.examples.front());
-}
-
-nlohmann::ordered_json json_of(const DescribedKey& key) {
-  const TomlKey& rule = key.rule;
-  nlohmann::ordered_json json = {{"key", rule.key},     {"types", rule.types},
-                                 {"minimum", nullptr},  {"maximum", nullptr},
-                                 {"words", rule.words}, {"required", rule.is_required},
-                                 {"default", nullptr},  {"default_varies", rule.default_varies},
-                                 {"former", nullptr},   {"meaning", key.meaning}};
-  if (rule.minimum) {
-    json["minimum"] = *rule.minimum;
-    json["maximum"] = *rule.maximum;
+nlohmann::ordered_json json_of(const TomlKey& key) {
+  nlohmann::ordered_json json = {{"key", key.key},     {"types", key.types},
+                                 {"minimum", nullptr}, {"maximum", nullptr},
+                                 {"words", key.words}, {"required", key.is_required},
+                                 {"default", nullptr}, {"default_varies", key.default_varies},
+                                 {"former", nullptr},  {"meaning", key.meaning}};
+  if (key.minimum) {
+    json["minimum"] = *key.minimum;
+    json["maximum"] = *key.maximum;
   }
-  if (rule.default_text) {
-    json["default"] = is_text(rule) ? nlohmann::ordered_json(*rule.default_text)
-                                    : nlohmann::ordered_json::parse(*rule.default_text);
+  if (key.default_text) {
+    json["default"] = is_text(key) ? nlohmann::ordered_json(*key.default_text)
+                                   : nlohmann::ordered_json::parse(*key.default_text);
   }
-  if (!rule.former.empty()) {
-    json["former"] = rule.former;
+  if (!key.former.empty()) {
+    json["former"] = key.former;
   }
   return json;
 }
@@ -255,7 +242,8 @@ std::string protocol_reference() {
   std::stable_partition(tables.begin(), tables.end(), [](const DescribedTable& table) {
     return table.file == "protocol" && table.name != "texts";
   });
-  std::string text = before_the_smallest + smallest_protocol() + after_the_smallest + "\n";
+  std::string text =
+      std::string(before_the_smallest) + smallest_protocol + after_the_smallest + "\n";
   for (std::size_t i = 0; i < tables.size(); ++i) {
     text += section_of(i, tables);
   }
@@ -267,7 +255,7 @@ nlohmann::ordered_json protocol_reference_json() {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const DescribedTable& table : described_tables()) {
     nlohmann::ordered_json keys = nlohmann::ordered_json::array();
-    for (const DescribedKey& key : table.keys) {
+    for (const TomlKey& key : table.keys) {
       keys.push_back(json_of(key));
     }
     list.push_back({{"file", table.file},

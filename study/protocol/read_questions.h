@@ -12,12 +12,13 @@
 namespace foveola::study {
 
 /// Reads an id: letters, digits, - and _, since records, tables and columns are named by it. Throws
-/// Error for other characters, and for one of `taken`.
-std::string read_new_id(TomlReader& reader, const std::vector<std::string>& taken);
+/// Error for other characters, and for one of `taken`. meaning: of the key.
+std::string read_new_id(TomlReader& reader, std::string_view meaning,
+                        const std::vector<std::string>& taken);
 
 /// The questions of the array of tables `key`, which may be absent. Their ids may be none of
 /// `taken`.
-std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
+std::vector<Question> read_questions(TomlReader& reader, const TomlKeyName& key,
                                      const std::vector<std::string>& taken);
 
 /// The questionnaire, without an id, of a file of this text; `name` is the file's. keys: see

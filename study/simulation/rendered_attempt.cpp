@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/participant/conduct.h"
 #include "study/simulation/gaze_validation.h"
-#include "study/stage/conduct.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {

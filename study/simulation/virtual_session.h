@@ -12,10 +12,10 @@
 #include "renderer/base/clock.h"
 #include "study/design/plan.h"
 #include "study/driver/session_driver.h"
+#include "study/participant/conduct.h"
 #include "study/participant/participant.h"
 #include "study/session/session.h"
 #include "study/simulation/trial_attempt.h"
-#include "study/stage/conduct.h"
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
 

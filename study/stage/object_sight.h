@@ -4,8 +4,8 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/view/viewport.h"
-#include "study/participant/participant.h"
 #include "study/record/session_recorder.h"
+#include "study/stage/offered_object.h"
 
 namespace foveola::study {
 

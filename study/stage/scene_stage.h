@@ -14,9 +14,9 @@
 #include "renderer/image/image.h"
 #include "renderer/measure/reference.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/record/study_store.h"
+#include "study/stage/offered_object.h"
 
 namespace foveola::study {
 

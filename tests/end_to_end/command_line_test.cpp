@@ -138,8 +138,9 @@ TEST(Manual, HasNoLinesThatRoffMisreads) {
 TEST(Completion, IsForShellsThatItKnows) {
   expect_one_line(run_foveola({"completion", "tcsh"}), 2, "bash,zsh,fish");
   expect_one_line(run_foveola({"completion"}), 2, "SHELL is required");
-  EXPECT_THAT(output_of({"completion", "zsh"}), HasSubstr("_foveola_study_run"));
-  EXPECT_THAT(output_of({"completion", "fish"}), HasSubstr("__foveola_in study run"));
+  EXPECT_THAT(output_of({"completion", "zsh"}), HasSubstr("compdef _foveola foveola"));
+  EXPECT_THAT(output_of({"completion", "fish"}), HasSubstr("complete -c foveola"));
+  EXPECT_EQ(output_of({"__complete", "study", "r"}).substr(0, 7), "repeat\t");
 }
 
 class BashCompletion : public testing::Test {
@@ -152,7 +153,7 @@ class BashCompletion : public testing::Test {
       COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
       _foveola
       for reply in "${COMPREPLY[@]}"; do echo "$reply"; done)";
-    words.insert(words.begin(), {"bash", "-c", script, folder_.path().string(), "foveola"});
+    words.insert(words.begin(), {"bash", "-c", script, folder_.path().string(), FOVEOLA_PROGRAM});
     const ProgramResult result = succeeded(run_program(words));
     EXPECT_THAT(result.errors, IsEmpty());
     return lines_of(result.output);

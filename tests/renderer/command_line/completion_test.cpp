@@ -1,4 +1,5 @@
-// What scripts say. The one for bash is run in tests/end_to_end/command_line_test.cpp.
+// What the program answers to the scripts, which tests/end_to_end/command_line_test.cpp has bash
+// run.
 #include "renderer/command_line/completion.h"
 
 #include <string>
@@ -20,11 +21,6 @@ CommandDescription program() {
                                             .value_name = "TEXT",
                                             .choices = {"plain", "filmic"},
                                             .description = "Tone [of light]; plain cuts"},
-                                           {.names = {"--show"},
-                                            .value_name = "TEXT",
-                                            .takes_many = true,
-                                            .choices = {"gaze"},
-                                            .description = "Show"},
                                            {.names = {"--threads"},
                                             .value_name = "INT",
                                             .takes_number = true,
@@ -39,49 +35,41 @@ CommandDescription program() {
           .commands = {{.name = "study", .description = "Studies", .commands = {run}}, shell}};
 }
 
-TEST(ZshCompletion, DescribesOptionsAndValues) {
-  const std::string script = zsh_completion(program());
-  EXPECT_THAT(script, HasSubstr("\n_lab_study_run() {\n"
-                                "  _arguments -C \\\n"
-                                "    '(-o --output)-o[The person'\\''s folder]:TEXT:_files' \\\n"
-                                "    '(-o --output)--output=[The person'\\''s folder]"
-                                ":TEXT:_files' \\\n"
-                                "    '(--tone)--tone=[Tone \\[of light\\]]"
-                                ":TEXT:(plain filmic)' \\\n"
-                                "    '*--show=[Show]:TEXT:(gaze)' \\\n"
-                                "    '(--threads)--threads=[Threads]:INT: ' \\\n"
-                                "    '(--json)--json[As JSON]' \\\n"
-                                "    ':PROTOCOL:_files'\n"
-                                "}\n"));
+TEST(Completions, GoFromCommandToCommand) {
+  EXPECT_EQ(completions(program(), {""}), "study\tStudies\nshell\n");
+  EXPECT_EQ(completions(program(), {"--version", "st"}), "study\tStudies\n");
+  EXPECT_EQ(completions(program(), {"study", ""}), "run\tRun it\n");
+  EXPECT_EQ(completions(program(), {"nonsense", ""}), "");
 }
 
-TEST(ZshCompletion, GoesFromCommandToCommand) {
-  const std::string script = zsh_completion(program());
-  EXPECT_THAT(script, HasSubstr("'run:Run it')\n"));
-  EXPECT_THAT(script, HasSubstr("      case $words[1] in\n"
-                                "        study) _lab_study ;;\n"
-                                "        shell) _lab_shell ;;\n"));
-  EXPECT_THAT(script, HasSubstr("        run) _lab_study_run ;;\n"));
-  EXPECT_TRUE(script.starts_with("#compdef lab\n"));
-  EXPECT_THAT(script, AllOf(HasSubstr("compdef _lab lab\n"), Not(HasSubstr("PROGRAM"))));
+TEST(Completions, DescribeOptions) {
+  EXPECT_EQ(completions(program(), {"study", "run", "x.toml", "-"}),
+            "-o\tThe person's folder\n--output\tThe person's folder\n--tone\tTone [of light]\n"
+            "--threads\tThreads\n--json\tAs JSON\n");
+  EXPECT_EQ(completions(program(), {"study", "run", "--th"}), "--threads\tThreads\n");
 }
 
-TEST(FishCompletion, DescribesOptionsAndValues) {
-  const std::string script = fish_completion(program());
-  const std::string run = "complete -c lab -n '__lab_in study run'";
-  EXPECT_THAT(script, HasSubstr(run + " -s o -l output -r -F -d 'The person\\'s folder'\n"));
-  EXPECT_THAT(script, HasSubstr(run + " -l tone -x -a 'plain filmic' -d 'Tone [of light]'\n"));
-  EXPECT_THAT(script, HasSubstr(run + " -l threads -x -d 'Threads'\n"));
-  EXPECT_THAT(script, HasSubstr(run + " -l json -d 'As JSON'\n"));
-  EXPECT_THAT(script, HasSubstr(run + " -F\n"));
-  EXPECT_THAT(script, HasSubstr("complete -c lab -n '__lab_in shell' -a 'bash zsh'\n"));
+TEST(Completions, AreValues) {
+  EXPECT_EQ(completions(program(), {"study", "run", ""}), "/\n");
+  EXPECT_EQ(completions(program(), {"study", "run", "-o", ""}), "/\n");
+  EXPECT_EQ(completions(program(), {"study", "run", "--threads", ""}), "");
+  EXPECT_EQ(completions(program(), {"study", "run", "--json", ""}), "/\n");
+  EXPECT_EQ(completions(program(), {"shell", ""}), "bash\nzsh\n");
+  EXPECT_EQ(completions(program(), {"study", "run", "--tone", ""}), "plain\nfilmic\n");
 }
 
-TEST(FishCompletion, GoesFromCommandToCommand) {
-  const std::string script = fish_completion(program());
-  EXPECT_THAT(script, HasSubstr("complete -c lab -n '__lab_at' -a study -d 'Studies'\n"));
-  EXPECT_THAT(script, HasSubstr("complete -c lab -n '__lab_at study' -a run -d 'Run it'\n"));
-  EXPECT_THAT(script, AllOf(HasSubstr("\ncomplete -c lab -f\n"), Not(HasSubstr("PROGRAM"))));
+TEST(Completions, AreValuesBehindAnEqualsSign) {
+  EXPECT_EQ(completions(program(), {"study", "run", "--tone=f"}), "--tone=filmic\n");
+  EXPECT_EQ(completions(program(), {"study", "run", "--tone", "="}), "plain\nfilmic\n");
+  EXPECT_EQ(completions(program(), {"study", "run", "--tone", "=", "p"}), "plain\n");
+}
+
+TEST(CompletionScript, IsOfTheProgram) {
+  for (const char* shell : {"bash", "zsh", "fish"}) {
+    const std::string script = completion_script(shell, "lab");
+    EXPECT_THAT(script, AllOf(HasSubstr("lab"), HasSubstr(complete_command)));
+    EXPECT_THAT(script, Not(HasSubstr("PROGRAM")));
+  }
 }
 
 }  // namespace

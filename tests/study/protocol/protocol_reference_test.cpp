@@ -1,9 +1,10 @@
-// docs/PROTOCOL.md is what `foveola study keys` prints.
+// docs/PROTOCOL.md and the schema for editors are what `foveola study keys` prints.
 #include "study/protocol/protocol_reference.h"
 
 #include <filesystem>
 
 #include "renderer/base/files.h"
+#include "study/protocol/protocol_schema.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {
@@ -11,16 +12,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// made_by: the command that prints it.
+void expect_kept(const std::string& made, const std::string& place, const std::string& made_by) {
+  EXPECT_TRUE(read_file(fs::path(TEST_DATA_DIR) / "../.." / place) == made)
+      << place << " is not what the readers declare; if they changed on purpose:\n  " << made_by
+      << " > " << place;
+}
+
 TEST(ProtocolReference, IsTheOneInTheRepository) {
-  const fs::path kept = fs::path(TEST_DATA_DIR) / "../../docs/PROTOCOL.md";
-  const std::string reference = protocol_reference();
-  if (read_file(kept) != reference) {
-    const fs::path made = fs::temp_directory_path() / "foveola-PROTOCOL.md";
-    write_file(made, reference);
-    FAIL() << "PROTOCOL.md is not what the readers and the schema say; if they changed on "
-              "purpose:\n  cp "
-           << made.string() << ' ' << kept.lexically_normal().string();
-  }
+  expect_kept(protocol_reference(), "docs/PROTOCOL.md", "foveola study keys");
+}
+
+TEST(ProtocolReference, TheSchemaForEditorsIsTheOneInTheRepository) {
+  expect_kept(protocol_schema(), "protocols/foveola-protocol.schema.json",
+              "foveola study keys --schema");
 }
 
 TEST(ProtocolReference, ItsJsonHasTheKeysWithTheirRanges) {

@@ -19,10 +19,6 @@ constexpr double glance_interval_s = 0.1;
 /// Until a participant is ready for a trial: head and eye have turned to the object.
 constexpr double settling_s = 1.0;
 
-/// The object of this name. Throws Error if the scene does not offer it any more.
-const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
-                                  const std::string& name);
-
 /// How what a simulated participant does reaches the session: fed to its driver at once, or typed
 /// as keys. What a phase asks for may be called frame after frame until the phase is over.
 class ParticipantActions {

@@ -1,4 +1,4 @@
-#include "renderer/commands/live_window.h"
+#include "renderer/headset/live_window.h"
 
 #include <exception>
 #include <thread>

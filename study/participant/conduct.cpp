@@ -1,8 +1,5 @@
-#include "study/stage/conduct.h"
+#include "study/participant/conduct.h"
 
-#include <algorithm>
-
-#include "renderer/base/error.h"
 #include "study/participant/answers.h"
 #include "study/stage/trial_preview.h"
 
@@ -19,17 +16,6 @@ const Questionnaire& form_in(const Protocol& protocol, const SessionMoment& mome
 }
 
 }  // namespace
-
-const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
-                                  const std::string& name) {
-  const auto found = std::find_if(offered.begin(), offered.end(),
-                                  [&](const OfferedObject& object) { return object.name == name; });
-  if (found == offered.end()) {
-    throw Error(name, "is not among the scene's objects any more",
-                "go on with the scene as it was");
-  }
-  return *found;
-}
 
 void SimulatedConduct::act(const SessionMoment& moment, ParticipantActions& actions) {
   const SessionState& state = moment.state;

@@ -1,4 +1,4 @@
-#include "renderer/commands/live_display.h"
+#include "renderer/headset/live_display.h"
 
 #include <utility>
 

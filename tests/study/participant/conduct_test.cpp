@@ -1,4 +1,4 @@
-#include "study/stage/conduct.h"
+#include "study/participant/conduct.h"
 
 #include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"

@@ -1,0 +1,47 @@
+// Names of values, as files and command lines have them: each table says both, so that no name is
+// known without its value.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foveola {
+
+/// A text that may stand in a file, and what it stands for.
+template <typename Value>
+struct Word {
+  std::string_view text;
+  Value value;
+};
+
+template <typename Value, std::size_t count>
+std::vector<std::string> texts_of(const std::array<Word<Value>, count>& words) {
+  std::vector<std::string> texts;
+  for (const Word<Value>& word : words) {
+    texts.emplace_back(word.text);
+  }
+  return texts;
+}
+
+/// The value of a text that was checked: throws std::logic_error if it is not one of `words`.
+template <typename Value, std::size_t count>
+Value value_of(const std::array<Word<Value>, count>& words, std::string_view text) {
+  const auto* const found = std::ranges::find(words, text, &Word<Value>::text);
+  if (found == words.end()) {
+    throw std::logic_error("nothing is called " + std::string(text));
+  }
+  return found->value;
+}
+
+/// The text of a value, which is one of those of `words`.
+template <typename Value, std::size_t count>
+const char* word_for(const std::array<Word<Value>, count>& words, Value value) {
+  return std::ranges::find(words, value, &Word<Value>::value)->text.data();
+}
+
+}  // namespace foveola

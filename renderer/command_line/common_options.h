@@ -1,0 +1,24 @@
+// Options that many commands have. Each writes to a value that must outlive the parsing, and whose
+// value until then is the default.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace foveola {
+
+/// SCENE, which is required.
+void add_scene_option(CLI::App& command, std::string& scene);
+/// --size, as parse_size() reads it.
+void add_film_size_option(CLI::App& command, std::string& size);
+/// --max-depth, from 1 on.
+void add_max_depth_option(CLI::App& command, int& max_depth);
+/// --threads, 0 to 1024.
+void add_threads_option(CLI::App& command, int& threads);
+/// --json.
+void add_json_option(CLI::App& command, bool& json);
+
+}  // namespace foveola
