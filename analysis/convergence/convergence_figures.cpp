@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/figure_drawing.h"
-
 namespace foveola::analysis {
 namespace {
 

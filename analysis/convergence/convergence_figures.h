@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/convergence/convergence_tables.h"
-#include "analysis/publication/figures.h"
+#include "analysis/gnuplot/gnuplot.h"
 
 namespace foveola::analysis {
 

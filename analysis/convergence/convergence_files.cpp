@@ -1,12 +1,14 @@
 #include "analysis/convergence/convergence_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/csv.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/table_formats.h"
 #include "renderer/measure/region_error.h"
 
 namespace foveola::analysis {
@@ -14,132 +16,147 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-// --- CSV ---
-
-/// Empty for NaN.
-std::string finite(double value) {
-  return std::isfinite(value) ? csv_number(value) : std::string();
+/// Adds the columns of an estimate and of the ends of its interval.
+template <typename Item>
+void add_estimate(const std::string& name, const std::string& description,
+                  std::optional<Estimate> Item::* estimate, ColumnsOf<Item>& columns) {
+  columns.push_back({name, "", description, path(estimate, &Estimate::value)});
+  columns.push_back({name + "_low", "", "Lower end of its 95 % interval over repetitions",
+                     path(estimate, &Estimate::interval, &Interval::low)});
+  columns.push_back(
+      {name + "_high", "", "Its upper end", path(estimate, &Estimate::interval, &Interval::high)});
 }
 
-void append(const std::optional<Estimate>& estimate, CsvRow& row) {
-  const bool has_interval = estimate && estimate->interval;
-  row.push_back(estimate ? csv_number(estimate->value) : "");
-  row.push_back(has_interval ? csv_number(estimate->interval->low) : "");
-  row.push_back(has_interval ? csv_number(estimate->interval->high) : "");
+template <typename Item>
+ColumnsOf<Item> columns_of_gaze() {
+  return {{"scene", "", "The scene", &Item::scene},
+          {"gaze_deg", "deg", "Azimuth and elevation of the gaze", &Item::gaze},
+          {"configuration", "", "The configuration", &Item::configuration}};
 }
 
-void add_points(const GazeMeasurement& measurement, std::vector<CsvRow>& rows) {
-  for (const Repetition& repetition : measurement.repetitions) {
-    for (std::size_t i = 0; i < measurement.configurations.size(); ++i) {
-      const RenderLog& log = repetition[i];
-      for (const Checkpoint& checkpoint : log.checkpoints) {
-        for (std::size_t region = 0; region < measurement.regions.size(); ++region) {
-          const Score& score = checkpoint.scores[region];
-          const RegionError& error = score.error;
-          rows.push_back({measurement.scene, measurement.gaze, measurement.configurations[i],
-                          std::to_string(log.seed), measurement.regions[region],
-                          std::to_string(checkpoint.samples), csv_number(checkpoint.seconds),
-                          finite(error.samples_per_pixel), finite(error.mse),
-                          finite(std::sqrt(error.mse)), finite(error.relative_mse),
-                          finite(score.flip.value_or(std::nan(""))), std::to_string(error.pixels),
-                          std::to_string(error.empty), finite(error.empty_share),
-                          std::to_string(error.non_finite), std::to_string(log.dropped)});
+/// The columns that speed-ups at one gaze and over all have in common.
+template <typename Item>
+void add_speed_up(ColumnsOf<Item>& columns) {
+  columns.push_back({"region", "", "Where the error is measured", &Item::region});
+  columns.push_back({"metric", "", "The measure of the error", &Item::metric});
+  columns.push_back({"level", "", "At the error of all samples, or of a quarter", &Item::level});
+  add_estimate("samples", "The baseline's samples over this one's, at equal error", &Item::samples,
+               columns);
+  add_estimate("time", "The speed-up in seconds", &Item::time, columns);
+  columns.push_back({"predicted", "", "The speed-up predicted by density alone", &Item::predicted});
+}
+
+Table speed_ups_table(const ConvergenceTables& tables) {
+  ColumnsOf<SpeedUp> columns = columns_of_gaze<SpeedUp>();
+  add_speed_up(columns);
+  return tabulate("speed_ups", "scene, gaze, configuration, region, metric and level", columns,
+                  tables.speed_ups);
+}
+
+Table overall_table(const ConvergenceTables& tables) {
+  ColumnsOf<OverallSpeedUp> columns = {
+      {"configuration", "", "The configuration", &OverallSpeedUp::configuration}};
+  add_speed_up(columns);
+  return tabulate("overall", "configuration, region, metric and level", columns, tables.overall);
+}
+
+Table costs_table(const ConvergenceTables& tables) {
+  ColumnsOf<PathCost> columns = columns_of_gaze<PathCost>();
+  add_estimate("ns_per_path", "Nanoseconds, all threads together", &PathCost::ns_per_path, columns);
+  add_estimate("ratio", "Relative to the baseline's", &PathCost::ratio, columns);
+  return tabulate("costs", "scene, gaze and configuration", columns, tables.costs);
+}
+
+Table convergence_table(const ConvergenceTables& tables) {
+  using C = Convergence;
+  ColumnsOf<C> columns = columns_of_gaze<C>();
+  columns.push_back({"region", "", "Where the error is measured", &C::region});
+  add_estimate("slope_in_samples", "Slope of log RMSE over log samples", &C::slope_in_samples,
+               columns);
+  add_estimate("slope_in_time", "The same over log seconds", &C::slope_in_time, columns);
+  add_estimate("efficiency", "1 / (mean squared error x seconds) at the end", &C::efficiency,
+               columns);
+  add_estimate("efficiency_ratio", "Relative to the baseline's", &C::efficiency_ratio, columns);
+  return tabulate("convergence", "scene, gaze, configuration and region", columns,
+                  tables.convergence);
+}
+
+/// One region's error at a checkpoint of a render.
+struct MeasuredPoint {
+  std::string scene;
+  std::string gaze;
+  std::string configuration;
+  std::string region;
+  const RenderLog* log;
+  const Checkpoint* checkpoint;
+  Score score;
+};
+
+std::vector<MeasuredPoint> points_of(const std::vector<GazeMeasurement>& measurements) {
+  std::vector<MeasuredPoint> points;
+  for (const GazeMeasurement& measurement : measurements) {
+    for (const Repetition& repetition : measurement.repetitions) {
+      for (std::size_t i = 0; i < measurement.configurations.size(); ++i) {
+        for (const Checkpoint& checkpoint : repetition[i].checkpoints) {
+          for (std::size_t region = 0; region < measurement.regions.size(); ++region) {
+            points.push_back({measurement.scene, measurement.gaze, measurement.configurations[i],
+                              measurement.regions[region], &repetition[i], &checkpoint,
+                              checkpoint.scores[region]});
+          }
         }
       }
     }
   }
+  return points;
 }
 
-std::string points_csv(const std::vector<GazeMeasurement>& measurements) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "seed", "region", "samples",
-                               "seconds", "samples_per_pixel", "mse", "rmse", "relative_mse",
-                               "flip", "pixels", "empty_pixels", "empty_share", "non_finite_pixels",
-                               "non_finite_samples_of_render"}};
-  for (const GazeMeasurement& measurement : measurements) {
-    add_points(measurement, rows);
-  }
-  return format_csv(rows);
+Table points_table(const std::vector<GazeMeasurement>& measurements) {
+  using P = MeasuredPoint;
+  using E = RegionError;
+  const auto finite = [](double value) {
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  };
+  const auto error = path(&P::score, &Score::error);
+  ColumnsOf<P> columns = columns_of_gaze<P>();
+  const ColumnsOf<P> others = {
+      {"seed", "", "Seed of the render", path(&P::log, &RenderLog::seed)},
+      {"region", "", "Where the error is measured", &P::region},
+      {"samples", "", "Samples up to here", path(&P::checkpoint, &Checkpoint::samples)},
+      {"seconds", "s", "Time up to here", path(&P::checkpoint, &Checkpoint::seconds)},
+      {"samples_per_pixel", "", "Mean over the region", path(error, &E::samples_per_pixel, finite)},
+      {"mse", "", "Mean squared error", path(error, &E::mse, finite)},
+      {"rmse", "", "Its root",
+       path(
+           error, &E::mse, [](double mse) { return std::sqrt(mse); }, finite)},
+      {"relative_mse", "", "Relative mean squared error", path(error, &E::relative_mse, finite)},
+      {"flip", "", "FLIP", path(&P::score, &Score::flip, finite)},
+      {"pixels", "", "Pixels of the region", path(error, &E::pixels)},
+      {"empty_pixels", "", "Those without a sample", path(error, &E::empty)},
+      {"empty_share", "", "Their share", path(error, &E::empty_share, finite)},
+      {"non_finite_pixels", "", "Those that are not finite", path(error, &E::non_finite)},
+      {"non_finite_samples_of_render", "", "Samples of the render that were left out",
+       path(&P::log, &RenderLog::dropped)}};
+  columns.insert(columns.end(), others.begin(), others.end());
+  return tabulate("points", "region at a checkpoint of a render", columns, points_of(measurements));
 }
 
-std::string speed_ups_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "region", "metric", "level",
-                               "samples", "samples_low", "samples_high", "time", "time_low",
-                               "time_high", "predicted"}};
-  for (const SpeedUp& speed_up : tables.speed_ups) {
-    CsvRow row = {speed_up.scene,
-                  speed_up.gaze,
-                  speed_up.configuration,
-                  speed_up.region,
-                  std::string(name_of(speed_up.metric)),
-                  std::string(name_of(speed_up.level))};
-    append(speed_up.samples, row);
-    append(speed_up.time, row);
-    row.push_back(csv_number(speed_up.predicted));
-    rows.push_back(std::move(row));
+/// The rows with each estimate, NAME, NAME_low and NAME_high, as an object, or null.
+json rows_json(const Table& table) {
+  json rows = json_of(table);
+  for (json& row : rows) {
+    json grouped = json::object();
+    for (const auto& [name, value] : row.items()) {
+      if (name.ends_with("_low") || name.ends_with("_high")) {
+        continue;
+      }
+      grouped[name == "gaze_deg" ? "gaze" : name] =
+          !row.contains(name + "_low") || value.is_null()
+              ? value
+              : json{{"value", value}, {"low", row[name + "_low"]}, {"high", row[name + "_high"]}};
+    }
+    row = std::move(grouped);
   }
-  return format_csv(rows);
-}
-
-std::string overall_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"configuration", "region", "metric", "level", "samples",
-                               "samples_low", "samples_high", "time", "time_low", "time_high",
-                               "predicted"}};
-  for (const OverallSpeedUp& overall : tables.overall) {
-    CsvRow row = {overall.configuration, overall.region, std::string(name_of(overall.metric)),
-                  std::string(name_of(overall.level))};
-    append(overall.samples, row);
-    append(overall.time, row);
-    row.push_back(csv_number(overall.predicted));
-    rows.push_back(std::move(row));
-  }
-  return format_csv(rows);
-}
-
-std::string costs_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "ns_per_path",
-                               "ns_per_path_low", "ns_per_path_high", "ratio", "ratio_low",
-                               "ratio_high"}};
-  for (const PathCost& cost : tables.costs) {
-    CsvRow row = {cost.scene, cost.gaze, cost.configuration};
-    append(cost.ns_per_path, row);
-    append(cost.ratio, row);
-    rows.push_back(std::move(row));
-  }
-  return format_csv(rows);
-}
-
-std::string convergence_rows_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "region", "slope_in_samples",
-                               "slope_in_samples_low", "slope_in_samples_high", "slope_in_time",
-                               "slope_in_time_low", "slope_in_time_high", "efficiency",
-                               "efficiency_low", "efficiency_high", "efficiency_ratio",
-                               "efficiency_ratio_low", "efficiency_ratio_high"}};
-  for (const Convergence& convergence : tables.convergence) {
-    CsvRow row = {convergence.scene, convergence.gaze, convergence.configuration,
-                  convergence.region};
-    append(convergence.slope_in_samples, row);
-    append(convergence.slope_in_time, row);
-    append(convergence.efficiency, row);
-    append(convergence.efficiency_ratio, row);
-    rows.push_back(std::move(row));
-  }
-  return format_csv(rows);
-}
-
-// --- JSON ---
-
-json number(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
-
-json estimate(const std::optional<Estimate>& value) {
-  if (!value) {
-    return nullptr;
-  }
-  json object = {{"value", value->value}, {"low", nullptr}, {"high", nullptr}};
-  if (value->interval) {
-    object["low"] = value->interval->low;
-    object["high"] = value->interval->high;
-  }
-  return object;
+  return rows;
 }
 
 json crops_json(const ConvergencePlan& plan) {
@@ -181,64 +198,6 @@ json measured_json(const std::vector<GazeMeasurement>& measurements) {
   return list;
 }
 
-/// An array of describe(row) for each of the rows.
-template <typename Row, typename Describe>
-json list_of(const std::vector<Row>& rows, const Describe& describe) {
-  json list = json::array();
-  for (const Row& row : rows) {
-    list.push_back(describe(row));
-  }
-  return list;
-}
-
-json speed_ups_json(const ConvergenceTables& tables) {
-  return list_of(tables.speed_ups, [](const SpeedUp& row) -> json {
-    return {{"scene", row.scene},
-            {"gaze", row.gaze},
-            {"configuration", row.configuration},
-            {"region", row.region},
-            {"metric", name_of(row.metric)},
-            {"level", name_of(row.level)},
-            {"samples", estimate(row.samples)},
-            {"time", estimate(row.time)},
-            {"predicted", number(row.predicted)}};
-  });
-}
-
-json overall_json(const ConvergenceTables& tables) {
-  return list_of(tables.overall, [](const OverallSpeedUp& row) -> json {
-    return {{"configuration", row.configuration}, {"region", row.region},
-            {"metric", name_of(row.metric)},      {"level", name_of(row.level)},
-            {"samples", estimate(row.samples)},   {"time", estimate(row.time)},
-            {"predicted", number(row.predicted)}};
-  });
-}
-
-json costs_json(const ConvergenceTables& tables) {
-  return list_of(tables.costs, [](const PathCost& row) -> json {
-    return {{"scene", row.scene},
-            {"gaze", row.gaze},
-            {"configuration", row.configuration},
-            {"ns_per_path", estimate(row.ns_per_path)},
-            {"ratio", estimate(row.ratio)}};
-  });
-}
-
-json convergence_rows_json(const ConvergenceTables& tables) {
-  return list_of(tables.convergence, [](const Convergence& row) -> json {
-    return {{"scene", row.scene},
-            {"gaze", row.gaze},
-            {"configuration", row.configuration},
-            {"region", row.region},
-            {"slope_in_samples", estimate(row.slope_in_samples)},
-            {"slope_in_time", estimate(row.slope_in_time)},
-            {"efficiency", estimate(row.efficiency)},
-            {"efficiency_ratio", estimate(row.efficiency_ratio)}};
-  });
-}
-
-// --- Words ---
-
 std::string in_words(const std::optional<Estimate>& estimate) {
   if (!estimate) {
     return "-";
@@ -258,11 +217,14 @@ std::string in_words(const std::optional<double>& value) {
 
 std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measurements,
                                       const ConvergenceTables& tables) {
-  return {{"points.csv", points_csv(measurements)},
-          {"speed_ups.csv", speed_ups_csv(tables)},
-          {"costs.csv", costs_csv(tables)},
-          {"convergence.csv", convergence_rows_csv(tables)},
-          {"overall.csv", overall_csv(tables)}};
+  std::vector<TextFile> files;
+  for (Table table :
+       std::array{points_table(measurements), speed_ups_table(tables), costs_table(tables),
+                  convergence_table(tables), overall_table(tables)}) {
+    table.texts = CsvTexts::as_typed;
+    files.push_back({table.id + ".csv", csv_of(table)});
+  }
+  return files;
 }
 
 json plan_facts(const ConvergencePlan& plan) {
@@ -274,10 +236,10 @@ json plan_facts(const ConvergencePlan& plan) {
 std::string convergence_json(json facts, const std::vector<GazeMeasurement>& measurements,
                              const ConvergenceTables& tables) {
   facts.update(json{{"measured", measured_json(measurements)},
-                    {"overall", overall_json(tables)},
-                    {"speed_ups", speed_ups_json(tables)},
-                    {"costs", costs_json(tables)},
-                    {"convergence", convergence_rows_json(tables)}});
+                    {"overall", rows_json(overall_table(tables))},
+                    {"speed_ups", rows_json(speed_ups_table(tables))},
+                    {"costs", rows_json(costs_table(tables))},
+                    {"convergence", rows_json(convergence_table(tables))}});
   return facts.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

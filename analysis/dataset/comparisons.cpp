@@ -91,14 +91,13 @@ std::optional<PrimaryResult> primary_of(const MethodComparison& comparison,
   const auto model = [&](const char* name) {
     return models.find(name, comparison.measure, comparison.method, comparison.reference);
   };
-  const PrimarySources sources{
-      .pairs = trials,
-      .t = comparison.ratio ? std::optional(comparison.ratio->logs) : comparison.points,
-      .ranks = comparison.ranks,
-      .pseudo_median = comparison.pseudo_median,
-      .crossed = model("crossed"),
-      .tobit = model("tobit"),
-      .ordinal = model("ordinal")};
+  const PrimarySources sources{.pairs = trials,
+                               .t = comparison.t_test(),
+                               .ranks = comparison.ranks,
+                               .pseudo_median = comparison.pseudo_median,
+                               .crossed = model("crossed"),
+                               .tobit = model("tobit"),
+                               .ordinal = model("ordinal")};
   return comparison.is_time ? primary_of_times(sources, plan)
                             : primary_of_ratings(sources, plan, has_points);
 }
@@ -247,35 +246,38 @@ std::vector<MethodComparison> compare_all(const Dataset& set, const study::Analy
 
 /// Adjusts the P-values of a family. What has no P-value counts as one that is not significant: a
 /// family is never smaller than it was planned.
-void adjust_family(std::vector<MethodComparison>& family) {
+template <typename P>
+void adjust_family(const std::vector<MethodComparison*>& family, const P& p_of,
+                   std::optional<double> MethodComparison::* adjusted_p) {
   std::vector<double> p_values;
-  for (const MethodComparison& member : family) {
-    p_values.push_back(member.primary ? member.primary->p : 1.0);
+  for (const MethodComparison* member : family) {
+    p_values.push_back(p_of(*member).value_or(1.0));
   }
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
-    if (family[i].primary) {
-      family[i].p_holm = adjusted[i];
+    if (p_of(*family[i])) {
+      family[i]->*adjusted_p = adjusted[i];
     }
   }
 }
 
-/// The same of the tests of equivalence, a family of those that have a margin.
-void adjust_equivalence(std::vector<MethodComparison>& planned) {
-  std::vector<double> p_values;
-  for (const MethodComparison& member : planned) {
-    if (member.margin) {
-      p_values.push_back(member.equivalent ? member.equivalent->p : 1.0);
+/// The primary analyses are a family, and so are the tests of equivalence of those with a margin.
+void adjust_families(std::vector<MethodComparison>& planned) {
+  std::vector<MethodComparison*> all;
+  std::vector<MethodComparison*> with_margin;
+  for (MethodComparison& comparison : planned) {
+    all.push_back(&comparison);
+    if (comparison.margin) {
+      with_margin.push_back(&comparison);
     }
   }
-  const std::vector<double> adjusted = holm(p_values);
-  std::size_t i = 0;
-  for (MethodComparison& member : planned) {
-    if (member.margin) {
-      member.p_equivalent_holm = member.equivalent ? std::optional(adjusted[i]) : std::nullopt;
-      ++i;
-    }
-  }
+  adjust_family(
+      all, [](const auto& of) { return of.primary ? std::optional(of.primary->p) : std::nullopt; },
+      &MethodComparison::p_holm);
+  adjust_family(
+      with_margin,
+      [](const auto& of) { return of.equivalent ? std::optional(of.equivalent->p) : std::nullopt; },
+      &MethodComparison::p_equivalent_holm);
 }
 
 OmnibusTest test_all(const Dataset& set, std::size_t index, const ParticipantValues& values) {
@@ -292,12 +294,6 @@ OmnibusTest test_all(const Dataset& set, std::size_t index, const ParticipantVal
   rounded.values = without_rounding(data.values);
   test.ranks = friedman(rounded);
   return test;
-}
-
-bool is_of_pair(const study::PlannedComparison& planned, const std::string& measure,
-                const std::string& a, const std::string& b) {
-  return planned.measure == measure && ((planned.method == a && planned.baseline == b) ||
-                                        (planned.method == b && planned.baseline == a));
 }
 
 /// Carry-over: the change of each method's values right after each other one, against those after
@@ -339,33 +335,6 @@ std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
   return means;
 }
 
-/// Empty if the study does not have the planned measure, in numbers, or methods.
-std::optional<ComparedPair> pair_of(const Dataset& set, const study::PlannedComparison& planned) {
-  const auto measure = set.measure_named(planned.measure);
-  const auto method = position_of(set.methods, planned.method);
-  const auto reference = position_of(set.methods, planned.baseline);
-  if (!measure || !method || !reference || !set.measures[*measure].is_numeric()) {
-    return std::nullopt;
-  }
-  return ComparedPair{*measure, *method, *reference};
-}
-
-std::vector<ComparedPair> unplanned_pairs(const Dataset& set, const study::AnalysisPlan& plan,
-                                          std::size_t measure) {
-  std::vector<ComparedPair> pairs;
-  for (std::size_t reference = 0; reference < set.methods.size(); ++reference) {
-    for (std::size_t method = reference + 1; method < set.methods.size(); ++method) {
-      if (std::none_of(plan.primary.begin(), plan.primary.end(), [&](const auto& planned) {
-            return is_of_pair(planned, set.measures[measure].id(), set.methods[method],
-                              set.methods[reference]);
-          })) {
-        pairs.push_back({measure, method, reference});
-      }
-    }
-  }
-  return pairs;
-}
-
 /// Calls compare_pair(pair) for each planned comparison, and adjusts the P-values of all together.
 template <typename Compare>
 std::vector<MethodComparison> planned_comparisons(const Dataset& set,
@@ -383,32 +352,11 @@ std::vector<MethodComparison> planned_comparisons(const Dataset& set,
     }
     comparisons.back().planned = true;
   }
-  adjust_family(comparisons);
+  adjust_families(comparisons);
   return comparisons;
 }
 
 }  // namespace
-
-std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
-  std::vector<ComparedPair> pairs;
-  for (const study::PlannedComparison& planned : plan.primary) {
-    if (const std::optional<ComparedPair> pair = pair_of(set, planned)) {
-      pairs.push_back(*pair);
-    }
-  }
-  return pairs;
-}
-
-std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
-  std::vector<ComparedPair> pairs = planned_pairs(set, plan);
-  for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
-    if (set.measures[measure].is_numeric()) {
-      const std::vector<ComparedPair> others = unplanned_pairs(set, plan, measure);
-      pairs.insert(pairs.end(), others.begin(), others.end());
-    }
-  }
-  return pairs;
-}
 
 std::vector<MethodComparison> planned_primary_analyses(const Dataset& set,
                                                        const study::AnalysisPlan& plan,
@@ -428,7 +376,6 @@ Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
   result.plan = plan;
   result.methods =
       planned_comparisons(set, plan, [&](const ComparedPair& /*pair*/) { return *next++; });
-  adjust_equivalence(result.methods);
   result.methods.insert(result.methods.end(), next, std::make_move_iterator(compared.end()));
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     const Measure& of = set.measures[measure];

@@ -9,6 +9,7 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/fitted_model.h"
+#include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/primary_analysis.h"
 #include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/paired_t.h"
@@ -67,6 +68,9 @@ struct MethodComparison {
   std::optional<Influence> influence;
   std::string no_influence;  ///< Why there is none; empty if there is one.
 
+  /// The paired t test over participants, of log ratios or points.
+  std::optional<TTest> t_test() const { return ratio ? std::optional(ratio->logs) : points; }
+
   /// A tested value, or an interval of such, as a ratio of times or a difference of ratings.
   double in_unit(double tested) const { return is_time ? std::exp(tested) : tested; }
   Interval in_unit(const Interval& tested) const {
@@ -105,20 +109,6 @@ struct Comparisons {
   /// none.
   std::string censored_times;
 };
-
-/// A comparison to be made: the indices of its measure, method and reference.
-struct ComparedPair {
-  std::size_t measure = 0;
-  std::size_t method = 0;
-  std::size_t reference = 0;
-};
-
-/// The planned pairs as the plan has them, without those that the study does not have.
-std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan);
-
-/// All pairs of methods in all measures that are numbers: first the planned ones, then the others,
-/// measure by measure.
-std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan);
 
 /// Compares the pairs. Of planned comparisons every one has its row, with P-values or the reason
 /// why there are none; Holm's adjustment is for as many as were planned. `models`: of the same

@@ -2,6 +2,7 @@
 // is left out of them with the reason.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -91,6 +92,15 @@ struct Dataset {
 /// not above zero is missing and among the exclusions. Throws Error if nothing can be analysed, or
 /// for a rating that its scale does not have or a trial that appears twice, naming it.
 Dataset select_for_analysis(const study::StudyRecords& records);
+
+/// The rows whose participants are in the set.
+template <typename OfParticipant>
+std::vector<OfParticipant> of_analysed(const Dataset& set, std::vector<OfParticipant> rows) {
+  std::erase_if(rows, [&](const OfParticipant& row) {
+    return !std::ranges::binary_search(set.participants, row.participant);
+  });
+  return rows;
+}
 
 /// For each session of the records, the index of its participant in the set; empty for a session
 /// that is not analysed.

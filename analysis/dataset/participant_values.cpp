@@ -26,6 +26,28 @@ std::size_t censored_pairs(const Dataset& set, std::size_t participant, std::siz
   return count;
 }
 
+bool is_of_pair(const study::PlannedComparison& planned, const std::string& measure,
+                const std::string& a, const std::string& b) {
+  return planned.measure == measure && ((planned.method == a && planned.baseline == b) ||
+                                        (planned.method == b && planned.baseline == a));
+}
+
+std::vector<ComparedPair> unplanned_pairs(const Dataset& set, const study::AnalysisPlan& plan,
+                                          std::size_t measure) {
+  std::vector<ComparedPair> pairs;
+  for (std::size_t reference = 0; reference < set.methods.size(); ++reference) {
+    for (std::size_t method = reference + 1; method < set.methods.size(); ++method) {
+      if (std::none_of(plan.primary.begin(), plan.primary.end(), [&](const auto& planned) {
+            return is_of_pair(planned, set.measures[measure].id(), set.methods[method],
+                              set.methods[reference]);
+          })) {
+        pairs.push_back({measure, method, reference});
+      }
+    }
+  }
+  return pairs;
+}
+
 }  // namespace
 
 ParticipantValues participant_means(const Dataset& set, std::size_t measure) {
@@ -146,6 +168,37 @@ std::vector<OrderedValue> values_by_previous(const Dataset& set, std::size_t mea
     }
   }
   return values;
+}
+
+std::optional<ComparedPair> pair_of(const Dataset& set, const study::PlannedComparison& planned) {
+  const auto measure = set.measure_named(planned.measure);
+  const auto method = position_of(set.methods, planned.method);
+  const auto reference = position_of(set.methods, planned.baseline);
+  if (!measure || !method || !reference || !set.measures[*measure].is_numeric()) {
+    return std::nullopt;
+  }
+  return ComparedPair{*measure, *method, *reference};
+}
+
+std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
+  std::vector<ComparedPair> pairs;
+  for (const study::PlannedComparison& planned : plan.primary) {
+    if (const std::optional<ComparedPair> pair = pair_of(set, planned)) {
+      pairs.push_back(*pair);
+    }
+  }
+  return pairs;
+}
+
+std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
+  std::vector<ComparedPair> pairs = planned_pairs(set, plan);
+  for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
+    if (set.measures[measure].is_numeric()) {
+      const std::vector<ComparedPair> others = unplanned_pairs(set, plan, measure);
+      pairs.insert(pairs.end(), others.begin(), others.end());
+    }
+  }
+  return pairs;
 }
 
 }  // namespace foveola::analysis

@@ -7,6 +7,7 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/statistics/order_balance.h"
+#include "study/protocol/protocol.h"
 
 namespace foveola::analysis {
 
@@ -52,5 +53,22 @@ std::vector<OrderedValue> ordered_values(const Dataset& set, std::size_t measure
 /// condition; the position is 1 right after the method `previous`, else 0.
 std::vector<OrderedValue> values_by_previous(const Dataset& set, std::size_t measure,
                                              std::size_t method, std::size_t previous);
+
+/// A comparison to be made: the indices of its measure, method and reference.
+struct ComparedPair {
+  std::size_t measure = 0;
+  std::size_t method = 0;
+  std::size_t reference = 0;
+};
+
+/// Empty if the study does not have the planned measure, in numbers, or methods.
+std::optional<ComparedPair> pair_of(const Dataset& set, const study::PlannedComparison& planned);
+
+/// The planned pairs as the plan has them, without those that the study does not have.
+std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan);
+
+/// All pairs of methods in all measures that are numbers: first the planned ones, then the others,
+/// measure by measure.
+std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan);
 
 }  // namespace foveola::analysis

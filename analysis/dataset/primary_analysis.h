@@ -41,6 +41,12 @@ struct PrimaryResult {
   std::string warning;  ///< Of R; empty if there is none.
   std::optional<Influence> influence_by_r;
   bool omits_censored = false;  ///< Pairs with a right-censored time are left out: it is biased.
+
+  /// The estimate and its interval as a ratio, an odds ratio or points.
+  Estimate scaled() const {
+    return {.value = in_scale(scale, estimate),
+            .interval = interval ? std::optional(in_scale(scale, *interval)) : std::nullopt};
+  }
 };
 
 /// What a primary analysis is taken from.

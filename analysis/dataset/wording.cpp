@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -61,8 +60,6 @@ const PublishedMethod* find_published(const std::string& id) {
   return nullptr;
 }
 
-constexpr std::string_view no_value = "–";
-
 }  // namespace
 
 std::string method_label(const std::string& method) {
@@ -75,22 +72,6 @@ std::string_view method_meaning(const std::string& method) {
   return published != nullptr ? published->meaning : std::string_view();
 }
 
-std::string fixed(std::optional<double> value, int decimals) {
-  if (!value) {
-    return std::string(no_value);
-  }
-  const std::string text = fmt::format("{:.{}f}", *value, decimals);
-  const bool is_negative_zero = text.find_first_of("123456789") == std::string::npos &&
-                                std::isfinite(*value) && text.front() == '-';
-  return is_negative_zero ? text.substr(1) : text;
-}
-
-std::string with_sign(std::optional<double> value, int decimals) {
-  const std::string text = fixed(value, decimals);
-  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
-  return value && *value > 0.0 && !is_zero ? "+" + text : text;
-}
-
 std::string mean_and_deviation(const Description& description, int decimals) {
   std::string text = fixed(description.mean, decimals);
   if (description.standard_deviation) {
@@ -101,7 +82,7 @@ std::string mean_and_deviation(const Description& description, int decimals) {
 
 std::string with_interval(const std::optional<Estimate>& estimate, int decimals) {
   if (!estimate) {
-    return std::string(no_value);
+    return no_value;
   }
   std::string text = fixed(estimate->value, decimals);
   if (estimate->interval) {
@@ -109,11 +90,6 @@ std::string with_interval(const std::optional<Estimate>& estimate, int decimals)
                         fixed(estimate->interval->high, decimals));
   }
   return text;
-}
-
-std::string p_value(double p) {
-  constexpr double smallest_printed = 1e-300;
-  return p < smallest_printed ? "< 1e-300" : fmt::format("{:#.2g}", p);
 }
 
 std::string joined(const std::string& sentence, const std::string& more) {

@@ -1,4 +1,5 @@
-// How names and numbers are written, the same in the report, the figures and the terminal.
+// How names, estimates and facts of a study are written, the same in the report, the figures and
+// the terminal.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/study_tables.h"
+#include "analysis/tables/number_text.h"
 
 namespace foveola::analysis {
 
@@ -18,20 +20,11 @@ std::string method_label(const std::string& method);
 /// (section 4.1).
 std::string_view method_meaning(const std::string& method);
 
-/// A value with this many decimals; an en dash where there is none.
-std::string fixed(std::optional<double> value, int decimals);
-
-/// The same with its sign, "+1.5" or "-0.3"; zero has none.
-std::string with_sign(std::optional<double> value, int decimals);
-
 /// "12.3 ± 4.5", or "12.3" for a single value, or an en dash.
 std::string mean_and_deviation(const Description& description, int decimals);
 
 /// "12.3 [10.1, 14.9]", without the interval if there is none, or an en dash.
 std::string with_interval(const std::optional<Estimate>& estimate, int decimals);
-
-/// A P-value with two significant digits: "0.63", "3.2e-05"; "< 1e-300" near the smallest doubles.
-std::string p_value(double p);
 
 /// Two sentences with a space between them; the second may be empty.
 std::string joined(const std::string& sentence, const std::string& more);

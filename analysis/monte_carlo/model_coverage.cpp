@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/trial_data.h"
 #include "analysis/monte_carlo/censored_coverage.h"
-#include "analysis/publication/data_files.h"
-#include "analysis/publication/trial_data.h"
 #include "analysis/r_models/fit_models.h"
 #include "analysis/r_models/models_plan.h"
 #include "analysis/r_models/models_script.h"
+#include "analysis/tables/row_file.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -33,10 +33,10 @@ bool has_data(const study::StudyRecords& records) {
 
 void write_study(const study::StudyRecords& records, const fs::path& folder) {
   const Dataset set = select_for_analysis(records);
-  const TrialColumns trials(records, set);
-  RowFile file(folder / "trials_long.csv", trials.columns());
+  const ColumnsOf<std::size_t> trials = trial_columns(records, set);
+  RowFile file(folder / "trials_long.csv", columns_in(trials));
   for (std::size_t i = 0; i < records.trials.size(); ++i) {
-    file.add(trials.row(i));
+    file.add(row_of(trials, i));
   }
   file.close();
   const study::AnalysisPlan& plan = records.protocol.analysis;

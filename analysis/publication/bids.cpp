@@ -50,7 +50,7 @@ struct ParticipantFile {
   std::string json;
 };
 
-ParticipantFile participants_file(const ParticipantColumns& participants,
+ParticipantFile participants_file(const Dataset& set, const ColumnsOf<std::size_t>& answers,
                                   const std::vector<std::string>& labels) {
   std::vector<Column> columns = {{"participant_id", ColumnType::text, "", ""},
                                  {"participant_code", ColumnType::text, "", ""},
@@ -62,31 +62,28 @@ ParticipantFile participants_file(const ParticipantColumns& participants,
   kind["Levels"]["human"] = "a person";
   kind["Levels"]["pilot"] = "a person trying out the procedure";
   kind["Levels"]["simulated"] = "a simulated participant, not a person";
-  for (std::size_t i = participants.first_answer(); i < participants.columns().size(); ++i) {
-    const Column& column = participants.columns()[i];
+  for (const Column& column : columns_in(answers)) {
     json[column.name]["Description"] = column.description;
     columns.push_back(column);
   }
   std::string tsv = tsv_heading(columns);
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const Row all = participants.row(i);
-    Row row = {"sub-" + labels[i], all[0], all[1]};
-    row.insert(row.end(), all.begin() + static_cast<std::ptrdiff_t>(participants.first_answer()),
-               all.end());
+    Row row = {"sub-" + labels[i], set.participants[i], set.kind};
+    std::ranges::move(row_of(answers, i), std::back_inserter(row));
     tsv += tsv_row(row);
   }
   return {std::move(tsv), bids_json(json)};
 }
 
 /// The columns of a behavioural file: those of the trials but for the participant's.
-std::vector<Column> behaviour_columns(const TrialColumns& trials) {
-  return {trials.columns().begin() + TrialColumns::of_the_participant, trials.columns().end()};
+ColumnsOf<std::size_t> behaviour_columns(const ColumnsOf<std::size_t>& trials) {
+  return {trials.begin() + columns_of_the_participant, trials.end()};
 }
 
-std::string behaviour_json(const TrialColumns& trials) {
+std::string behaviour_json(const ColumnsOf<std::size_t>& behaviour) {
   BidsJson json;
   json["TaskName"] = "preview";
-  for (const Column& column : behaviour_columns(trials)) {
+  for (const Column& column : columns_in(behaviour)) {
     BidsJson entry;
     entry["Description"] = column.description;
     if (!column.unit.empty()) {
@@ -99,17 +96,16 @@ std::string behaviour_json(const TrialColumns& trials) {
 
 /// The last timings of each analysed participant's trials, in the order of the plan.
 std::vector<std::string> behaviour_files(const Dataset& set, const study::StudyRecords& records,
-                                         const TrialColumns& trials) {
-  std::vector<std::string> files(set.participants.size(), tsv_heading(behaviour_columns(trials)));
+                                         const ColumnsOf<std::size_t>& behaviour) {
+  std::vector<std::string> files(set.participants.size(), tsv_heading(columns_in(behaviour)));
   for (std::size_t i = 0; i < records.trials.size(); ++i) {
     const study::TrialRow& trial = records.trials[i];
     const auto found = std::lower_bound(set.participants.begin(), set.participants.end(),
                                         records.participant_of(trial));
     if (trial.counts && found != set.participants.end() &&
         *found == records.participant_of(trial)) {
-      const Row row = trials.row(i);
       files[static_cast<std::size_t>(found - set.participants.begin())] +=
-          tsv_row({row.begin() + TrialColumns::of_the_participant, row.end()});
+          tsv_row(row_of(behaviour, i));
     }
   }
   return files;
@@ -154,19 +150,20 @@ std::vector<std::string> bids_labels(const Dataset& set) {
 }
 
 std::vector<TextFile> bids_files(const StudyTables& tables, const study::StudyRecords& records,
-                                 const TrialColumns& trials,
-                                 const ParticipantColumns& participants) {
+                                 const ColumnsOf<std::size_t>& trials,
+                                 const ColumnsOf<std::size_t>& answers) {
   const std::vector<std::string> labels = bids_labels(tables.set);
-  const ParticipantFile answers = participants_file(participants, labels);
+  const ParticipantFile participants = participants_file(tables.set, answers, labels);
+  const ColumnsOf<std::size_t> behaviour = behaviour_columns(trials);
   std::vector<TextFile> files = {{"bids/README", readme(tables)},
                                  {"bids/dataset_description.json", description_json(tables)},
-                                 {"bids/participants.tsv", answers.tsv},
-                                 {"bids/participants.json", answers.json},
-                                 {"bids/task-preview_beh.json", behaviour_json(trials)}};
-  std::vector<std::string> behaviour = behaviour_files(tables.set, records, trials);
+                                 {"bids/participants.tsv", participants.tsv},
+                                 {"bids/participants.json", participants.json},
+                                 {"bids/task-preview_beh.json", behaviour_json(behaviour)}};
+  std::vector<std::string> trials_of = behaviour_files(tables.set, records, behaviour);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     files.push_back({fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_beh.tsv", labels[i]),
-                     std::move(behaviour[i])});
+                     std::move(trials_of[i])});
   }
   return files;
 }

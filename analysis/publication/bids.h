@@ -19,7 +19,7 @@ std::vector<std::string> bids_labels(const Dataset& set);
 /// trials in the order in which they were planned. LABEL is from bids_labels; participants.tsv has
 /// the codes. Missing values are "n/a".
 std::vector<TextFile> bids_files(const StudyTables& tables, const study::StudyRecords& records,
-                                 const TrialColumns& trials,
-                                 const ParticipantColumns& participants);
+                                 const ColumnsOf<std::size_t>& trials,
+                                 const ColumnsOf<std::size_t>& answers);
 
 }  // namespace foveola::analysis

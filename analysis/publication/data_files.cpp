@@ -12,9 +12,6 @@
 #include <zlib.h>
 
 #include "analysis/dataset/wording.h"
-#include "analysis/tables/table_formats.h"
-#include "renderer/base/error.h"
-#include "renderer/base/files.h"
 
 namespace foveola::analysis {
 namespace {
@@ -30,23 +27,22 @@ std::string file_word(const std::string& name) {
 }
 
 /// Every column of the data files once: Psych-DS forbids columns that are not described.
-std::vector<Column> all_columns(const TrialColumns& trials,
-                                const ParticipantColumns& participants) {
-  std::vector<Column> columns = trials.columns();
+std::vector<Column> all_columns(std::vector<Column> trials,
+                                const std::vector<Column>& participants) {
   std::set<std::string> described;
-  for (const Column& column : columns) {
+  for (const Column& column : trials) {
     described.insert(column.name);
   }
-  for (const Column& column : participants.columns()) {
+  for (const Column& column : participants) {
     if (described.insert(column.name).second) {
-      columns.push_back(column);
+      trials.push_back(column);
     }
   }
-  return columns;
+  return trials;
 }
 
-std::string dataset_description(const StudyTables& tables, const TrialColumns& trials,
-                                const ParticipantColumns& participants) {
+std::string dataset_description(const StudyTables& tables, std::vector<Column> trials,
+                                const std::vector<Column>& participants) {
   nlohmann::ordered_json variables = nlohmann::ordered_json::array();
   for (const Column& column : all_columns(trials, participants)) {
     nlohmann::ordered_json entry = {
@@ -72,40 +68,12 @@ std::string dataset_description(const StudyTables& tables, const TrialColumns& t
 
 }  // namespace
 
-PsychDs psych_ds(const StudyTables& tables, const TrialColumns& trials,
-                 const ParticipantColumns& participants) {
+PsychDs psych_ds(const StudyTables& tables, const std::vector<Column>& trials,
+                 const std::vector<Column>& participants) {
   const std::string data = "psych-ds/data/study-" + file_word(tables.protocol_name);
   return {{"psych-ds/dataset_description.json", dataset_description(tables, trials, participants)},
           data + "_type-trials_data.csv",
           data + "_type-participants_data.csv"};
-}
-
-RowFile::RowFile(std::filesystem::path path, const std::vector<Column>& columns, CsvTexts texts)
-    : path_(std::move(path)), texts_(texts), text_(csv_heading(columns)) {
-  std::filesystem::create_directories(path_.parent_path());
-  stream_.open(path_, std::ios::binary);
-}
-
-void RowFile::add(const Row& row) {
-  constexpr std::size_t most_bytes = 1 << 20;
-  text_ += csv_row(row, texts_);
-  if (text_.size() > most_bytes) {
-    flush();
-  }
-}
-
-void RowFile::close() {
-  flush();
-  stream_.close();
-  if (!stream_) {
-    throw Error(path_.string(), "cannot be written", "make room on the disk, or choose another");
-  }
-  sync_to_disk(path_);
-}
-
-void RowFile::flush() {
-  stream_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
-  text_.clear();
 }
 
 std::string gzip(std::string_view text) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <span>
 
 #include <fmt/format.h>
@@ -30,17 +29,6 @@ std::vector<std::string> participants_of(std::span<const Finding> findings) {
 constexpr double least_balance_p = 0.01;
 constexpr double most_false_alarms_percent = 20.0;
 constexpr double max_censored_percent = 20.0;
-
-/// The figures of the participants who are analysed.
-std::vector<study::FrameFigures> analysed_frames(const StudyTables& tables,
-                                                 const study::DataQualityRecords& quality) {
-  const std::set<std::string> analysed(tables.set.participants.begin(),
-                                       tables.set.participants.end());
-  std::vector<study::FrameFigures> frames;
-  std::copy_if(quality.frames.begin(), quality.frames.end(), std::back_inserter(frames),
-               [&](const study::FrameFigures& row) { return analysed.contains(row.participant); });
-  return frames;
-}
 
 /// The positions of the methods in one scene of one participant; empty unless each position is
 /// taken once: a trial that is missing from the record has no position of its own.
@@ -260,8 +248,8 @@ DataQualityReport check_data_quality(const StudyTables& tables,
   DataQualityReport report;
   report.catches = catch_figures(tables.set, records);
   report.outliers = outlying_times(tables.set);
-  report.frames = analysed_frames(tables, quality);
-  const GazeOfTrials gaze(records, quality.gaze);
+  report.frames = of_analysed(tables.set, quality.frames);
+  const GazeOfTrials gaze = gaze_of_trials(records, quality.gaze);
   report.gaze = gaze_by_method(records, tables.set, gaze);
   report.checks = {check_kind(tables)};
   const auto add = [&](const std::vector<DataQualityCheck>& checks) {

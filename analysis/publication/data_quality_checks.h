@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/dataset/mark_survival.h"
 #include "analysis/dataset/study_tables.h"
-#include "analysis/publication/gaze_by_trial.h"
 #include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"

@@ -5,21 +5,13 @@
 #include <vector>
 
 #include "analysis/dataset/study_tables.h"
+#include "analysis/gnuplot/gnuplot.h"
 #include "analysis/tables/text_file.h"
 
 namespace foveola::analysis {
 
 /// Above this many participants the figures leave out the dots of single participants.
 inline constexpr std::size_t most_dots = 500;
-
-struct Figure {
-  std::string name;      ///< A file name without its extension.
-  std::string svg;       ///< The content of an SVG file, on a white background.
-  std::string png{};     ///< Of a PNG file of twice the size, for slides; empty if it has none.
-  std::string pdf{};     ///< Of a PDF file without a date, so that the same figure gives the same
-                         ///< bytes; empty if it has none.
-  std::string script{};  ///< What gnuplot draws all of them by, without its terminal.
-};
 
 /// The name of the figure of a rating.
 std::string rating_figure_name(const Measure& rating);

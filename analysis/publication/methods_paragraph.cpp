@@ -98,12 +98,8 @@ std::string gaze_in_words(const Dataset& set, const study::DataQualityRecords& q
 
 /// What people's sessions ran on, as they recorded it, but for speeds, which are of the moment.
 std::string setup_in_words(const Dataset& set, const study::DataQualityRecords& quality) {
-  std::vector<study::SessionSetup> analysed;
-  std::ranges::copy_if(quality.setups, std::back_inserter(analysed),
-                       [&](const study::SessionSetup& session) {
-                         return session.kind != "simulated" &&
-                                std::ranges::binary_search(set.participants, session.participant);
-                       });
+  std::vector<study::SessionSetup> analysed = of_analysed(set, quality.setups);
+  std::erase_if(analysed, [](const study::SessionSetup& row) { return row.kind == "simulated"; });
   std::vector<std::string> facts;
   for (const study::SetupSummary& fact : study::summarize_setups(analysed)) {
     if (fact.part != study::SetupPart::speed && fact.part != study::SetupPart::refreshes) {
@@ -115,12 +111,8 @@ std::string setup_in_words(const Dataset& set, const study::DataQualityRecords& 
 
 /// The programs that ran the analysed sessions, and whether they differed.
 std::string programs_in_words(const Dataset& set, const study::StudyRecords& records) {
-  std::vector<study::SessionPrograms> analysed;
-  std::ranges::copy_if(records.programs, std::back_inserter(analysed),
-                       [&](const study::SessionPrograms& session) {
-                         return std::ranges::binary_search(set.participants, session.participant);
-                       });
-  const std::vector<study::ProgramUse> uses = study::program_uses(analysed);
+  const std::vector<study::ProgramUse> uses =
+      study::program_uses(of_analysed(set, records.programs));
   if (uses.empty()) {
     return "";
   }

@@ -1,7 +1,6 @@
 #include "analysis/publication/printed_results.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +9,8 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
 #include "analysis/publication/published_comparison_report.h"
+#include "analysis/publication/result_tables.h"
+#include "analysis/tables/row_text.h"
 
 namespace foveola::analysis {
 namespace {
@@ -56,39 +57,6 @@ std::vector<std::string> overall_row(const StudyTables& tables, std::size_t mark
   row.push_back(count_per_method(n));
   row.insert(row.end(), 2, "");
   return row;
-}
-
-std::string coefficient(const std::optional<Correlation>& found) {
-  return found ? with_interval(Estimate{found->n, found->r, found->interval}, 2) : "–";
-}
-
-std::string p_text(const std::optional<Correlation>& found) {
-  return found ? p_value(found->p) + (found->exact ? " (exact)" : "") : "–";
-}
-
-/// The text of a column in a row of a table.
-std::string text_in(const Table& table, const Row& row, const std::string& column) {
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (table.columns[i].name == column) {
-      if (const auto* text = std::get_if<std::string>(&row[i])) {
-        return *text;
-      }
-      if (const auto* whole = std::get_if<std::int64_t>(&row[i])) {
-        return std::to_string(*whole);
-      }
-    }
-  }
-  return "";
-}
-
-std::optional<double> number_in(const Table& table, const Row& row, const std::string& column) {
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (const auto* value = std::get_if<double>(&row[i]);
-        value != nullptr && table.columns[i].name == column) {
-      return *value;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -219,50 +187,47 @@ PrintedTable printed_ratings(const StudyTables& tables, std::size_t rating) {
 }
 
 PrintedTable printed_answers(const Table& answers) {
-  PrintedTable table;
-  table.id = "answers";
-  table.title = "Answers of questionnaires.";
-  table.note = "Mean, standard deviation (sd) and median of the answers that are numbers.";
-  table.columns = {"Question", "scale", "n", "mean", "sd", "median", "missing"};
-  for (const Row& row : answers.rows) {
-    table.rows.push_back(
-        {fmt::format("{}: {}", text_in(answers, row, "questionnaire"),
-                     text_in(answers, row, "question")),
-         text_in(answers, row, "scale"), text_in(answers, row, "n"),
-         fixed(number_in(answers, row, "mean"), 2), fixed(number_in(answers, row, "sd"), 2),
-         fixed(number_in(answers, row, "median"), 1), text_in(answers, row, "missing")});
-  }
-  return table;
+  return print_rows(
+      {.id = "answers",
+       .title = "Answers of questionnaires.",
+       .note = "Mean, standard deviation (sd) and median of the answers that are numbers."},
+      answers, "",
+      {{"Question", "{questionnaire}: {question}"},
+       {"scale", "{scale}", ""},
+       {"n", "{n}"},
+       {"mean", "{mean:.2}"},
+       {"sd", "{sd:.2}"},
+       {"median", "{median:.1}"},
+       {"missing", "{missing}"}});
 }
 
 PrintedTable printed_scores(const Table& scores) {
-  // By questionnaire, step, instrument and score, in the order of the rows.
+  // By the texts of the first two cells, in the order of the rows.
   std::vector<std::pair<std::vector<std::string>, std::vector<double>>> groups;
   for (const Row& row : scores.rows) {
-    if (text_in(scores, row, "status") != "analysed") {
+    const auto name = fill("{status=analysed}{questionnaire} (step {step}), {score}", scores, row);
+    if (!name) {
       continue;
     }
-    const std::vector<std::string> key = {
-        text_in(scores, row, "questionnaire"), text_in(scores, row, "step"),
-        text_in(scores, row, "instrument"), text_in(scores, row, "score")};
+    const std::vector<std::string> key = {*name, fill("{instrument}", scores, row).value_or("")};
     auto group = std::find_if(groups.begin(), groups.end(),
                               [&](const auto& known) { return known.first == key; });
     if (group == groups.end()) {
       group = groups.insert(groups.end(), {key, {}});
     }
-    if (const auto value = number_in(scores, row, "value")) {
+    if (const auto value = number_of(field_in(scores, row, "value"))) {
       group->second.push_back(*value);
     }
   }
-  PrintedTable table;
-  table.id = "scores";
-  table.title = "Scores of questionnaires.";
-  table.note = "By their published keys, of the analysed sessions that filled them in.";
-  table.columns = {"Questionnaire and score", "instrument", "n", "mean", "sd", "median"};
+  PrintedTable table{
+      .id = "scores",
+      .title = "Scores of questionnaires.",
+      .note = "By their published keys, of the analysed sessions that filled them in.",
+      .groups = {},
+      .columns = {"Questionnaire and score", "instrument", "n", "mean", "sd", "median"}};
   for (const auto& [key, values] : groups) {
     const Description found = describe(values);
-    table.rows.push_back({fmt::format("{} (step {}), {}", key[0], key[1], key[3]), key[2],
-                          std::to_string(found.n), fixed(found.mean, 1),
+    table.rows.push_back({key[0], key[1], std::to_string(found.n), fixed(found.mean, 1),
                           fixed(found.standard_deviation, 1), fixed(found.median, 1)});
   }
   return table;
@@ -293,27 +258,27 @@ PrintedTable printed_background_answers(const Background& background,
   return table;
 }
 
-PrintedTable printed_background(const StudyTables& tables, const Background& background) {
-  PrintedTable table;
-  table.id = "background";
-  table.title = "Correlation of background with speed-up.";
-  table.note = joined(
-      fmt::format(
-          "Pearson’s r of the values, whose two-sided P is that of the stated hypothesis, and "
-          "Spearman’s ρ of their ranks, with 95 % intervals. Speed-up is a participant’s mean over "
-          "scenes of the logarithm of {}’s time over the method’s. A dash: not defined, because of "
-          "fewer than three participants or constant values.",
-          baseline_name(tables)),
-      censored_times_in_words(tables.set));
-  table.columns = {"Speed-up", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
-  if (const std::optional<BackgroundCorrelation>& row = background.correlation) {
-    table.rows.push_back(
-        {fmt::format("log({}/{}), {}", baseline_name(tables), method_label(row->method), row->mark),
-         std::to_string(row->participants), coefficient(row->pearson),
-         row->pearson ? fixed(row->pearson->t, 2) : "–", p_text(row->pearson),
-         coefficient(row->spearman), p_text(row->spearman)});
-  }
-  return table;
+PrintedTable printed_background(const StudyTables& tables, const Table& correlation) {
+  const std::string reference = baseline_name(tables);
+  return print_rows(
+      {.id = "background",
+       .title = "Correlation of background with speed-up.",
+       .note = joined(
+           fmt::format("Pearson’s r of the values, whose two-sided P is that of the stated "
+                       "hypothesis, and Spearman’s ρ of their ranks, with 95 % intervals. Speed-up "
+                       "is a participant’s mean over scenes of the logarithm of {}’s time over the "
+                       "method’s. A dash: not defined, because of fewer than three participants or "
+                       "constant values.",
+                       reference),
+           censored_times_in_words(tables.set))},
+      with_method_labels(correlation), "",
+      {{"Speed-up", fmt::format("log({}/{{method}}), {{mark}}", reference)},
+       {"n", "{n}"},
+       {"r [95 %]", "{pearson_r:.2}| [{ci95_low_r:.2}, {ci95_high_r:.2}]"},
+       {"t", "{t:.2}"},
+       {"P", "{p_two_sided:p}"},
+       {"ρ [95 %]", "{spearman_rho:.2}| [{ci95_low_rho:.2}, {ci95_high_rho:.2}]"},
+       {"P, ρ", "{p_rho:p}{p_rho_exact: (exact)/}"}});
 }
 
 }  // namespace foveola::analysis

@@ -47,26 +47,17 @@ PrintedTable printed_scores(const Table& scores);
 PrintedTable printed_background_answers(const Background& background,
                                         const std::optional<PublishedStudy>& published);
 
-/// The correlation that the protocol states; no rows without one.
-PrintedTable printed_background(const StudyTables& tables, const Background& background);
+/// The correlation that the protocol states; no rows without one. `correlation` is the table
+/// background_correlation.
+PrintedTable printed_background(const StudyTables& tables, const Table& correlation);
 
-/// The two methods with the sign that joins them, and the measure: "FV / OD, outline".
-std::string compared_in_words(const MethodComparison& row);
+/// The primary analyses of the planned comparisons, and of the exploratory ones. `results` has the
+/// tables of an analysis.
+std::vector<PrintedTable> primary_tables(const std::vector<Table>& results,
+                                         const Comparisons& comparisons);
 
-/// The primary analyses of the planned comparisons, or of the exploratory ones.
-PrintedTable printed_primary(const Comparisons& comparisons, bool planned);
-
-PrintedTable printed_models(const Comparisons& comparisons);
-PrintedTable printed_influence(const Comparisons& comparisons);
-PrintedTable printed_ratios(const Comparisons& comparisons);
-PrintedTable printed_ranks(const Comparisons& comparisons);
-PrintedTable printed_rating_differences(const Comparisons& comparisons);
-PrintedTable printed_equivalence(const Comparisons& comparisons);
-PrintedTable printed_variance(const Comparisons& comparisons);
-PrintedTable printed_friedman(const Comparisons& comparisons);
-PrintedTable printed_order_effects(const Comparisons& comparisons);
-
-/// All of these, in the report's order; some may have no rows.
-std::vector<PrintedTable> sensitivity_tables(const Comparisons& comparisons);
+/// All other tests of the comparisons, in the report's order; some may have no rows.
+std::vector<PrintedTable> sensitivity_tables(const std::vector<Table>& results,
+                                             const Comparisons& comparisons);
 
 }  // namespace foveola::analysis

@@ -14,6 +14,7 @@
 #include "analysis/koskela2018/profile.h"
 #include "analysis/publication/output_folder.h"
 #include "analysis/publication/report_parts.h"
+#include "analysis/publication/result_tables.h"
 #include "analysis/tables/html.h"
 #include "analysis/tables/printed_table.h"
 #include "analysis/tables/table_formats.h"
@@ -187,67 +188,41 @@ Comparison compare_study(const fs::path& database) {
 Table published_comparison_table(const StudyTables& tables,
                                  const std::vector<ComparedNumber>& numbers) {
   using Number = ComparedNumber;
-  using enum ColumnType;
-  const auto low = [](const Estimate& estimate) {
-    return field_in(estimate.interval, [](const Interval& ends) { return ends.low; });
-  };
-  const auto high = [](const Estimate& estimate) {
-    return field_in(estimate.interval, [](const Interval& ends) { return ends.high; });
-  };
-  const auto truth_of = [](std::optional<bool> value) { return value ? field(*value) : Field(); };
   const ColumnsOf<Number> columns = {
-      {{"source", text, "", "Table 1 or 2 of the paper, its geometric means over scenes, or text"},
-       [](const Number& number) { return field(number.source); }},
-      {{"section", text, "", "Section of the paper"},
-       [](const Number& number) { return field(number.section); }},
-      {{"row", text, "", "The paper's question or scene, or what its text states"},
-       [](const Number& number) { return field(number.row); }},
-      {{"own_row", text, "", "This study's question or scene that is compared"},
-       [](const Number& number) { return field(number.own_row); }},
-      {{"mark", text, "", "Id of the mark"},
-       [](const Number& number) { return field(number.mark); }},
-      {{"method", text, "", "Id of the method"},
-       [](const Number& number) { return field(number.method); }},
-      {{"reading", text, "", "How this study's number was formed"},
-       [](const Number& number) { return field(number.reading); }},
-      {{"unit", text, "", "Unit of the values; of deviations of percentages, percentage points"},
-       [](const Number& number) { return field(number.unit); }},
-      {{"published", number, "", "Number of the paper, or computed from Table 2"},
-       [](const Number& number) { return field(number.published.value); }},
-      {{"published_ci95_low", number, "", "Lower end of its 95 % interval, which is ours"},
-       [&](const Number& number) { return low(number.published); }},
-      {{"published_ci95_high", number, "", "Upper end of its 95 % interval, which is ours"},
-       [&](const Number& number) { return high(number.published); }},
-      {{"published_sd", number, "", "Standard deviation in the paper"},
-       [](const Number& number) { return field(number.published_deviation); }},
-      {{"study", number, "", "This study's number"},
-       [](const Number& number) {
-         return field_in(number.study, [](const Estimate& own) { return own.value; });
-       }},
-      {{"study_ci95_low", number, "", "Lower end of its 95 % interval over participants"},
-       [&](const Number& number) { return number.study ? low(*number.study) : Field(); }},
-      {{"study_ci95_high", number, "", "Upper end of its 95 % interval over participants"},
-       [&](const Number& number) { return number.study ? high(*number.study) : Field(); }},
-      {{"study_sd", number, "", "This study's standard deviation"},
-       [](const Number& number) { return field(number.study_deviation); }},
-      {{"study_n", whole, "", "Participants in this study's number"},
-       [](const Number& number) {
-         return field_in(number.study, [](const Estimate& own) { return own.n; });
-       }},
-      {{"difference", number, "", "This study's number less the published one"},
-       [](const Number& number) { return field(difference_of(number)); }},
-      {{"times_published", number, "", "This study's time or factor over the published one"},
-       [](const Number& number) { return field(times_published(number)); }},
-      {{"difference_of_sds", number, "", "This study's deviation less the published one"},
-       [](const Number& number) { return field(difference_of_deviations(number)); }},
-      {{"study_in_published_ci95", truth, "",
-        "Whether this study's lies in the published interval"},
-       [&](const Number& number) { return truth_of(is_study_in_published_interval(number)); }},
-      {{"published_in_study_ci95", truth, "",
-        "Whether the published lies in this study's interval"},
-       [&](const Number& number) { return truth_of(is_published_in_study_interval(number)); }},
-      {{"participant_kind", text, "", "Who took part: human, pilot or simulated"},
-       [&](const Number& /*number*/) { return field(tables.set.kind); }}};
+      {"source", "", "Table 1 or 2 of the paper, its geometric means over scenes, or text",
+       &Number::source},
+      {"section", "", "Section of the paper", &Number::section},
+      {"row", "", "The paper's question or scene, or what its text states", &Number::row},
+      {"own_row", "", "This study's question or scene that is compared", &Number::own_row},
+      {"mark", "", "Id of the mark", &Number::mark},
+      {"method", "", "Id of the method", &Number::method},
+      {"reading", "", "How this study's number was formed", &Number::reading},
+      {"unit", "", "Unit of the values; of deviations of percentages, percentage points",
+       &Number::unit},
+      {"published", "", "Number of the paper, or computed from Table 2",
+       path(&Number::published, &Estimate::value)},
+      {"published_ci95_low", "", "Lower end of its 95 % interval, which is ours",
+       path(&Number::published, &Estimate::interval, &Interval::low)},
+      {"published_ci95_high", "", "Upper end of its 95 % interval, which is ours",
+       path(&Number::published, &Estimate::interval, &Interval::high)},
+      {"published_sd", "", "Standard deviation in the paper", &Number::published_deviation},
+      {"study", "", "This study's number", path(&Number::study, &Estimate::value)},
+      {"study_ci95_low", "", "Lower end of its 95 % interval over participants",
+       path(&Number::study, &Estimate::interval, &Interval::low)},
+      {"study_ci95_high", "", "Upper end of its 95 % interval over participants",
+       path(&Number::study, &Estimate::interval, &Interval::high)},
+      {"study_sd", "", "This study's standard deviation", &Number::study_deviation},
+      {"study_n", "", "Participants in this study's number", path(&Number::study, &Estimate::n)},
+      {"difference", "", "This study's number less the published one", difference_of},
+      {"times_published", "", "This study's time or factor over the published one",
+       times_published},
+      {"difference_of_sds", "", "This study's deviation less the published one",
+       difference_of_deviations},
+      {"study_in_published_ci95", "", "Whether this study's lies in the published interval",
+       is_study_in_published_interval},
+      {"published_in_study_ci95", "", "Whether the published lies in this study's interval",
+       is_published_in_study_interval},
+      kind_of_all<Number>(tables)};
   return tabulate("published_comparison", "number of the paper", columns, numbers);
 }
 

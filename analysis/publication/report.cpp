@@ -10,9 +10,9 @@
 namespace foveola::analysis {
 namespace {
 
-std::string findings_html(const StudyTables& tables, const Comparisons& comparisons) {
+std::string findings_html(const ReportContent& content) {
   std::string items;
-  for (const Headline& finding : headlines(tables, comparisons)) {
+  for (const Headline& finding : headlines(content.tables, content.comparisons)) {
     items += fmt::format("<li>{} <strong>{}</strong> {}.</li>\n", escape_html(finding.before),
                          escape_html(finding.value), escape_html(finding.after));
   }
@@ -43,21 +43,14 @@ std::string citation_section() {
 }  // namespace
 
 std::string report_html(const ReportContent& content) {
-  const StudyTables& tables = content.tables;
   return report_page(
-      tables, "Foveola study report",
-      record_flags(content.record) + data_quality_flags(tables, content.checks) +
-          findings_html(tables, content.comparisons) +
-          scenes_section(tables, content.figures, content.published) +
-          methods_section(tables, content.figures, content.published) +
-          ratings_section(tables, content.figures, content.published) +
-          comparisons_section(tables, content.comparisons) +
-          answers_section(tables, content.answers, content.scores) +
-          background_section(tables, content.background, content.published) +
-          data_quality_section(tables, content.checks, content.quality, content.published) +
-          record_section(content.record) + exclusions_section(tables) + amended_section(tables) +
-          methods_text_section(content.methods) + sensitivity_section(tables, content.comparisons) +
-          definitions_section(tables) + citation_section());
+      content.tables, "Foveola study report",
+      record_flags(content) + data_quality_flags(content) + findings_html(content) +
+          scenes_section(content) + methods_section(content) + ratings_section(content) +
+          comparisons_section(content) + answers_section(content) + background_section(content) +
+          data_quality_section(content) + record_section(content) + exclusions_section(content) +
+          amended_section(content) + methods_text_section(content.methods) +
+          sensitivity_section(content) + definitions_section(content) + citation_section());
 }
 
 }  // namespace foveola::analysis

@@ -20,8 +20,7 @@ namespace foveola::analysis {
 struct ReportContent {
   const StudyTables& tables;
   const Background& background;
-  const Table& answers;  ///< answers_by_question
-  const Table& scores;   ///< questionnaire_scores
+  const std::vector<Table>& results;
   const Comparisons& comparisons;
   const study::DataQualityRecords& quality;
   const DataQualityReport& checks;

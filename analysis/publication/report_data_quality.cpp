@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -7,13 +8,14 @@
 #include "analysis/koskela2018/paper_notes.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
+#include "analysis/publication/result_tables.h"
 #include "analysis/tables/html.h"
-#include "analysis/tables/printed_table.h"
+#include "analysis/tables/row_text.h"
 
 namespace foveola::analysis {
 namespace {
 
-constexpr std::size_t most_faults_listed = 100;
+constexpr std::size_t most_listed = 100;
 
 std::string in_words(const study::RecordFault& fault) {
   return fault.participant.empty() ? fault.what
@@ -22,12 +24,12 @@ std::string in_words(const study::RecordFault& fault) {
 
 std::string fault_list(const std::vector<study::RecordFault>& faults) {
   std::string items = "<ul>\n";
-  for (std::size_t i = 0; i < std::min(most_faults_listed, faults.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_listed, faults.size()); ++i) {
     items += fmt::format("<li>{}</li>\n", escape_html(in_words(faults[i])));
   }
-  if (faults.size() > most_faults_listed) {
+  if (faults.size() > most_listed) {
     items += fmt::format("<li>and {} more, which <code>foveola study verify</code> lists</li>\n",
-                         faults.size() - most_faults_listed);
+                         faults.size() - most_listed);
   }
   return items + "</ul>\n";
 }
@@ -54,73 +56,72 @@ std::string warnings_of(const study::Verification& record) {
                    fault_list(record.warnings);
 }
 
-constexpr std::size_t most_listed = 100;
-
 std::string rest_in_words(std::size_t rows, const char* file) {
   return rows > most_listed
              ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - most_listed, file)
              : "";
 }
 
-std::string checks_table(const StudyTables& tables, const DataQualityReport& report) {
-  PrintedTable table;
-  table.is_numeric = false;
-  table.title = "Data-quality checks.";
-  table.note = "Of the participants whose data are analysed.";
-  table.columns = {"Check", "Verdict", "Found", "Limit"};
-  for (const DataQualityCheck& check : report.checks) {
-    const std::string verdict(name_of(check.verdict));
-    table.rows.push_back({check.name, check.verdict == Verdict::flagged ? "⚑ " + verdict : verdict,
-                          check.found, check.limit});
-  }
-  return html_of(table, data_notice(tables));
+/// No more rows of a table than these.
+PrintedTable shortened(PrintedTable table) {
+  table.rows.resize(std::min(most_listed, table.rows.size()));
+  return table;
+}
+
+std::string checks_table(const ReportContent& content) {
+  return table_html(content.tables,
+                    print_rows({.title = "Data-quality checks.",
+                                .note = "Of the participants whose data are analysed.",
+                                .is_numeric = false},
+                               table_named(content.results, "data_quality"), "",
+                               {{"Check", "{check}"},
+                                {"Verdict", "{verdict=flagged}⚑ {verdict}", "{verdict}"},
+                                {"Found", "{found}"},
+                                {"Limit", "{limit}"}}));
 }
 
 /// The mean latency of each session's frames, from the eye to the display.
-std::string latency_html(const StudyTables& tables, const study::DataQualityRecords& quality,
-                         const std::optional<PublishedStudy>& published) {
-  constexpr std::size_t most_rows = 100;
+std::string latency_html(const ReportContent& content) {
   PrintedTable table;
   table.title = "Latency from the eye to the display.";
   table.note = joined("From the frame log: means over each session’s frames.",
-                      paper_notes(tables, published).latency);
+                      paper_notes(content.tables, content.published).latency);
   table.columns = {
       "Participant", "frames",           "age of the gaze, ms", "polling to display, ms",
       "both, ms",    "longest frame, ms"};
-  for (std::size_t i = 0; i < std::min(most_rows, quality.frames.size()); ++i) {
-    const study::FrameFigures& row = quality.frames[i];
+  for (const study::FrameFigures& row : content.quality.frames) {
     table.rows.push_back({row.participant, std::to_string(row.frames),
                           fixed(1e3 * row.mean_gaze_age_s, 1),
                           fixed(1e3 * row.mean_to_display_s, 1),
                           fixed(1e3 * (row.mean_gaze_age_s + row.mean_to_display_s), 1),
                           fixed(1e3 * row.longest_frame_s, 1)});
   }
-  return html_of(table, data_notice(tables));
+  return table_html(content.tables, shortened(std::move(table)));
 }
 
-std::string reactions_table(const StudyTables& tables, const DataQualityReport& report) {
-  constexpr std::size_t most_rows = 100;
-  PrintedTable table;
-  table.title = "Reaction-time floor.";
-  table.note =
-      "No mark can be sooner than a press: times near the median reaction time mean “at once”.";
-  table.columns = {"Participant", "presses", "false starts",
-                   "median, s",   "marks",   "marks within the median"};
-  for (std::size_t i = 0; i < std::min(most_rows, report.reactions.size()); ++i) {
-    const ReactionFloor& row = report.reactions[i];
-    table.rows.push_back({row.participant, std::to_string(row.presses),
-                          std::to_string(row.false_starts), fixed(row.median_s, 3),
-                          std::to_string(row.marks), std::to_string(row.within_floor)});
+std::string reactions_table(const ReportContent& content) {
+  const Table& reactions = table_named(content.results, "reaction_times");
+  if (reactions.rows.empty()) {
+    return "<p>No reaction test was recorded: the share of the reaction time in a short time is "
+           "unknown.</p>\n";
   }
-  return table.rows.empty()
-             ? "<p>No reaction test was recorded: the share of the reaction time in a "
-               "short time is unknown.</p>\n"
-             : html_of(table, data_notice(tables));
+  return table_html(
+      content.tables,
+      shortened(print_rows({.title = "Reaction-time floor.",
+                            .note = "No mark can be sooner than a press: times near the median "
+                                    "reaction time mean “at once”."},
+                           reactions, "",
+                           {{"Participant", "{participant}"},
+                            {"presses", "{presses}"},
+                            {"false starts", "{false_starts}"},
+                            {"median, s", "{median_s:.3}"},
+                            {"marks", "{marks}"},
+                            {"marks within the median", "{marks_within_median}"}})));
 }
 
 /// Where the gaze was, in the mean over each method's trials.
-std::string gaze_html(const StudyTables& tables, const DataQualityReport& report) {
-  if (report.gaze.empty()) {
+std::string gaze_html(const ReportContent& content) {
+  if (content.checks.gaze.empty()) {
     return "<p>No frames were recorded: where gaze and object were is unknown.</p>\n";
   }
   PrintedTable table;
@@ -131,27 +132,25 @@ std::string gaze_html(const StudyTables& tables, const DataQualityReport& report
       study::gaze_margin_deg);
   table.columns = {"Method",           "trials",    "on the object, %",          "elsewhere, %",
                    "no valid gaze, %", "fixations", "gaze to object at marks, °"};
-  for (const MethodGaze& row : report.gaze) {
+  for (const MethodGaze& row : content.checks.gaze) {
     table.rows.push_back({method_label(row.method), std::to_string(row.trials),
                           fixed(row.on_object_percent, 1), fixed(row.elsewhere_percent, 1),
                           fixed(row.without_gaze_percent, 1), fixed(row.fixations, 1),
                           fixed(row.gaze_from_object_deg, 1)});
   }
-  return html_of(table, data_notice(tables));
+  return table_html(content.tables, table);
 }
 
-std::string catches_html(const StudyTables& tables, const DataQualityReport& report) {
-  constexpr std::size_t most_rows = 100;
-  PrintedTable table;
-  table.title = "Catch trials.";
-  table.note = "Nothing was rendered in them: a mark before the time-out is a false alarm.";
-  table.columns = {"Participant", "catch trials", "false alarms"};
-  for (std::size_t i = 0; i < std::min(most_rows, report.catches.size()); ++i) {
-    const CatchFigures& row = report.catches[i];
-    table.rows.push_back(
-        {row.participant, std::to_string(row.trials), std::to_string(row.false_alarms)});
-  }
-  return html_of(table, data_notice(tables));
+std::string catches_html(const ReportContent& content) {
+  return table_html(
+      content.tables,
+      shortened(print_rows(
+          {.title = "Catch trials.",
+           .note = "Nothing was rendered in them: a mark before the time-out is a false alarm."},
+          table_named(content.results, "catch_trials"), "",
+          {{"Participant", "{participant}"},
+           {"catch trials", "{catch_trials}"},
+           {"false alarms", "{false_alarms}"}})));
 }
 
 /// The number of trials that were timed again, and the most attempts.
@@ -171,11 +170,11 @@ std::string attempts_in_words(const Dataset& set) {
 
 }  // namespace
 
-std::string data_quality_flags(const StudyTables& tables, const DataQualityReport& report) {
+std::string data_quality_flags(const ReportContent& content) {
   std::string items;
-  for (const DataQualityCheck& check : report.checks) {
+  for (const DataQualityCheck& check : content.checks.checks) {
     // The top of the report says already that data are simulated or a pilot's.
-    if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
+    if (check.verdict == Verdict::flagged && check.found != data_warning(content.tables)) {
       items += fmt::format("<li>⚑ {}: {} (limit: {})</li>\n", escape_html(check.name),
                            escape_html(check.found), escape_html(check.limit));
     }
@@ -186,17 +185,17 @@ std::string data_quality_flags(const StudyTables& tables, const DataQualityRepor
                    items + "</ul></div>\n";
 }
 
-std::string data_quality_section(const StudyTables& tables, const DataQualityReport& report,
-                                 const study::DataQualityRecords& quality,
-                                 const std::optional<PublishedStudy>& published) {
-  return html_section("Data quality",
-                      checks_table(tables, report) +
-                          fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(tables.set))) +
-                          latency_html(tables, quality, published) + gaze_html(tables, report) +
-                          reactions_table(tables, report) + catches_html(tables, report));
+std::string data_quality_section(const ReportContent& content) {
+  return html_section(
+      "Data quality",
+      checks_table(content) +
+          fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(content.tables.set))) +
+          latency_html(content) + gaze_html(content) + reactions_table(content) +
+          catches_html(content));
 }
 
-std::string amended_section(const StudyTables& tables) {
+std::string amended_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
   if (tables.amended.empty()) {
     return html_section("Amended sessions",
                         "<p>None: every session followed the protocol of the study.</p>\n");
@@ -208,20 +207,19 @@ std::string amended_section(const StudyTables& tables) {
       "Words or time-outs were changed after the study had begun; the design was "
       "not. They are analysed with the others where a session is.";
   table.columns = {"Participant", "Changed keys", "SHA-256 of the text", "Analysed"};
-  for (std::size_t i = 0; i < std::min(most_listed, tables.amended.size()); ++i) {
-    const AmendedSession& row = tables.amended[i];
+  for (const AmendedSession& row : tables.amended) {
     table.rows.push_back(
         {row.participant,
          row.changed_keys.empty() ? "none: comments or spaces only" : listed(row.changed_keys),
          row.protocol_sha256, row.is_analysed ? "yes" : "no"});
   }
   return html_section("Amended sessions",
-                      html_of(table, data_notice(tables)) +
+                      table_html(tables, shortened(std::move(table))) +
                           rest_in_words(tables.amended.size(), "amended_sessions.csv"));
 }
 
-std::string exclusions_section(const StudyTables& tables) {
-  const std::vector<Exclusion>& exclusions = tables.set.exclusions;
+std::string exclusions_section(const ReportContent& content) {
+  const std::vector<Exclusion>& exclusions = content.tables.set.exclusions;
   if (exclusions.empty()) {
     return html_section("Exclusions",
                         "<p>Nothing: every session was completed and every value is there.</p>\n");
@@ -235,25 +233,24 @@ std::string exclusions_section(const StudyTables& tables) {
     html += fmt::format("<li>{} × {}</li>\n", count, escape_html(reason));
   }
   html += "</ul>\n";
-  PrintedTable table;
-  table.is_numeric = false;
-  table.title = "Excluded sessions and values.";
-  table.note =
-      "A dash means all. The trials of sessions that are not analysed are in trials_long.csv, with "
-      "their status; those of withdrawn sessions only if the analysis was run with --withdrawn.";
-  table.columns = {"Participant", "Scene", "Method", "Measure", "Reason"};
-  const auto or_all = [](const std::string& text) { return text.empty() ? "–" : text; };
-  for (std::size_t i = 0; i < std::min(most_listed, exclusions.size()); ++i) {
-    const Exclusion& row = exclusions[i];
-    table.rows.push_back({row.participant, or_all(row.scene),
-                          or_all(row.method.empty() ? "" : method_label(row.method)),
-                          or_all(row.measure), row.reason});
-  }
-  return html_section("Exclusions", html + html_of(table, data_notice(tables)) +
+  const PrintedTable table = print_rows(
+      {.title = "Excluded sessions and values.",
+       .note = "A dash means all. The trials of sessions that are not analysed are in "
+               "trials_long.csv, with their status; those of withdrawn sessions only if the "
+               "analysis was run with --withdrawn.",
+       .is_numeric = false},
+      with_method_labels(table_named(content.results, "exclusions")), "",
+      {{"Participant", "{participant}"},
+       {"Scene", "{scene}"},
+       {"Method", "{method}"},
+       {"Measure", "{measure}"},
+       {"Reason", "{reason}"}});
+  return html_section("Exclusions", html + table_html(content.tables, shortened(table)) +
                                         rest_in_words(exclusions.size(), "exclusions.csv"));
 }
 
-std::string record_flags(const std::optional<study::Verification>& record) {
+std::string record_flags(const ReportContent& content) {
+  const std::optional<study::Verification>& record = content.record;
   if (!record || record->faults.empty()) {
     return "";
   }
@@ -263,7 +260,8 @@ std::string record_flags(const std::optional<study::Verification>& record) {
       counted(record->faults.size(), "fault"));
 }
 
-std::string record_section(const std::optional<study::Verification>& record) {
+std::string record_section(const ReportContent& content) {
+  const std::optional<study::Verification>& record = content.record;
   if (!record) {
     return html_section("The record",
                         "<p>These data do not come from a study’s file: there is no record to "

@@ -1,19 +1,19 @@
 #include <fmt/format.h>
 
+#include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/dataset/wording.h"
-#include "analysis/publication/gaze_by_trial.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
 #include "analysis/tables/html.h"
 
 namespace foveola::analysis {
 
-std::string definitions_section(const StudyTables& tables) {
+std::string definitions_section(const ReportContent& content) {
   std::string html = "<dl class=\"definitions\">\n";
   const auto define = [&](std::string_view term, const std::string& meaning) {
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escape_html(meaning));
   };
-  const std::string reference = baseline_label(tables);
+  const std::string reference = baseline_label(content.tables);
   define("Time", "From the first presented frame to the participant’s mark, in seconds.");
   define("Sessions",
          "Only completed sessions count, and only of one kind: people’s if there are any, else "

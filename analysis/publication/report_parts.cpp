@@ -127,6 +127,10 @@ std::string points_left_out() {
       "With more than {} participants, the points of single participants are left out.", most_dots);
 }
 
+std::string table_html(const StudyTables& tables, const PrintedTable& table) {
+  return html_of(table, data_notice(tables));
+}
+
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,
                         std::string_view explanation) {

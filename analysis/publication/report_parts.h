@@ -7,6 +7,7 @@
 
 #include "analysis/dataset/study_tables.h"
 #include "analysis/publication/figures.h"
+#include "analysis/tables/printed_table.h"
 
 namespace foveola::analysis {
 
@@ -21,6 +22,10 @@ std::string in_these_scenes(const StudyTables& tables);
 
 /// The sentence for figures that leave out the points of single participants.
 std::string points_left_out();
+
+/// The table as a part of the page, with a caption that says whose data it shows; empty if there
+/// are no rows.
+std::string table_html(const StudyTables& tables, const PrintedTable& table);
 
 /// The figure of this name as a part of the page; empty if there is none. Texts are plain.
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,

@@ -8,6 +8,7 @@
 #include "analysis/publication/printed_results.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
+#include "analysis/publication/result_tables.h"
 #include "analysis/publication/scene_figure.h"
 #include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
@@ -49,9 +50,7 @@ std::string models_in_words(const FittedModels& models) {
 std::string tables_html(const StudyTables& tables, const std::vector<PrintedTable>& printed) {
   std::string html;
   for (const PrintedTable& table : printed) {
-    if (!table.rows.empty()) {
-      html += html_of(table, data_notice(tables));
-    }
+    html += table_html(tables, table);
   }
   return html;
 }
@@ -189,50 +188,52 @@ std::string curve_explained(const StudyTables& tables, const Measure& mark) {
 }
 
 /// The times with trials in which a mark was never reached.
-std::string unreached_html(const StudyTables& tables, const std::vector<Figure>& figures) {
+std::string unreached_html(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
   std::string html;
   for (const std::string& sentence : unreached_in_words(tables.survival)) {
     html += paragraph_html(sentence);
   }
   for (const std::size_t mark : tables.set.marks()) {
     const Measure& measure = tables.set.measures[mark];
-    html += figure_html(tables, figures, survival_figure_name(measure),
+    html += figure_html(tables, content.figures, survival_figure_name(measure),
                         fmt::format("Trials without the mark {}, by time.", measure.id()),
                         curve_explained(tables, measure));
   }
-  return html + html_of(printed_time_to_mark(tables), data_notice(tables));
+  return html +
+         table_html(tables, printed_time_to_mark(table_named(content.results, "time_to_mark")));
 }
 
 }  // namespace
 
-std::string scenes_section(const StudyTables& tables, const std::vector<Figure>& figures,
-                           const std::optional<PublishedStudy>& published) {
-  const PaperNotes paper = paper_notes(tables, published);
+std::string scenes_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
+  const PaperNotes paper = paper_notes(tables, content.published);
   std::string html = paragraph_html(paper.times_by_scene + meanings_of_marks(tables)) +
                      paragraph_html(paper.percentages);
-  html += figure_html(tables, figures, "relative_times_by_scene",
+  html += figure_html(tables, content.figures, "relative_times_by_scene",
                       fmt::format("Time relative to {} in each scene.", baseline_label(tables)),
                       scenes_explained(tables));
   for (const std::size_t mark : tables.set.times()) {
-    html += html_of(printed_times(tables, mark, published), data_notice(tables));
+    html += table_html(tables, printed_times(tables, mark, content.published));
     if (tables.set.methods.size() > 1) {
-      html += html_of(printed_ratios_of_means(tables, mark, published), data_notice(tables));
+      html += table_html(tables, printed_ratios_of_means(tables, mark, content.published));
     }
   }
   return html_section("Time in each scene", html);
 }
 
-std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
-                            const std::optional<PublishedStudy>& published) {
+std::string methods_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
   const std::size_t methods = tables.set.methods.size();
-  std::string html = paragraph_html(paper_notes(tables, published).times_by_method);
-  html += figure_html(tables, figures, "relative_times",
+  std::string html = paragraph_html(paper_notes(tables, content.published).times_by_method);
+  html += figure_html(tables, content.figures, "relative_times",
                       fmt::format("Time relative to {}.", baseline_label(tables)),
                       methods_explained(tables, methods - 1, relative_axis_explained(tables)));
-  html += figure_html(tables, figures, "times_in_seconds", "Time in seconds.",
+  html += figure_html(tables, content.figures, "times_in_seconds", "Time in seconds.",
                       methods_explained(tables, methods, "The axis is logarithmic."));
-  html += html_of(printed_geometric_means(tables, published), data_notice(tables));
-  html += unreached_html(tables, figures);
+  html += table_html(tables, printed_geometric_means(tables, content.published));
+  html += unreached_html(content);
   if (tables.incomplete_scenes > 0) {
     html += fmt::format(
         "<p>Left out here, because not every method’s time was measured: {} of {} pairs of a "
@@ -243,23 +244,24 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
   return html_section("Time over all scenes", html);
 }
 
-std::string background_section(const StudyTables& tables, const Background& background,
-                               const std::optional<PublishedStudy>& published) {
-  std::string text = background_in_words(background);
+std::string background_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
+  std::string text = background_in_words(content.background);
   std::string table;
-  if (background.correlation) {
-    text = joined(text, paper_notes(tables, published).background);
-    table = html_of(printed_background(tables, background), data_notice(tables));
+  if (content.background.correlation) {
+    text = joined(text, paper_notes(tables, content.published).background);
+    table = table_html(
+        tables, printed_background(tables, table_named(content.results, "background_correlation")));
   }
   return html_section(
       "Background and speed-up",
-      html_of(printed_background_answers(background, published), data_notice(tables)) +
+      table_html(tables, printed_background_answers(content.background, content.published)) +
           fmt::format("<p>{}</p>\n", escape_html(text)) + table);
 }
 
-std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures,
-                            const std::optional<PublishedStudy>& published) {
-  const PaperNotes paper = paper_notes(tables, published);
+std::string ratings_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
+  const PaperNotes paper = paper_notes(tables, content.published);
   std::string html =
       paragraph_html(paper.ratings) +
       paragraph_html(joined("Means treat the steps of a scale as equal; the distribution, or each "
@@ -267,33 +269,38 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
                             paper.means_of_ratings));
   for (const std::size_t rating : tables.set.ratings()) {
     const Measure& measure = tables.set.measures[rating];
-    html += figure_html(tables, figures, rating_figure_name(measure),
+    html += figure_html(tables, content.figures, rating_figure_name(measure),
                         fmt::format("Ratings, {}, of all scenes and participants.", measure.id()),
                         figure_explained(tables, measure));
-    html += html_of(printed_ratings(tables, rating), data_notice(tables));
+    html += table_html(tables, printed_ratings(tables, rating));
   }
   return tables.set.ratings().empty() ? "" : html_section("Ratings", html);
 }
 
-std::string answers_section(const StudyTables& tables, const Table& answers, const Table& scores) {
+std::string answers_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
+  const Table& answers = table_named(content.results, "answers_by_question");
+  const Table& scores = table_named(content.results, "questionnaire_scores");
   if (answers.rows.empty() && scores.rows.empty()) {
     return "";
   }
-  return html_section("Questionnaires", html_of(printed_answers(answers), data_notice(tables)) +
-                                            html_of(printed_scores(scores), data_notice(tables)));
+  return html_section("Questionnaires", table_html(tables, printed_answers(answers)) +
+                                            table_html(tables, printed_scores(scores)));
 }
 
-std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons) {
+std::string comparisons_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
   if (tables.set.methods.size() < 2) {
     return "";
   }
-  return html_section("Comparisons of methods",
-                      paragraph_html(plan_in_words(comparisons, tables.set.participants.size())) +
-                          tables_html(tables, {printed_primary(comparisons, true),
-                                               printed_primary(comparisons, false)}));
+  return html_section(
+      "Comparisons of methods",
+      paragraph_html(plan_in_words(content.comparisons, tables.set.participants.size())) +
+          tables_html(tables, primary_tables(content.results, content.comparisons)));
 }
 
-std::string sensitivity_section(const StudyTables& tables, const Comparisons& comparisons) {
+std::string sensitivity_section(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
   if (tables.set.methods.size() < 2) {
     return "";
   }
@@ -302,8 +309,8 @@ std::string sensitivity_section(const StudyTables& tables, const Comparisons& co
       paragraph_html(
           "The same comparisons by other means. Conclusions rest on the primary analyses; "
           "here they are seen to depend, or not, on how the data are analysed.") +
-          paragraph_html(models_in_words(comparisons.models)) +
-          tables_html(tables, sensitivity_tables(comparisons)));
+          paragraph_html(models_in_words(content.comparisons.models)) +
+          tables_html(tables, sensitivity_tables(content.results, content.comparisons)));
 }
 
 }  // namespace foveola::analysis

@@ -2,11 +2,16 @@
 // out. The last column of each says who took part: human, pilot or simulated.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/session_columns.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/background.h"
+#include "analysis/publication/data_quality_checks.h"
 #include "analysis/tables/table.h"
+#include "study/record/study_records.h"
 
 namespace foveola::analysis {
 
@@ -31,18 +36,20 @@ Table exclusions(const StudyTables& tables);
 /// amended_sessions: those by other words or time-outs than the study's protocol.
 Table amended_sessions(const StudyTables& tables);
 
-/// The column that says whose data a row has; it needs nothing of a row.
-Column kind_column();
+/// All tables of an analysis but those that are written by rows, in the order of OUTPUTS.md.
+std::vector<Table> result_tables(const study::StudyRecords& records, const StudyTables& tables,
+                                 const Background& background, const Comparisons& comparisons,
+                                 const DataQualityReport& checks);
 
-/// The column that ends every table of an analysis: what verifying the study's file found.
-Column record_column();
+/// The table with this id, which is among them.
+const Table& table_named(const std::vector<Table>& tables, std::string_view id);
 
-/// The table with that column.
-Table stamped(Table table, const Dataset& set);
+/// The table with the methods in its columns named as in print.
+Table with_method_labels(Table table);
 
 template <typename Item>
 ColumnOf<Item> kind_of_all(const StudyTables& tables) {
-  return {kind_column(), [kind = tables.set.kind](const Item& /*row*/) { return field(kind); }};
+  return {kind_column(), [kind = tables.set.kind](const Item& /*row*/) { return kind; }};
 }
 
 }  // namespace foveola::analysis

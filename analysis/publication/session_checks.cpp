@@ -53,7 +53,7 @@ std::vector<TrackedTrial> tracked_trials(const Dataset& set, const study::StudyR
   std::vector<TrackedTrial> tracked;
   for (const std::size_t i : analysed_trials(records, set)) {
     const study::TrialRow& trial = records.trials[i];
-    if (const study::AttemptGazeRow* const row = gaze.of(i)) {
+    if (const study::AttemptGazeRow* const row = gaze[i]) {
       tracked.push_back({fmt::format("{}, {}, {}", row->participant, records.scenes[trial.scene],
                                      records.methods[trial.method]),
                          row});
@@ -160,17 +160,6 @@ DataQualityCheck check_figure(const std::vector<study::FrameFigures>& frames, st
   return check;
 }
 
-/// Those of the analysed participants.
-std::vector<study::SessionCourse> analysed_courses(
-    const Dataset& set, const std::vector<study::SessionCourse>& courses) {
-  std::vector<study::SessionCourse> analysed;
-  std::ranges::copy_if(
-      courses, std::back_inserter(analysed), [&](const study::SessionCourse& course) {
-        return std::ranges::find(set.participants, course.participant) != set.participants.end();
-      });
-  return analysed;
-}
-
 /// All participants with what was found of them, or "none".
 std::string all_in_words(const std::vector<std::string>& findings) {
   return findings.empty() ? "none" : fmt::format("{}", fmt::join(findings, "; "));
@@ -254,11 +243,7 @@ DataQualityCheck check_programs(const Dataset& set,
                                 const std::vector<study::SessionPrograms>& sessions) {
   DataQualityCheck check{"Programs that ran the sessions", "no programs recorded",
                          "one, of one version and built with the same tools, ours"};
-  std::vector<study::SessionPrograms> analysed;
-  std::ranges::copy_if(
-      sessions, std::back_inserter(analysed), [&](const study::SessionPrograms& session) {
-        return std::ranges::find(set.participants, session.participant) != set.participants.end();
-      });
+  const std::vector<study::SessionPrograms> analysed = of_analysed(set, sessions);
   const std::vector<study::ProgramUse> uses = study::program_uses(analysed);
   if (uses.empty()) {
     return check;
@@ -276,10 +261,7 @@ DataQualityCheck check_programs(const Dataset& set,
   return check;
 }
 
-DataQualityCheck check_setups(const Dataset& set, std::vector<study::SessionSetup> sessions) {
-  std::erase_if(sessions, [&](const study::SessionSetup& session) {
-    return std::ranges::find(set.participants, session.participant) == set.participants.end();
-  });
+DataQualityCheck check_setups(const std::vector<study::SessionSetup>& sessions) {
   const std::vector<std::string> varying = study::varying_setup(sessions);
   return {"Displays, machines and trackers",
           varying.empty() ? "the same for everybody, as far as recorded" : all_in_words(varying),
@@ -290,9 +272,9 @@ DataQualityCheck check_setups(const Dataset& set, std::vector<study::SessionSetu
 
 std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::StudyRecords& records,
                                              const study::DataQualityRecords& quality) {
-  const std::vector<study::SessionCourse> analysed = analysed_courses(set, quality.courses);
+  const std::vector<study::SessionCourse> analysed = of_analysed(set, quality.courses);
   return {check_cut_off(analysed), check_timed_again(set, records), check_notes(analysed),
-          check_programs(set, records.programs), check_setups(set, quality.setups)};
+          check_programs(set, records.programs), check_setups(of_analysed(set, quality.setups))};
 }
 
 std::vector<DataQualityCheck> check_frames(const std::vector<study::FrameFigures>& frames) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
+#include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/publication/data_quality_checks.h"
-#include "analysis/publication/gaze_by_trial.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
 

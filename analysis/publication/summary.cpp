@@ -9,6 +9,7 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
 #include "analysis/publication/printed_results.h"
+#include "analysis/publication/result_tables.h"
 #include "renderer/base/utf8.h"
 
 namespace foveola::analysis {
@@ -78,8 +79,8 @@ std::string block(const StudyTables& tables, PrintedTable table) {
 
 }  // namespace
 
-std::string terminal_summary(const StudyTables& tables, const Comparisons& comparisons,
-                             const Background& background,
+std::string terminal_summary(const StudyTables& tables, const std::vector<Table>& results,
+                             const Comparisons& comparisons, const Background& background,
                              const std::optional<PublishedStudy>& published) {
   std::string text = fmt::format(
       "{}: {}, {}, {}\n", printable(tables.protocol_name), participants_in_words(tables),
@@ -110,7 +111,7 @@ std::string terminal_summary(const StudyTables& tables, const Comparisons& compa
     text += block(tables, printed_background_answers(background, published));
   }
   if (background.correlation) {
-    PrintedTable table = printed_background(tables, background);
+    PrintedTable table = printed_background(tables, table_named(results, "background_correlation"));
     table.title = fmt::format("Background ({}) against speed-up", listed(background.scale));
     text += block(tables, std::move(table));
   }

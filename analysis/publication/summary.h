@@ -9,13 +9,15 @@
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/background.h"
 #include "analysis/koskela2018/published_study.h"
+#include "analysis/tables/table.h"
 
 namespace foveola::analysis {
 
 /// Several lines of aligned plain text, ended by a line break; the first says whether participants
 /// were simulated, those below it are the headline. Control characters in names are shown as "?".
-std::string terminal_summary(const StudyTables& tables, const Comparisons& comparisons,
-                             const Background& background,
+/// `results` has the tables of an analysis.
+std::string terminal_summary(const StudyTables& tables, const std::vector<Table>& results,
+                             const Comparisons& comparisons, const Background& background,
                              const std::optional<PublishedStudy>& published);
 
 /// A sentence in three parts, of which `value` is set apart in print.

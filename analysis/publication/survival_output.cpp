@@ -9,20 +9,10 @@
 #include "analysis/publication/figure_drawing.h"
 #include "analysis/publication/logarithmic_axis.h"
 #include "analysis/publication/result_tables.h"
+#include "analysis/tables/row_text.h"
 
 namespace foveola::analysis {
 namespace {
-
-using enum ColumnType;
-
-std::string median_text(const SurvivalCurve& curve) {
-  if (!curve.median) {
-    return "not reached";
-  }
-  const auto end = [](const std::optional<double>& value) { return value ? fixed(value, 1) : "∞"; };
-  return fmt::format("{:.1f} [{}, {}]", curve.median->value, fixed(curve.median->low, 1),
-                     end(curve.median->high));
-}
 
 /// The curve as points of (time, share without a mark), from `start` on; of thousands of steps only
 /// so many as can be seen.
@@ -50,61 +40,49 @@ std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
 
 Table time_to_mark_table(const StudyTables& tables) {
   using S = MarkSurvival;
-  const auto of_median = [](const char* name, const char* description, auto value) {
-    return ColumnOf<S>{{name, number, "s", description}, [=](const S& row) {
-                         return row.curve.median ? field(std::optional(value(*row.curve.median)))
-                                                 : Field();
-                       }};
-  };
-  const auto of_mean = [](const char* name, const char* description, auto value) {
-    return ColumnOf<S>{{name, number, "s", description},
-                       [=](const S& row) { return field_in(row.restricted, value); }};
-  };
-  using Median = SurvivalMedian;
+  const auto median = path(&S::curve, &SurvivalCurve::median);
   const ColumnsOf<S> columns = {
-      {{"mark", text, "", "Id of the mark"}, [](const S& row) { return field(row.mark); }},
-      {{"method", text, "", "Id of the method"}, [](const S& row) { return field(row.method); }},
-      {{"trials", whole, "", "Trials with a time or a right-censored one"},
-       [](const S& row) { return field(row.curve.n); }},
-      {{"reached", whole, "", "Trials in which the mark was reached"},
-       [](const S& row) { return field(row.curve.events); }},
-      {{"right_censored", whole, "", "Trials in which a time-out came first"},
-       [](const S& row) { return field(row.curve.censored); }},
-      of_median("median_s", "Median time by Kaplan and Meier; empty if half were never reached",
-                [](const Median& median) { return std::optional(median.value); }),
-      of_median("median_ci95_low_s", "Lower end of its 95 % interval, trials taken as independent",
-                [](const Median& median) { return median.low; }),
-      of_median("median_ci95_high_s", "Upper end; empty if there is none",
-                [](const Median& median) { return median.high; }),
-      of_mean("restricted_mean_s", "Mean of the times, each cut off at horizon_s",
-              [](const RestrictedMean& mean) { return mean.mean; }),
-      of_mean("restricted_mean_se_s", "Its standard error, trials taken as independent",
-              [](const RestrictedMean& mean) { return mean.standard_error; }),
-      of_mean("horizon_s",
-              "Earliest right-censored time of any method, or else the longest time of the mark",
-              [](const RestrictedMean& mean) { return mean.horizon; }),
+      {"mark", "", "Id of the mark", &S::mark},
+      {"method", "", "Id of the method", &S::method},
+      {"trials", "", "Trials with a time or a right-censored one",
+       path(&S::curve, &SurvivalCurve::n)},
+      {"reached", "", "Trials in which the mark was reached",
+       path(&S::curve, &SurvivalCurve::events)},
+      {"right_censored", "", "Trials in which a time-out came first",
+       path(&S::curve, &SurvivalCurve::censored)},
+      {"median_s", "s", "Median time by Kaplan and Meier; empty if half were never reached",
+       path(median, &SurvivalMedian::value)},
+      {"median_ci95_low_s", "s", "Lower end of its 95 % interval, trials taken as independent",
+       path(median, &SurvivalMedian::low)},
+      {"median_ci95_high_s", "s", "Upper end; empty if there is none",
+       path(median, &SurvivalMedian::high)},
+      {"restricted_mean_s", "s", "Mean of the times, each cut off at horizon_s",
+       path(&S::restricted, &RestrictedMean::mean)},
+      {"restricted_mean_se_s", "s", "Its standard error, trials taken as independent",
+       path(&S::restricted, &RestrictedMean::standard_error)},
+      {"horizon_s", "s",
+       "Earliest right-censored time of any method, or else the longest time of the mark",
+       path(&S::restricted, &RestrictedMean::horizon)},
       kind_of_all<S>(tables)};
   return tabulate("time_to_mark", "mark and method", columns, tables.survival);
 }
 
-PrintedTable printed_time_to_mark(const StudyTables& tables) {
-  PrintedTable table;
-  table.id = "time-to-mark";
-  table.title = "Time to each mark, with trials in which it was never reached.";
-  table.note =
-      "Kaplan and Meier’s estimate over trials; restricted means are of times cut off at the "
-      "horizon. They describe these trials: intervals take them as independent, which those of one "
-      "participant are not.";
-  table.columns = {"Mark, method",       "trials",    "not reached", "median, s [95 %]",
-                   "restricted mean, s", "horizon, s"};
-  for (const MarkSurvival& row : tables.survival) {
-    table.rows.push_back({fmt::format("{}, {}", row.mark, method_label(row.method)),
-                          std::to_string(row.curve.n), std::to_string(row.curve.censored),
-                          median_text(row.curve),
-                          row.restricted ? fixed(row.restricted->mean, 1) : "–",
-                          row.restricted ? fixed(row.restricted->horizon, 1) : "–"});
-  }
-  return table;
+PrintedTable printed_time_to_mark(const Table& time_to_mark) {
+  return print_rows(
+      {.id = "time-to-mark",
+       .title = "Time to each mark, with trials in which it was never reached.",
+       .note = "Kaplan and Meier’s estimate over trials; restricted means are of times cut off at "
+               "the horizon. They describe these trials: intervals take them as independent, which "
+               "those of one participant are not."},
+      with_method_labels(time_to_mark), "",
+      {{"Mark, method", "{mark}, {method}"},
+       {"trials", "{trials}"},
+       {"not reached", "{right_censored}"},
+       {"median, s [95 %]", "{median_s:.1} [{median_ci95_low_s:.1}, {median_ci95_high_s:.1}]",
+        "{median_s:.1} [{median_ci95_low_s:.1}, ∞]", "{median_s:.1} [–, {median_ci95_high_s:.1}]",
+        "{median_s:.1} [–, ∞]", "not reached"},
+       {"restricted mean, s", "{restricted_mean_s:.1}"},
+       {"horizon, s", "{horizon_s:.1}"}});
 }
 
 std::string survival_figure_name(const Measure& mark) { return "time_to_" + mark.id(); }

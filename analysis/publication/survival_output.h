@@ -15,7 +15,8 @@ namespace foveola::analysis {
 /// time_to_mark: for every mark and method.
 Table time_to_mark_table(const StudyTables& tables);
 
-PrintedTable printed_time_to_mark(const StudyTables& tables);
+/// That table, as people read it.
+PrintedTable printed_time_to_mark(const Table& time_to_mark);
 
 /// time_to_MARK: the share of trials without the mark by time, a Kaplan-Meier curve for each
 /// method; `mark` is an index of the set's measures. Empty without times. Throws Error if gnuplot

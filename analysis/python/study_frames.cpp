@@ -10,9 +10,10 @@
 
 #include <pybind11/stl.h>
 
+#include "analysis/dataset/answer_data.h"
 #include "analysis/dataset/dataset.h"
+#include "analysis/dataset/trial_data.h"
 #include "analysis/publication/analyze_study.h"
-#include "analysis/publication/trial_data.h"
 #include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
@@ -72,15 +73,16 @@ py::object python_of(const Field& field) {
       field);
 }
 
-/// A frame of the rows with these numbers.
-py::object frame_of(const std::vector<Column>& columns, const std::vector<std::size_t>& rows,
-                    const std::function<Row(std::size_t)>& row_at, const Dataset& set) {
+/// A frame of the rows of these items.
+template <typename Item>
+py::object frame_of(const ColumnsOf<Item>& columns_of_items, const std::vector<Item>& items,
+                    const Dataset& set) {
+  const std::vector<Column> columns = columns_in(columns_of_items);
   require_distinct_names(columns);
   std::vector<py::list> values(columns.size());
-  for (const std::size_t number : rows) {
-    const Row row = row_at(number);
+  for (const Item& item : items) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      values[i].append(python_of(row[i]));
+      values[i].append(python_of(columns_of_items[i].value(item)));
     }
   }
   const py::module_ pandas = py::module_::import("pandas");
@@ -116,19 +118,13 @@ py::dict study_frames(const std::filesystem::path& file, const StudyChoices& cho
   for (std::size_t i = 0; i < exported.trials.size(); ++i) {
     (exported.trials[i].counts ? last_timings : other_timings).push_back(i);
   }
-  const TrialColumns trials(exported, data.set, data.quality.gaze);
-  const AnswerColumns answers(exported, data.set);
-  const ParticipantColumns participants(data.records, data.set);
-  const auto trial = [&](std::size_t number) { return trials.row(number); };
+  const auto trials = trial_columns(exported, data.set, data.quality.gaze);
   py::dict frames;
-  frames["trials"] = frame_of(trials.columns(), last_timings, trial, data.set);
-  frames["trials_timed_again"] = frame_of(trials.columns(), other_timings, trial, data.set);
-  frames["answers"] = frame_of(
-      answers.columns(), numbers_below(exported.answers.size()),
-      [&](std::size_t number) { return answers.row(number); }, data.set);
-  frames["participants"] = frame_of(
-      participants.columns(), numbers_below(data.set.participants.size()),
-      [&](std::size_t number) { return participants.row(number); }, data.set);
+  frames["trials"] = frame_of(trials, last_timings, data.set);
+  frames["trials_timed_again"] = frame_of(trials, other_timings, data.set);
+  frames["answers"] = frame_of(answer_columns(exported, data.set), exported.answers, data.set);
+  frames["participants"] = frame_of(participant_columns(data.records, data.set),
+                                    numbers_below(data.set.participants.size()), data.set);
   return frames;
 }
 

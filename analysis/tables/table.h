@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -46,11 +47,91 @@ struct Table {
   CsvTexts texts = CsvTexts::guarded;
 };
 
+/// Whether a type is std::optional of a value's type.
+template <typename Type>
+struct IsOptional : std::false_type {};
+template <typename Value>
+struct IsOptional<std::optional<Value>> : std::true_type {};
+template <typename Type>
+inline constexpr bool is_optional = IsOptional<Type>::value;
+
+/// A field of a value that may not exist: of a truth value, a number, an enumerator by its name_of,
+/// or a text.
+template <typename Value>
+Field field(const Value& value) {
+  if constexpr (is_optional<Value>) {
+    return value ? field(*value) : Field();
+  } else if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, Field>) {
+    return value;
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return static_cast<double>(value);
+  } else if constexpr (std::is_integral_v<Value>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::is_enum_v<Value>) {
+    return std::string(name_of(value));
+  } else {
+    return std::string(value);
+  }
+}
+
+/// The type of a column whose fields are made of such values.
+template <typename Value>
+constexpr ColumnType column_type() {
+  if constexpr (is_optional<Value>) {
+    return column_type<typename Value::value_type>();
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return ColumnType::truth;
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    return std::is_integral_v<Value> ? ColumnType::whole : ColumnType::number;
+  } else {
+    return ColumnType::text;
+  }
+}
+
+/// What the last of `steps` finds, each a member or a function of what the step before found:
+/// follow(row, &MethodComparison::ratio, &RatioTest::ratio). Empty where one on the way is, or
+/// null.
+template <typename From, typename Step, typename... Steps>
+auto follow(const From& from, const Step& step, const Steps&... steps) {
+  if constexpr (is_optional<From> || std::is_pointer_v<From>) {
+    using Found = decltype(follow(*from, step, steps...));
+    using Result = std::conditional_t<is_optional<Found>, Found, std::optional<Found>>;
+    return from ? Result(follow(*from, step, steps...)) : Result();
+  } else if constexpr (sizeof...(Steps) == 0) {
+    return std::invoke(step, from);
+  } else {
+    return follow(std::invoke(step, from), steps...);
+  }
+}
+
+/// A function of an item that follows these steps.
+template <typename... Steps>
+auto path(Steps... steps) {
+  return [=](const auto& item) { return follow(item, steps...); };
+}
+
+/// A share in per cent: a step of a path.
+inline double in_percent(double share) { return 100.0 * share; }
+
 /// A column together with its value in the row of an item.
 template <typename Item>
 struct ColumnOf {
   Column column;
   std::function<Field(const Item&)> value;
+
+  /// `value` is a member, a path or another function of an item.
+  template <typename Value>
+  ColumnOf(Column described, Value of_item)
+      : column(std::move(described)), value([of_item = std::move(of_item)](const Item& item) {
+          return field(std::invoke(of_item, item));
+        }) {}
+  /// The column's type is that of `value`.
+  template <typename Value>
+  ColumnOf(std::string name, std::string unit, std::string description, Value value)
+      : ColumnOf({std::move(name),
+                  column_type<std::remove_cvref_t<std::invoke_result_t<Value, const Item&>>>(),
+                  std::move(unit), std::move(description)},
+                 std::move(value)) {}
 };
 template <typename Item>
 using ColumnsOf = std::vector<ColumnOf<Item>>;
@@ -83,20 +164,6 @@ Table tabulate(std::string id, std::string rows_are, const ColumnsOf<Item>& colu
     table.rows.push_back(row_of(columns, item));
   }
   return table;
-}
-
-// Fields of values that may not exist, and of counts.
-inline Field field(const std::optional<double>& value) { return value ? Field(*value) : Field(); }
-inline Field field(double value) { return value; }
-inline Field field(std::size_t count) { return static_cast<std::int64_t>(count); }
-inline Field field(int count) { return static_cast<std::int64_t>(count); }
-inline Field field(bool truth) { return truth; }
-inline Field field(std::string text) { return text; }
-
-/// `value` of a result that may not exist.
-template <typename Result, typename Value>
-Field field_in(const std::optional<Result>& result, const Value& value) {
-  return result ? field(value(*result)) : Field();
 }
 
 }  // namespace foveola::analysis

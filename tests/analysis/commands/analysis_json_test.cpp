@@ -2,9 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/commands.h"
-#include "analysis/publication/comparison_tables.h"
+#include "analysis/dataset/trial_data.h"
 #include "analysis/publication/result_tables.h"
-#include "analysis/publication/trial_data.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 
@@ -21,19 +20,12 @@ nlohmann::json json_for(const study::StudyRecords& records) {
       analyse_background(background_answers(records), records.protocol.analysis, output.tables.set);
   output.comparisons = compare_methods(tables.set, records.protocol.analysis);
   output.checks = check_data_quality(tables, {}, records);
-  const TrialColumns trials(records, tables.set);
-  output.results = {times_by_scene(tables),
-                    times_by_method(tables),
-                    ratings_by_method(tables),
-                    background_correlation(tables, output.background),
-                    answers_by_question(records, tables.set),
-                    comparisons_table(tables, output.comparisons),
-                    omnibus_table(tables, output.comparisons),
-                    data_quality_table(tables, output.checks),
-                    latency_table(tables, output.checks),
-                    reaction_times_table(tables, output.checks),
-                    amended_sessions(tables),
-                    {"trials_long", "trial", trials.columns(), {}}};
+  output.results =
+      result_tables(records, tables, output.background, output.comparisons, output.checks);
+  // What R is to fit is not data.
+  std::erase_if(output.results, [](const Table& table) { return table.id == "models_plan"; });
+  output.results.push_back(
+      {"trials_long", "trial", columns_in(trial_columns(records, tables.set)), {}});
   return nlohmann::json::parse(analysis_json(output));
 }
 

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/dataset/answer_data.h"
+#include "analysis/dataset/trial_data.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 
@@ -13,9 +15,8 @@ namespace {
 
 std::vector<TextFile> bids_of(const study::StudyRecords& records) {
   const StudyTables tables = tabulate_study(records);
-  const TrialColumns trials(records, tables.set);
-  const ParticipantColumns participants(records, tables.set);
-  return bids_files(tables, records, trials, participants);
+  return bids_files(tables, records, trial_columns(records, tables.set),
+                    participant_answer_columns(records, tables.set));
 }
 
 std::string content_of(const std::vector<TextFile>& files, const std::string& name) {

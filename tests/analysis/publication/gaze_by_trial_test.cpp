@@ -1,4 +1,4 @@
-#include "analysis/publication/gaze_by_trial.h"
+#include "analysis/dataset/gaze_by_trial.h"
 
 #include <algorithm>
 
@@ -146,7 +146,7 @@ TEST_F(GazeByTrial, TheTableOfTrialsHasTheSameValues) {
   const std::vector<CsvRow> rows = rows_in("gaze_by_trial.csv");
   const std::vector<CsvRow> trials = rows_in("trials_long.csv");
   ASSERT_EQ(trials.size(), rows.size());
-  for (const Column& column : gaze_columns(output.tables.set.measures)) {
+  for (const Column& column : columns_in(gaze_columns(output.tables.set.measures))) {
     for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
       EXPECT_EQ(value_in(trials, row, column.name), value_in(rows, row, column.name))
           << column.name;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/publication/methods_paragraph.h"
-#include "analysis/publication/trial_data.h"
+#include "analysis/publication/result_tables.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
@@ -18,9 +18,10 @@ std::string report_of(const study::StudyRecords& records,
       analyse_background(background_answers(records), records.protocol.analysis, tables.set);
   const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
   const std::optional<PublishedStudy> published = published_beside(tables.set);
-  return report_html({tables, background, answers_by_question(records, tables.set),
-                      questionnaire_scores(records, tables.set), comparisons, quality,
-                      check_data_quality(tables, quality, records), draw_figures(tables), published,
+  const DataQualityReport checks = check_data_quality(tables, quality, records);
+  return report_html({tables, background,
+                      result_tables(records, tables, background, comparisons, checks), comparisons,
+                      quality, checks, draw_figures(tables), published,
                       methods_paragraph(tables, comparisons, records, quality), std::nullopt});
 }
 

@@ -1,5 +1,6 @@
 #include "analysis/publication/summary.h"
 
+#include "analysis/publication/result_tables.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 
@@ -10,8 +11,11 @@ std::string summary_of(const study::StudyRecords& records) {
   StudyTables tables = tabulate_study(records);
   const Background background =
       analyse_background(background_answers(records), records.protocol.analysis, tables.set);
-  return terminal_summary(tables, compare_methods(tables.set, records.protocol.analysis),
-                          background, published_beside(tables.set));
+  const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
+  return terminal_summary(tables,
+                          result_tables(records, tables, background, comparisons,
+                                        check_data_quality(tables, {}, records)),
+                          comparisons, background, published_beside(tables.set));
 }
 
 TEST(Summary, HasTheMainNumbers) {

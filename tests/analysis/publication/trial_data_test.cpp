@@ -1,4 +1,4 @@
-#include "analysis/publication/trial_data.h"
+#include "analysis/dataset/trial_data.h"
 
 #include <algorithm>
 #include <set>
@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/dataset/answer_data.h"
 #include "analysis/publication/data_files.h"
 #include "analysis/publication/printed_results.h"
 #include "analysis/tables/table_formats.h"
@@ -22,20 +23,20 @@ using study::TrialRow;
 /// All rows, timings that do not count among them.
 std::vector<CsvRow> long_rows(const study::StudyRecords& records) {
   const Dataset set = select_for_analysis(records);
-  const TrialColumns trials(records, set);
-  std::string text = csv_heading(trials.columns());
+  const ColumnsOf<std::size_t> trials = trial_columns(records, set);
+  std::string text = csv_heading(columns_in(trials));
   for (std::size_t i = 0; i < records.trials.size(); ++i) {
-    text += csv_row(trials.row(i));
+    text += csv_row(row_of(trials, i));
   }
   return parse_csv(text, "long");
 }
 
 std::vector<CsvRow> wide_rows(const study::StudyRecords& records) {
   const Dataset set = select_for_analysis(records);
-  const ParticipantColumns participants(records, set);
-  std::string text = csv_heading(participants.columns());
+  const ColumnsOf<std::size_t> participants = participant_columns(records, set);
+  std::string text = csv_heading(columns_in(participants));
   for (std::size_t i = 0; i < set.participants.size(); ++i) {
-    text += csv_row(participants.row(i));
+    text += csv_row(row_of(participants, i));
   }
   return parse_csv(text, "wide");
 }
@@ -126,17 +127,16 @@ TEST(TrialData, EveryMeasureOfTheProtocolHasItsColumns) {
   EXPECT_EQ(rows.at(0).at(18), "remarks_rating");
   EXPECT_EQ(rows.at(1).at(18), "odd, \"very\"");
   const Dataset set = select_for_analysis(records);
-  const TrialColumns trials(records, set);
-  EXPECT_EQ(trials.columns().at(18).type, ColumnType::text);
-  EXPECT_EQ(trials.columns().at(18).description, "Remarks? Answers: in words");
+  const Column remarks = trial_columns(records, set).at(18).column;
+  EXPECT_EQ(remarks.type, ColumnType::text);
+  EXPECT_EQ(remarks.description, "Remarks? Answers: in words");
 }
 
 // csv.DictReader and pandas keep the last of two columns of one name.
 TEST(TrialData, NoIdOfAMarkMakesAColumnOfThisName) {
   study::StudyRecords records = complete_study(1);
   const Dataset set = select_for_analysis(records);
-  const TrialColumns columns(records, set);
-  for (const Column& own : columns.columns()) {
+  for (const Column& own : columns_in(trial_columns(records, set))) {
     if (own.name.starts_with("material_")) {
       continue;  // the other mark's
     }
@@ -184,10 +184,10 @@ study::StudyRecords study_with_forms() {
 
 std::vector<CsvRow> answer_rows(const study::StudyRecords& records) {
   const Dataset set = select_for_analysis(records);
-  const AnswerColumns answers(records, set);
-  std::string text = csv_heading(answers.columns());
-  for (std::size_t i = 0; i < records.answers.size(); ++i) {
-    text += csv_row(answers.row(i));
+  const ColumnsOf<study::AnswerRow> answers = answer_columns(records, set);
+  std::string text = csv_heading(columns_in(answers));
+  for (const study::AnswerRow& answer : records.answers) {
+    text += csv_row(row_of(answers, answer));
   }
   return parse_csv(text, "answers");
 }
@@ -265,8 +265,8 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
   study::StudyRecords records = of_kind(complete_study(2), "simulated");
   records.protocol.name = "my study/2";
   const StudyTables tables = tabulate_study(records);
-  const TrialColumns trials(records, tables.set);
-  const ParticipantColumns participants(records, tables.set);
+  const std::vector<Column> trials = columns_in(trial_columns(records, tables.set));
+  const std::vector<Column> participants = columns_in(participant_columns(records, tables.set));
   const PsychDs shared = psych_ds(tables, trials, participants);
   const nlohmann::json json = nlohmann::json::parse(shared.description.content);
   EXPECT_EQ(json["@type"], "Dataset");
@@ -276,7 +276,7 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
     EXPECT_FALSE(variable["description"].get<std::string>().empty()) << variable["name"];
   }
   std::set<std::string> columns;
-  for (const std::vector<Column>& of_file : {trials.columns(), participants.columns()}) {
+  for (const std::vector<Column>& of_file : {trials, participants}) {
     for (const Column& column : of_file) {
       columns.insert(column.name);
     }

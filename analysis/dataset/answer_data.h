@@ -1,0 +1,28 @@
+// What was answered to questionnaires, as data for other programs and as results.
+#pragma once
+
+#include <cstddef>
+
+#include "analysis/dataset/dataset.h"
+#include "analysis/tables/table.h"
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+
+// Columns of tables that may be too large for memory. What they are made from must outlive them.
+
+/// answers_long: every answer of every questionnaire.
+ColumnsOf<study::AnswerRow> answer_columns(const study::StudyRecords& records, const Dataset& set);
+
+/// Every number of a questionnaire, in a column named QUESTIONNAIRE.QUESTION.
+ColumnsOf<std::size_t> participant_answer_columns(const study::StudyRecords& records,
+                                                  const Dataset& set);
+
+/// answers_by_question: the mean of every question's numbers, over the analysed participants.
+Table answers_by_question(const study::StudyRecords& records, const Dataset& set);
+
+/// questionnaire_scores: of the published questionnaires that have a key, of every session, with
+/// whether it is analysed.
+Table questionnaire_scores(const study::StudyRecords& records, const Dataset& set);
+
+}  // namespace foveola::analysis
