@@ -122,7 +122,7 @@ void require_splittable(const RenderSettings& settings) {
 }
 
 /// Leaves what falls in the tiles of a part. film: must outlive it.
-SamplePass::Adjust tiles_of(const Shard& shard, const EquirectFilm& film) {
+ProgressiveRender::Filter tiles_of(const Shard& shard, const EquirectFilm& film) {
   return [shard, &film](std::vector<ViewSample>& samples) {
     std::erase_if(samples, [&](const ViewSample& sample) {
       return shard_of_pixel(film.pixel_at(sample.image), shard.count) != shard.number;
