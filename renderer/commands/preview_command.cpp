@@ -20,7 +20,7 @@
 #include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/scene_file_options.h"
-#include "renderer/gaze/recorded_eye_tracker.h"
+#include "renderer/gaze/recordings.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/scene_reload.h"

@@ -1,9 +1,12 @@
-// Where the eye looks: one interface for every source of gaze.
+// Where the eye looks: one interface for every source of gaze, and the queue from the threads that
+// read trackers.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,6 +77,33 @@ class SimulatedEyeTracker final : public EyeTracker {
   SimulatedTrackerSettings settings_;
   TrueGaze true_gaze_;
   std::optional<std::int64_t> next_;  ///< the number of the exposure to be delivered next
+};
+
+/// Keeps them in the order of their arrival. Its owner sees to it that one thread uses it at a
+/// time.
+class SampleQueue {
+ public:
+  /// The most samples kept while nobody polls, nine minutes at 120 Hz; beyond, the older half goes.
+  static constexpr std::size_t capacity = 1U << 16U;
+
+  /// Takes no new memory while it is polled every two seconds, at 120 Hz.
+  SampleQueue() { samples_.reserve(256); }
+
+  void push(std::span<const GazeSample> samples) {
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+    if (samples_.size() > capacity) {
+      samples_.erase(samples_.begin(), samples_.end() - capacity / 2);
+    }
+  }
+
+  /// Appends all that it keeps to `arrived`, and keeps none of it any longer.
+  void take(std::vector<GazeSample>& arrived) {
+    arrived.insert(arrived.end(), samples_.begin(), samples_.end());
+    samples_.clear();
+  }
+
+ private:
+  std::vector<GazeSample> samples_;
 };
 
 }  // namespace foveola

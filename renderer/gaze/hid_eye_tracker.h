@@ -19,7 +19,6 @@
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/hid_device.h"
 #include "renderer/gaze/hid_gaze_stream.h"
-#include "renderer/gaze/sample_queue.h"
 
 namespace foveola {
 

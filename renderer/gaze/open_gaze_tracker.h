@@ -17,7 +17,6 @@
 #include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/open_gaze_records.h"
-#include "renderer/gaze/sample_queue.h"
 #include "renderer/gaze/screen.h"
 #include "renderer/gaze/tcp_connection.h"
 

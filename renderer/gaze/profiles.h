@@ -13,7 +13,7 @@
 
 #include "renderer/base/radial_lens.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/known_duration.h"
+#include "renderer/gaze/latency.h"
 #include "renderer/gaze/open_gaze_records.h"
 #include "renderer/gaze/screen.h"
 #include "renderer/view/seen_part.h"

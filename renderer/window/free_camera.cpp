@@ -10,7 +10,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/gaze/head_tracker.h"
 #include "renderer/progressive/framing.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/steering.h"

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gaze/calibration_routine.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"

@@ -5,7 +5,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/vec.h"
-#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/gaze/head_tracker.h"
 #include "renderer/scene/scene.h"
 #include "renderer/window/window_event.h"
 

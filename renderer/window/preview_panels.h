@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/gaze/calibration_routine.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/window/panel_layout.h"
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/view_overlays.h"

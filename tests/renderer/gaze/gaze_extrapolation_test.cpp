@@ -1,4 +1,4 @@
-#include "renderer/gaze/gaze_extrapolation.h"
+#include "renderer/gaze/gaze_filter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
-#include "renderer/gaze/recorded_eye_tracker.h"
-
 #include <string>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
+#include "renderer/gaze/recordings.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/renderer/gaze/newest_gaze.h"
