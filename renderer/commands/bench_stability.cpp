@@ -12,7 +12,7 @@
 #include "renderer/base/cores.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
-#include "renderer/base/progress.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/stability/checks.h"

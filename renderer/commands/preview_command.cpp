@@ -23,7 +23,7 @@
 #include "renderer/gaze/recordings.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
-#include "renderer/progressive/scene_reload.h"
+#include "renderer/progressive/loaded_scene.h"
 #include "renderer/window/live_preview.h"
 #include "renderer/window/preview_panels.h"
 

@@ -12,8 +12,8 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"

@@ -7,7 +7,6 @@
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/pointer_eye_tracker.h"
 #include "renderer/gaze/profiles.h"
-#include "renderer/gaze/screen.h"
 
 namespace foveola {
 

@@ -1,9 +1,10 @@
 // Files of recorded gaze and head poses as comma-separated values, and the trackers that replay
 // them.
 //
-// A gaze recording's first line is "time_ns,x,y,z,valid". Each further line is a sample: its time in
-// whole nanoseconds from 0 on, later than the one before; the direction's components, of unit length
-// in the head's axes; and 1. Where the tracker saw no eye, x, y and z are empty, and the last is 0:
+// A gaze recording's first line is "time_ns,x,y,z,valid". Each further line is a sample: its time
+// in whole nanoseconds from 0 on, later than the one before; the direction's components, of unit
+// length in the head's axes; and 1. Where the tracker saw no eye, x, y and z are empty, and the
+// last is 0:
 //
 //   time_ns,x,y,z,valid
 //   0,0.6,0,-0.8,1

@@ -9,11 +9,9 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/load_watched.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/random.h"
-#include "renderer/film/film_state.h"
-#include "renderer/progressive/tile_dealing.h"
+#include "renderer/base/work_scope.h"
+#include "renderer/film/film_file.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/view/image_samplers.h"
 

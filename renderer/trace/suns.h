@@ -8,7 +8,6 @@
 #include "renderer/scene/scene.h"
 #include "renderer/trace/alias_table.h"
 #include "renderer/trace/direction_cone.h"
-#include "renderer/trace/distant_light.h"
 #include "renderer/trace/light_sampling.h"
 
 namespace foveola {

@@ -20,14 +20,12 @@
 #include "renderer/window/free_camera.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
-#include "renderer/window/preview_messages.h"
 #include "renderer/window/preview_panels.h"
 #include "renderer/window/slow_drawing.h"
 #include "renderer/window/steering.h"
-#include "renderer/window/tracker_check.h"
 #include "renderer/window/view_geometry.h"
-#include "renderer/window/widened_eye_tracker.h"
 #include "renderer/window/window.h"
+#include "renderer/window/window_gaze.h"
 
 namespace foveola {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "renderer/base/utf8.h"
-#include "renderer/window/wrapped_text.h"
+#include "renderer/window/screen_column.h"
 
 namespace foveola {
 namespace {

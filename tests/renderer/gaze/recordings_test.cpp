@@ -1,9 +1,10 @@
+#include "renderer/gaze/recordings.h"
+
 #include <string>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
-#include "renderer/gaze/recordings.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/renderer/gaze/newest_gaze.h"
