@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/cores.h"
 #include "renderer/base/error.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
 #include "renderer/base/work_scope.h"
 #include "renderer/commands/bench_commands.h"

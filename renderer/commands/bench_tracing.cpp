@@ -10,7 +10,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/cores.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"

@@ -5,7 +5,6 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/pointer_eye_tracker.h"
 #include "renderer/gaze/profiles.h"
 
 namespace foveola {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/headset/eye_images.h"
 #include "renderer/headset/eye_views.h"
 #include "renderer/headset/headset_facts.h"
 #include "renderer/headset/headset_inputs.h"

@@ -7,7 +7,7 @@
 
 #include "renderer/scene/scene.h"
 #include "renderer/trace/alias_table.h"
-#include "renderer/trace/direction_cone.h"
+#include "renderer/trace/light_bounds.h"
 #include "renderer/trace/light_sampling.h"
 
 namespace foveola {

@@ -1,15 +1,27 @@
-#include "renderer/window/desktop_facts.h"
+#include "renderer/window/x_display.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdio>
 #include <memory>
 #include <span>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#define GLFW_INCLUDE_NONE
+#define GLFW_EXPOSE_NATIVE_X11
+#include <GLFW/glfw3.h>
+#include <GLFW/glfw3native.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/extensions/XInput.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/print.h"
 
 namespace foveola {
 namespace {
@@ -73,6 +85,41 @@ DesktopFacts desktop_facts() {
   const std::vector<std::string> names = keyboard_names(display.get());
   return {.windows = is_xwayland(display.get()) ? "XWayland" : "X11",
           .keyboard_layout = names.size() < 4 ? "" : with_variants(names[2], names[3])};
+}
+
+/// What the program ends with. The thread that draws may find the display gone as well as the one
+/// that waits for events.
+struct LostDisplay::Ending {
+  std::string line;
+  std::atomic_flag was_said;
+
+  /// Ends the program without what C++ does at its end: other threads are in the middle of things.
+  [[noreturn]] static void end(Display* /*display*/, void* data) {
+    constexpr int user_error = 1;
+    auto& ending = *static_cast<Ending*>(data);
+    if (!ending.was_said.test_and_set()) {
+      print_text(stderr, "{}", ending.line);
+    }
+    ::_exit(user_error);
+  }
+};
+
+LostDisplay::LostDisplay(std::string remedy)
+    : ending_(new Ending{.line = fmt::format(
+                             "foveola: error: {}\n",
+                             Error("window", "the connection to the display broke", remedy).what()),
+                         .was_said = {}}) {
+  if (Display* const display = glfwGetX11Display()) {
+    XSetIOErrorHandler([](Display*) { return 0; });  // in place of the one that prints
+    XSetIOErrorExitHandler(display, Ending::end, ending_.get());
+  }
+}
+
+LostDisplay::~LostDisplay() {
+  if (Display* const display = glfwGetX11Display()) {
+    XSetIOErrorHandler(nullptr);
+    XSetIOErrorExitHandler(display, nullptr, nullptr);
+  }
 }
 
 }  // namespace foveola

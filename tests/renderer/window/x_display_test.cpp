@@ -1,5 +1,5 @@
 // What is read of a real server's devices and keyboard.
-#include "renderer/window/desktop_facts.h"
+#include "renderer/window/x_display.h"
 
 #include <cstdlib>
 
