@@ -13,7 +13,7 @@
 #include "renderer/base/lanes.h"
 #include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/ggx.h"
 
 namespace foveola {

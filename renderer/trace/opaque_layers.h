@@ -6,7 +6,6 @@
 #include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/bsdf_value.h"
-#include "renderer/trace/fresnel.h"
 #include "renderer/trace/ggx.h"
 #include "renderer/trace/ggx_albedo.h"
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/ggx.h"
 #include "renderer/trace/ggx_albedo.h"
 #include "renderer/trace/visible_normals.h"

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "renderer/base/quantile.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/view/viewport.h"
@@ -86,10 +88,9 @@ double width_around(const CameraSurroundings& surroundings) {
       }
     }
   }
-  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
-  std::nth_element(distances_m.begin(), middle, distances_m.end());
   const Bounds& all = surroundings.bounds;
-  return std::min(2.0 * *middle, glm::distance(DVec3(all.lower), DVec3(all.upper)));
+  return std::min(2.0 * upper_median(std::move(distances_m)).value(),
+                  glm::distance(DVec3(all.lower), DVec3(all.upper)));
 }
 
 std::string words_of(const std::optional<Sighted>& seen) {

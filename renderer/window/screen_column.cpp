@@ -92,7 +92,8 @@ float share_before(Align align) {
 
 }  // namespace
 
-std::vector<std::string> wrapped(std::string_view text, float width_px, const LineWidth& width_of) {
+std::vector<std::string> wrap_to_width(std::string_view text, float width_px,
+                                       const LineWidth& width_of) {
   LineFiller filler(width_px, width_of);
   for (const std::string_view line : split(text, '\n')) {
     for (const std::string_view word : split(line, ' ')) {
@@ -118,7 +119,7 @@ LineWidth ScreenColumn::line_width(TextFace face) const {
 }
 
 void ScreenColumn::write(std::string_view text, TextFace face, Ink ink) {
-  for (const std::string& line : wrapped(text, width_px_, line_width(face))) {
+  for (const std::string& line : wrap_to_width(text, width_px_, line_width(face))) {
     put_line({0.0F, y_px_}, line, face, ink);
     leave(line_spacing * face_scale(face));
   }
@@ -127,7 +128,7 @@ void ScreenColumn::write(std::string_view text, TextFace face, Ink ink) {
 void ScreenColumn::write_between(float left_px, float right_px, std::string_view text, Align align,
                                  Ink ink) {
   const float room_px = right_px - left_px;
-  for (const std::string& line : wrapped(text, room_px, line_width(TextFace::body))) {
+  for (const std::string& line : wrap_to_width(text, room_px, line_width(TextFace::body))) {
     const float before_px = share_before(align) * (room_px - line_width_px(line));
     put_line({left_px + before_px, y_px_}, line, TextFace::body, ink);
     leave(line_spacing);

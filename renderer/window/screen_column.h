@@ -22,7 +22,8 @@ using LineWidth = std::function<float(std::string_view line)>;
 /// Breaks UTF-8 at its spaces, and at its line breaks, into lines of at most `width_px` and
 /// most_line_characters; a word that is longer is broken within, and a letter that is wider stands
 /// in a line by itself. At least one line.
-std::vector<std::string> wrapped(std::string_view text, float width_px, const LineWidth& width_of);
+std::vector<std::string> wrap_to_width(std::string_view text, float width_px,
+                                       const LineWidth& width_of);
 
 /// The widest word, in pixels.
 float widest_word_px(std::string_view text, const LineWidth& width_of);

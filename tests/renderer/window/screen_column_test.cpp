@@ -14,37 +14,40 @@ float typed_width(std::string_view line) {
 }
 
 TEST(WrappedText, BreaksBetweenWords) {
-  EXPECT_THAT(wrapped("one two three", 90.0F, typed_width), ElementsAre("one two", "three"));
-  EXPECT_THAT(wrapped("one two three", 130.0F, typed_width), ElementsAre("one two three"));
+  EXPECT_THAT(wrap_to_width("one two three", 90.0F, typed_width), ElementsAre("one two", "three"));
+  EXPECT_THAT(wrap_to_width("one two three", 130.0F, typed_width), ElementsAre("one two three"));
 }
 
 TEST(WrappedText, KeepsLineBreaks) {
-  EXPECT_THAT(wrapped("one\ntwo\n\nthree", 900.0F, typed_width),
+  EXPECT_THAT(wrap_to_width("one\ntwo\n\nthree", 900.0F, typed_width),
               ElementsAre("one", "two", "", "three"));
 }
 
 TEST(WrappedText, BreaksAWordThatIsTooLongByItself) {
-  EXPECT_THAT(wrapped("a übergroß b", 40.0F, typed_width), ElementsAre("a", "über", "groß", "b"));
+  EXPECT_THAT(wrap_to_width("a übergroß b", 40.0F, typed_width),
+              ElementsAre("a", "über", "groß", "b"));
 }
 
 TEST(WrappedText, EndsWhereNoLetterFits) {
   for (const float width_px : {9.0F, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
-    EXPECT_THAT(wrapped("xyz ü", width_px, typed_width), ElementsAre("x", "y", "z", "ü"))
+    EXPECT_THAT(wrap_to_width("xyz ü", width_px, typed_width), ElementsAre("x", "y", "z", "ü"))
         << width_px;
   }
-  EXPECT_THAT(wrapped("", -1.0F, typed_width), ElementsAre(""));
+  EXPECT_THAT(wrap_to_width("", -1.0F, typed_width), ElementsAre(""));
 }
 
-TEST(WrappedText, NothingIsALine) { EXPECT_THAT(wrapped("", 40.0F, typed_width), ElementsAre("")); }
+TEST(WrappedText, NothingIsALine) {
+  EXPECT_THAT(wrap_to_width("", 40.0F, typed_width), ElementsAre(""));
+}
 
 TEST(WrappedText, KeepsSpacesThatAreTyped) {
-  EXPECT_THAT(wrapped("a  b ", 90.0F, typed_width), ElementsAre("a  b "));
+  EXPECT_THAT(wrap_to_width("a  b ", 90.0F, typed_width), ElementsAre("a  b "));
 }
 
 TEST(WrappedText, NoLineIsLongerThanIsGoodToRead) {
-  const auto lines =
-      wrapped(std::string(30, 'x') + ' ' + std::string(39, 'y') + " z " + std::string(71, 'w'),
-              1e6F, typed_width);
+  const auto lines = wrap_to_width(
+      std::string(30, 'x') + ' ' + std::string(39, 'y') + " z " + std::string(71, 'w'), 1e6F,
+      typed_width);
   EXPECT_THAT(lines, ElementsAre(std::string(30, 'x') + ' ' + std::string(39, 'y'), "z",
                                  std::string(70, 'w'), "w"));
 }

@@ -1,4 +1,4 @@
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/bsdf_value.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "renderer/trace/alias_table.h"
+#include "renderer/trace/light_choice.h"
 
 #include <vector>
 
