@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/confined_path.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 #include "renderer/base/light_unit_words.h"
 #include "renderer/base/toml_file.h"
 #include "renderer/base/toml_reader.h"

@@ -17,7 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
-#include "renderer/base/progress.h"
+#include "renderer/base/work_scope.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {

@@ -36,8 +36,8 @@
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/programs.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/similar_word.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/commands/bench_facts.h"
 
 namespace fs = std::filesystem;

@@ -10,8 +10,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
-#include "renderer/film/viewport_image.h"
-#include "renderer/view/density_around.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/view_sampler.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/trace/path_tracer.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/measure/flip.h"
 #include "renderer/measure/reference.h"

@@ -13,7 +13,7 @@
 #include "analysis/publication/gaze_source.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
-#include "renderer/gaze/gaze_marker.h"
+#include "renderer/gaze/eye_movements.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,10 +1,14 @@
 #include "renderer/base/file_access.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
@@ -38,6 +42,18 @@ std::string access_list_of(const fs::path& path) {
   std::string list(static_cast<std::size_t>(size), '\0');
   return ::getxattr(path.c_str(), access_list, list.data(), list.size()) == size ? list
                                                                                  : std::string();
+}
+
+struct GuardedOutput {
+  std::string option;
+  fs::path path;
+  dev_t device;
+  ino_t inode;
+};
+
+std::vector<GuardedOutput>& guarded_outputs() {
+  static std::vector<GuardedOutput> outputs;
+  return outputs;
 }
 
 }  // namespace
@@ -79,6 +95,70 @@ void take_access(const fs::path& path, const fs::path& like) {
   if (const std::string list = access_list_of(like);
       !list.empty() && ::setxattr(path.c_str(), access_list, list.data(), list.size(), 0) != 0) {
     warn(like, "access list");
+  }
+}
+
+namespace fs = std::filesystem;
+namespace {
+
+bool lies_inside(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+         folder.end();
+}
+
+}  // namespace
+
+fs::path confined_path(const fs::path& folder, const fs::path& relative) {
+  if (relative.empty() || relative.native().find('\0') != std::string::npos) {
+    throw std::runtime_error("not the name of a file");
+  }
+  if (relative.is_absolute()) {
+    throw std::runtime_error("an absolute path");
+  }
+  if (std::find(relative.begin(), relative.end(), "..") != relative.end()) {
+    throw std::runtime_error("a path that leads out of the folder");
+  }
+  std::error_code failure;
+  const fs::path home = fs::canonical(folder, failure);
+  const fs::path file = fs::canonical(home / relative, failure);
+  if (failure) {
+    throw std::runtime_error("a file that does not exist");
+  }
+  if (!lies_inside(file, home)) {
+    throw std::runtime_error("a symbolic link that leads out of the folder");
+  }
+  if (!fs::is_regular_file(file, failure)) {
+    throw std::runtime_error("not a regular file");
+  }
+  return file;
+}
+
+void guard_output(const std::string& option, const fs::path& path) {
+  // Open until the program ends, so that no other file gets the inode once this one is replaced.
+  const int descriptor = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+  if (descriptor < 0) {
+    return;
+  }
+  struct stat status{};
+  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    ::close(descriptor);
+    return;
+  }
+  guarded_outputs().push_back(
+      {.option = option, .path = path, .device = status.st_dev, .inode = status.st_ino});
+}
+
+void require_no_output(const fs::path& input) {
+  struct stat status{};
+  if (guarded_outputs().empty() || ::stat(input.c_str(), &status) != 0) {
+    return;
+  }
+  for (const GuardedOutput& output : guarded_outputs()) {
+    if (output.device == status.st_dev && output.inode == status.st_ino) {
+      throw OutputIsInput(output.option,
+                          fmt::format("{} is read by the command, too", output.path.string()),
+                          "name another file");
+    }
   }
 }
 

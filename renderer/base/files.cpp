@@ -16,7 +16,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/file_access.h"
-#include "renderer/base/output_guard.h"
 #include "renderer/base/programs.h"
 
 namespace fs = std::filesystem;

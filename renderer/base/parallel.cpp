@@ -2,21 +2,25 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
+#include <fstream>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include <sched.h>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "renderer/base/work_scope.h"
+
 #if defined(__SSE2__)
 #include <pmmintrin.h>
 #endif
-
-#include "renderer/base/cores.h"
-#include "renderer/base/work_scope.h"
 
 #if defined(__SANITIZE_THREAD__)
 #define FOVEOLA_THREAD_SANITIZER 1
@@ -25,6 +29,8 @@
 #define FOVEOLA_THREAD_SANITIZER 1
 #endif
 #endif
+
+namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
@@ -101,6 +107,25 @@ void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
 }
 #endif
 
+/// Relative to the mount of version 2's cgroups; empty if there is none.
+fs::path own_cgroup() {
+  const std::string of_version_2 = "0::/";
+  std::ifstream cgroups("/proc/self/cgroup");
+  for (std::string line; std::getline(cgroups, line);) {
+    if (line.starts_with(of_version_2)) {
+      return line.substr(of_version_2.size());
+    }
+  }
+  return {};
+}
+
+int cores_of_affinity() {
+  cpu_set_t cores;
+  return ::sched_getaffinity(0, sizeof cores, &cores) == 0
+             ? CPU_COUNT(&cores)
+             : static_cast<int>(std::thread::hardware_concurrency());
+}
+
 }  // namespace
 
 /// The control lifts TBB's own limit, so that four threads on two cores are four threads.
@@ -148,6 +173,31 @@ void Workers::for_each_index(std::size_t count,
   const std::function<void(std::size_t)> each = flushed;
   InOrder indices(count, each);
   on_each_thread(arena_->arena, [&] { indices.work(); });
+}
+
+std::optional<double> cgroup_cores(const fs::path& mount, const fs::path& cgroup) {
+  std::optional<double> fewest;
+  fs::path folder = mount;
+  const auto look = [&] {
+    // "max" in place of the first is no number.
+    double quota_us = 0.0;
+    double period_us = 0.0;
+    if (std::ifstream(folder / "cpu.max") >> quota_us >> period_us && period_us > 0.0) {
+      fewest = std::min(fewest.value_or(HUGE_VAL), quota_us / period_us);
+    }
+  };
+  look();
+  for (const fs::path& name : cgroup) {
+    folder /= name;
+    look();
+  }
+  return fewest;
+}
+
+int usable_cores() {
+  const int cores = cores_of_affinity();
+  const double quota = cgroup_cores("/sys/fs/cgroup", own_cgroup()).value_or(cores);
+  return std::max(1, static_cast<int>(std::ceil(std::min<double>(cores, quota))));
 }
 
 }  // namespace foveola

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cassert>
 
-#include "renderer/base/unit_interval.h"
+#include "renderer/base/random.h"
 
 namespace foveola {
 namespace {

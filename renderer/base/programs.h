@@ -1,4 +1,4 @@
-// This program's own file and installation, and running other programs to their end.
+// This program's own file, installation and memory, and running other programs to their end.
 #pragma once
 
 #include <cstdint>
@@ -45,5 +45,10 @@ ProgramEnd run_to_end(const Command& command);
 
 /// Names a status other than 0: "exit status 2", or "signal 9 (Killed)".
 std::string failure_named(int status);
+
+/// From now on freed memory stays with the program, to be used again, where the C library can be
+/// told so: for programs that load large files again and again, to which fresh pages cost more than
+/// reading does. To be called before there are other threads.
+void keep_freed_memory();
 
 }  // namespace foveola

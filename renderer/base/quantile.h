@@ -21,7 +21,7 @@ inline double quantile(std::span<const double> sorted, double share) {
 }
 
 /// The middle one, of an even number the upper of the two; empty without values.
-inline std::optional<double> median(std::vector<double> values) {
+inline std::optional<double> upper_median(std::vector<double> values) {
   if (values.empty()) {
     return std::nullopt;
   }

@@ -12,6 +12,9 @@
 
 namespace foveola {
 
+/// 1 - 2^-24, the largest float below 1.
+inline constexpr float largest_below_one = 0x1.fffffep-1F;
+
 /// A bijective mixer of 32 bits ("lowbias32", Ellis 2018, "Prospecting for Hash Functions"). Bits:
 /// 32 of them, or lanes of so many.
 template <typename Bits>

@@ -1,8 +1,13 @@
-// Stops long work, and shows its progress, without a parameter in every function that it calls.
+// Long work: stops it and shows its progress, without a parameter in every function that it calls.
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <stop_token>
+#include <string>
+#include <thread>
 
 namespace foveola {
 
@@ -51,5 +56,82 @@ bool is_work_stopped();
 
 /// Throws WorkStopped if this thread's work was stopped.
 void throw_if_work_stopped();
+
+/// Writes "LABEL  42 %  1 m 10 s left" over one line of standard error, at most ten times a second,
+/// and only when that is a terminal that obeys escapes, cut to its width; otherwise a plain line at
+/// every tenth of the work, and when five minutes have gone by without one. The line is finished
+/// when the object goes.
+class Progress {
+ public:
+  explicit Progress(std::string label);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// fraction_done in [0, 1]; never goes back. detail is shown behind the time left.
+  void update(double fraction_done, const std::string& detail = {});
+
+ private:
+  std::string label_;
+  bool terminal_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_shown_;
+  int last_tenth_ = 0;
+};
+
+/// A progress line for each step of work, as soon as the work takes longer than a second. Its
+/// functions may be called from any thread.
+class StepProgress {
+ public:
+  /// label: stands before the name of the step; may be empty.
+  explicit StepProgress(std::string label = {});
+
+  /// fraction_done: of this step, in [0, 1].
+  void update(const std::string& step, double fraction_done);
+
+ private:
+  std::string label_;
+  std::chrono::steady_clock::time_point start_;
+  std::mutex mutex_;  ///< guards what follows
+  std::string step_;
+  std::optional<Progress> line_;
+};
+
+/// "850 ms", "12 s", "3 m 05 s" or "2 h 10 m".
+std::string human_duration(double duration_s);
+
+/// Exit code of a program that a signal stopped, as a shell gives for SIGINT.
+inline constexpr int stopped_exit_code = 130;
+
+/// Says on standard error that a load was stopped.
+void print_load_stopped();
+
+/// Returns what `load` returns. Shows the steps that it reports on standard error. Throws
+/// WorkStopped soon after `stop` is requested.
+template <typename Load>
+auto load_watched(const std::stop_token& stop, const Load& load) {
+  StepProgress progress("loading: ");
+  const WorkScope scope(
+      stop, [&](const char* step, double fraction_done) { progress.update(step, fraction_done); });
+  return load();
+}
+
+/// While it lives: ends the program with stopped_exit_code and print_load_stopped, at once, if it
+/// still lives 0.2 s after `stop` was requested. Parsers and decoders of libraries cannot be
+/// stopped. For commands that have written nothing yet.
+class StuckLoadExit {
+ public:
+  explicit StuckLoadExit(const std::stop_token& stop);
+
+ private:
+  std::jthread watcher_;  ///< asked to stop, and waited for, by its destructor
+};
+
+/// load_watched of a command that has written nothing yet: see StuckLoadExit.
+template <typename Load>
+auto load_or_exit(const std::stop_token& stop, const Load& load) {
+  const StuckLoadExit exit(stop);
+  return load_watched(stop, load);
+}
 
 }  // namespace foveola

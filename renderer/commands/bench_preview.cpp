@@ -9,9 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
-#include "renderer/base/progress.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"

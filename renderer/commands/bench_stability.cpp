@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/cores.h"
 #include "renderer/base/error.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
-#include "renderer/base/progress.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"

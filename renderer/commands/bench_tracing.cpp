@@ -11,9 +11,9 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/cores.h"
-#include "renderer/base/load_watched.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"

@@ -14,7 +14,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/film/film_file.h"
-#include "renderer/film/film_state.h"
 
 namespace foveola {
 namespace {

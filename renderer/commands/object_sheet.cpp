@@ -10,10 +10,10 @@
 #include <imgui_internal.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/image/tone_mapping.h"
-#include "renderer/progressive/small_picture.h"
+#include "renderer/progressive/exposure.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -10,8 +10,7 @@
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"
-#include "renderer/gaze/recorded_eye_tracker.h"
-#include "renderer/gaze/recording_file.h"
+#include "renderer/gaze/recordings.h"
 #include "renderer/image/image_file.h"
 
 namespace foveola {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "renderer/base/utf8.h"
-#include "renderer/gaze/recording_file.h"
+#include "renderer/gaze/recordings.h"
 
 namespace foveola {
 

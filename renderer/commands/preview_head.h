@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/gaze/head_tracker.h"
 #include "renderer/headset/live_display.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/window/free_camera.h"

@@ -10,7 +10,7 @@
 #include "renderer/base/quantile.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/gaze/latency.h"
-#include "renderer/preview/frame_latency.h"
+#include "renderer/preview/live_frames.h"
 
 namespace foveola {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/film_parts.h"
 #include "renderer/commands/render_arguments.h"

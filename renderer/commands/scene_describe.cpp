@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 #include "renderer/base/files.h"
-#include "renderer/base/load_watched.h"
-#include "renderer/base/output_guard.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"

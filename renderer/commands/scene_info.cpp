@@ -12,10 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/load_watched.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
+#include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"

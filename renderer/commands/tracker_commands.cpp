@@ -15,9 +15,9 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/commands.h"
+#include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/hid_device.h"
-#include "renderer/gaze/inter_sample_intervals.h"
 #include "renderer/gaze/profiles.h"
 
 namespace foveola {

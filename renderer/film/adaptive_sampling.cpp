@@ -6,7 +6,6 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
-#include "renderer/base/unit_interval.h"
 #include "renderer/view/acuity.h"
 #include "renderer/view/equirect.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "renderer/film/item_pool.h"
-#include "renderer/film/premultiplied_texel.h"
+#include "renderer/film/texel_pyramid.h"
 
 namespace foveola {
 

@@ -122,9 +122,9 @@ void draw(const PointRange& range, std::size_t begin, std::span<Vec2> points) {
 
 }  // namespace
 
-std::vector<DroppedSample> SamplePass::run(const ViewSampler& sampler, const PointRange& points,
-                                           const Trace& trace, EquirectFilm& film,
-                                           const Workers& workers, const Adjust& adjust) {
+std::vector<ViewSample>& SamplePass::draw_samples(const ViewSampler& sampler,
+                                                  const PointRange& points,
+                                                  const Workers& workers) {
   points_.resize(points.count);
   samples_.resize(points.count);
   workers.for_each_block(points.count, point_block, [&](std::size_t begin, std::size_t end) {
@@ -132,26 +132,31 @@ std::vector<DroppedSample> SamplePass::run(const ViewSampler& sampler, const Poi
     draw(points, begin, drawn);
     sampler.sample(drawn, std::span(samples_).subspan(begin, end - begin));
   });
-  if (adjust) {
-    adjust(samples_);
-  }
+  return samples_;
+}
+
+std::span<const SampleJob> SamplePass::number_samples(EquirectFilm& film, const Workers& workers) {
   film.number(samples_, batch_, workers);
-  radiance_.resize(batch_.jobs.size());
-  trace(batch_.jobs, radiance_);
+  return batch_.jobs;
+}
+
+std::vector<DroppedSample> SamplePass::add_radiance(std::span<const Rgb> radiance,
+                                                    const ViewSampler* weighs_by,
+                                                    EquirectFilm& film, const Workers& workers) {
   weights_.clear();
-  if (points.weighs_within_pixels && !sampler.keeps_points() &&
-      varies_within_pixels(sampler, film)) {
+  if (weighs_by != nullptr && !weighs_by->keeps_points() &&
+      varies_within_pixels(*weighs_by, film)) {
     weights_.resize(batch_.jobs.size());
     workers.for_each_block(weights_.size(), point_block, [&](std::size_t begin, std::size_t end) {
       const auto width = static_cast<std::uint32_t>(film.width());
       for (std::size_t i = begin; i < end; ++i) {
         const SampleJob& job = batch_.jobs[i];
-        weights_[i] = weight_in_pixel(sampler, film, job.direction,
+        weights_[i] = weight_in_pixel(*weighs_by, film, job.direction,
                                       IVec2(job.pixel % width, job.pixel / width));
       }
     });
   }
-  return film.add(batch_, radiance_, workers, weights_);
+  return film.add(batch_, radiance, workers, weights_);
 }
 
 }  // namespace foveola

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,33 +27,33 @@ struct PointRange {
   /// Columns and rows of cells that are visited in rounds, each once in a round, so that their
   /// counts differ by one at most. `numbers` then has no effect. 0: no cells.
   IVec2 cells{0};
-  /// Samples are weighed by the inverse of the sampler's density within each pixel, whose mean is
-  /// then that of its area; unless the density varies too little for that to matter.
-  bool weighs_within_pixels = true;
 };
 
-/// Keeps its buffers from pass to pass.
+/// Its three steps are taken in turn, with the tracer between the last two. It keeps its buffers
+/// from pass to pass. The number of threads does not change the film; nor, with a Sobol sequence
+/// and samples that are left as they were drawn, does how a range is cut into passes.
 class SamplePass {
  public:
-  /// Writes the radiance of each job, as PathTracer::trace.
-  using Trace = std::function<void(std::span<const SampleJob> jobs, std::span<Rgb> radiance)>;
+  /// Sends `points` through an aimed sampler. The caller may take samples away before they are
+  /// numbered, and may move them if they are not weighed.
+  std::vector<ViewSample>& draw_samples(const ViewSampler& sampler, const PointRange& points,
+                                        const Workers& workers);
 
-  /// May take some view samples away before they are traced; may move them where samples are not
-  /// weighed.
-  using Adjust = std::function<void(std::vector<ViewSample>& samples)>;
+  /// Returns the jobs of the samples for the tracer, valid until the next pass.
+  std::span<const SampleJob> number_samples(EquirectFilm& film, const Workers& workers);
 
-  /// Sends `points` through an aimed sampler and `trace` into the film; returns what the film
-  /// dropped. The number of threads does not change the film; nor, with a Sobol sequence and
-  /// without `adjust`, does how a range is cut into passes.
-  std::vector<DroppedSample> run(const ViewSampler& sampler, const PointRange& points,
-                                 const Trace& trace, EquirectFilm& film, const Workers& workers,
-                                 const Adjust& adjust = {});
+  /// Adds the radiance of each job, as PathTracer::trace gives it; returns what the film dropped.
+  /// weighs_by: samples are weighed by the inverse of this sampler's density within each pixel,
+  /// whose mean is then that of its area, unless the density varies too little for that to matter.
+  /// Null: all samples weigh the same.
+  std::vector<DroppedSample> add_radiance(std::span<const Rgb> radiance,
+                                          const ViewSampler* weighs_by, EquirectFilm& film,
+                                          const Workers& workers);
 
  private:
   std::vector<Vec2> points_;
   std::vector<ViewSample> samples_;
   NumberedBatch batch_;
-  std::vector<Rgb> radiance_;
   std::vector<float> weights_;
 };
 

@@ -3,8 +3,6 @@
 #include <array>
 #include <cassert>
 
-#include "renderer/film/cells_around.h"
-
 namespace foveola {
 namespace {
 

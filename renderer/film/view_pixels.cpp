@@ -1,16 +1,52 @@
 #include "renderer/film/view_pixels.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <span>
 
-#include "renderer/film/rounded_log2.h"
-#include "renderer/view/display_plane.h"
 #include "renderer/view/equirect.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 namespace {
+
+constexpr int mantissa_bits = 52;
+constexpr std::uint64_t bias = 1023;
+constexpr std::uint64_t bits_of_one = bias << mantissa_bits;
+
+/// The integer as a double: numbers from 2^52 on are a unit apart, and their bits count them.
+double double_of(std::uint64_t small) {
+  constexpr std::uint64_t bits_of_2_to_52 = (bias + mantissa_bits) << mantissa_bits;
+  constexpr double two_to_52 = 4503599627370496.0;
+  return std::bit_cast<double>(bits_of_2_to_52 | small) - two_to_52;
+}
+
+/// log2 within 1e-14, without branches or calls, so that compilers make several at a time: the
+/// exponent, and of a mantissa m in [sqrt(1/2), sqrt(2)) the series
+/// ln m = 2 (s + s^3/3 + s^5/5 + ...) with s = (m - 1) / (m + 1).
+double near_log2(double number) {
+  constexpr std::uint64_t bits_of_root_of_half = 0x3FE6A09E667F3BCD;
+  const auto bits = std::bit_cast<std::uint64_t>(number);
+  const std::uint64_t biased_exponent =
+      (bits - bits_of_root_of_half + bits_of_one) >> mantissa_bits;
+  const double exponent = double_of(biased_exponent) - static_cast<double>(bias);
+  const auto m = std::bit_cast<double>(bits - (biased_exponent << mantissa_bits) + bits_of_one);
+  const double s = (m - 1.0) / (m + 1.0);
+  const double z = s * s;
+  const double series =
+      1.0 +
+      z * (1.0 / 3 +
+           z * (1.0 / 5 +
+                z * (1.0 / 7 +
+                     z * (1.0 / 9 +
+                          z * (1.0 / 11 + z * (1.0 / 13 + z * (1.0 / 15 + z * (1.0 / 17))))))));
+  return exponent + 2.0 * std::numbers::log2e * s * series;
+}
 
 /// How many cells of level 0 a patch of `sr` steradians is wide.
 double cells_across(double sr, int image_height) {
@@ -34,7 +70,82 @@ Floats pick(const std::vector<float>& numbers, const EightPixels& at) {
                 numbers[at[4]], numbers[at[5]], numbers[at[6]], numbers[at[7]]};
 }
 
+constexpr int tile_side = EquirectFilm::tile_size;
+
+/// Columns or rows. Of those within a tile's side of the tile that begins at `begin`, these lie in
+/// all the tiles that there are: the last tile of the image may be narrower than others.
+std::array<int, 5> ends_around(int begin) {
+  return {begin - tile_side, begin - 1, begin, begin + tile_side, begin + 2 * tile_side - 1};
+}
+
+/// A mark for each tile of a film.
+class TileMarks {
+ public:
+  explicit TileMarks(const EquirectFilm& film)
+      : film_(film), marks_(static_cast<std::size_t>(film.tiles_across()) * film.tiles_down()) {}
+
+  void mark_around(std::uint32_t tile) {
+    const IVec2 corner = film_.tile_corner(tile);
+    const int last_row = film_.height() - 1;
+    for (const int y : ends_around(corner.y)) {
+      if (y < 0) {
+        mark_rows(0, std::min(-1 - y, last_row));
+      } else if (y > last_row) {
+        mark_rows(std::max(2 * last_row + 1 - y, 0), last_row);
+      } else {
+        mark_columns_around(corner.x, y);
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> numbers() const {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t tile = 0; tile < marks_.size(); ++tile) {
+      if (marks_[tile] != 0) {
+        numbers.push_back(tile);
+      }
+    }
+    return numbers;
+  }
+
+ private:
+  /// All tiles with pixels in the rows [first, last].
+  void mark_rows(int first, int last) {
+    std::fill(marks_.begin() + film_.tile_of(0, first),
+              marks_.begin() + film_.tile_of(film_.width() - 1, last) + 1, char{1});
+  }
+  void mark_columns_around(int begin, int y) {
+    for (const int x : ends_around(begin)) {
+      // Images narrower than a tile are passed around more than once.
+      const int wrapped = (x % film_.width() + film_.width()) % film_.width();
+      marks_[film_.tile_of(wrapped, y)] = 1;
+    }
+  }
+
+  const EquirectFilm& film_;
+  std::vector<char> marks_;
+};
+
 }  // namespace
+
+void rounded_log2(std::span<const double> numbers, std::span<float> logs) {
+  assert(numbers.size() == logs.size());
+  // Where all that is as near rounds to one float, so does the library's.
+  constexpr double margin = 1e-12;
+  constexpr std::size_t block = 64;
+  for (std::size_t begin = 0; begin < numbers.size(); begin += block) {
+    const std::size_t end = std::min(begin + block, numbers.size());
+    int doubtful = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double log = near_log2(numbers[i]);
+      logs[i] = static_cast<float>(log - margin);
+      doubtful += logs[i] == static_cast<float>(log + margin) ? 0 : 1;
+    }
+    for (std::size_t i = begin; doubtful > 0 && i < end; ++i) {
+      logs[i] = static_cast<float>(std::log2(numbers[i]));
+    }
+  }
+}
 
 float level_for(double sr, int image_height) {
   return static_cast<float>(std::max(0.0, std::log2(cells_across(sr, image_height))));
@@ -101,6 +212,42 @@ ViewPoints ViewPixels::points(const EightPixels& pixels) const {
 ViewPoints ViewPixels::points_from(std::size_t first) const {
   return {.image = {load_eight(&u_[first]), load_eight(&v_[first])},
           .level = load_eight(&level_[first])};
+}
+
+TilesInView::TilesInView(const EquirectFilm& film)
+    : film_(&film),
+      size_(Vec2(film.width(), film.height()) / static_cast<float>(tile_side)),
+      last_(film.tiles_across() - 1, film.tiles_down() - 1),
+      is_marked_(static_cast<std::size_t>(film.tiles_across()) * film.tiles_down()) {}
+
+void TilesInView::forget() {
+  for (std::atomic<bool>& mark : is_marked_) {
+    mark.store(false, std::memory_order_relaxed);
+  }
+}
+
+void TilesInView::mark(const Vec2s& image) {
+  const Ints column = truncated(smaller(image.x * size_.x, last_.x));
+  const Ints row = truncated(smaller(image.y * size_.y, last_.y));
+  const Ints tiles = row * film_->tiles_across() + column;
+  std::int32_t marked = -1;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    // Neighbours mostly lie in the same one.
+    if (tiles[i] != marked) {
+      marked = tiles[i];
+      is_marked_[static_cast<std::size_t>(marked)].store(true, std::memory_order_relaxed);
+    }
+  }
+}
+
+std::vector<std::uint32_t> TilesInView::around() const {
+  TileMarks marks(*film_);
+  for (std::uint32_t tile = 0; tile < is_marked_.size(); ++tile) {
+    if (is_marked_[tile].load(std::memory_order_relaxed)) {
+      marks.mark_around(tile);
+    }
+  }
+  return marks.numbers();
 }
 
 }  // namespace foveola

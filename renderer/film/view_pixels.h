@@ -1,14 +1,23 @@
-// Where the pixels of a view lie on the equirect image, and how large they are on it.
+// Where the pixels of a view lie on the equirect image, how large they are on it, and which tiles
+// of a film they are made from.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "renderer/base/lanes.h"
+#include "renderer/film/equirect_film.h"
 #include "renderer/film/shown_color.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
+
+/// Sets each of `logs` to static_cast<float>(std::log2(number)), to the bit, for a library whose
+/// log2 is right within 1e-12. numbers: positive and normal, as many as logs.
+void rounded_log2(std::span<const double> numbers, std::span<float> logs);
 
 /// The numbers of eight pixels of a view, row by row.
 using EightPixels = std::array<std::uint32_t, lane_count>;
@@ -52,5 +61,28 @@ class ViewPixels {
 /// The level, in between two of them perhaps, whose cells are as high as a patch of `sr` steradians
 /// is wide, over an equirect image of `image_height` pixels. At least 0.
 float level_for(double sr, int image_height);
+
+/// Marks the tiles that a view's pixels lie in, and finds what lies around them.
+class TilesInView {
+ public:
+  /// film must outlive this.
+  explicit TilesInView(const EquirectFilm& film);
+
+  void forget();
+  /// Marks the tiles at eight positions on the image. May be called from many threads.
+  void mark(const Vec2s& image);
+
+  /// Returns, in ascending order and without repetition, the tiles of which some pixel is less than
+  /// a tile's side to the left, right, above or below of one in a marked tile, beyond the seam and
+  /// the poles too (there perhaps some more). Every cell that fewer than FilmTile::levels levels
+  /// blend at a marked position is in them: it reaches 24 pixels at most.
+  std::vector<std::uint32_t> around() const;
+
+ private:
+  const EquirectFilm* film_;
+  Vec2 size_;                                 ///< the image's size in tiles
+  Vec2 last_;                                 ///< column and row
+  std::vector<std::atomic<bool>> is_marked_;  ///< whether a tile is in view
+};
 
 }  // namespace foveola

@@ -24,7 +24,6 @@ Nanoseconds ClockAlignment::host_time(Nanoseconds tracker_time, Nanoseconds arri
 
 Nanoseconds HidSensorClock::host_time(double sensor_time_s, Nanoseconds arrival) {
   const double time_s = continued(sensor_time_s);
-  last_interval_s_ = last_s_ ? std::optional(time_s - *last_s_) : std::nullopt;
   last_s_ = time_s;
   const double ahead_s = seconds(arrival) - time_s;
   ahead_s_.add(arrival, ahead_s);
@@ -32,7 +31,6 @@ Nanoseconds HidSensorClock::host_time(double sensor_time_s, Nanoseconds arrival)
   if (delay_s <= longest_delay_s) {
     return arrival - nanoseconds_from_seconds(delay_s);
   }
-  last_interval_s_.reset();
   ahead_s_.clear();
   ahead_s_.add(arrival, ahead_s);
   return arrival;

@@ -76,10 +76,6 @@ class HidSensorClock {
   /// [arrival - 1 s, arrival]. Arrivals may not go backwards between calls.
   Nanoseconds host_time(double sensor_time_s, Nanoseconds arrival);
 
-  /// Seconds of the sensor's clock from the report before the last one to the last one; empty if
-  /// the two cannot be compared.
-  std::optional<double> last_interval_s() const { return last_interval_s_; }
-
  private:
   /// The sensor's time, as if it had never started again.
   double continued(double sensor_time_s);
@@ -87,7 +83,6 @@ class HidSensorClock {
   std::optional<double> period_s_;
   double periods_s_ = 0.0;  ///< those that are over
   std::optional<double> last_s_;
-  std::optional<double> last_interval_s_;
   /// By how many seconds the host's clock was ahead of the sensor's as reports arrived.
   SlidingMinimum<double> ahead_s_{std::chrono::seconds(5)};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,10 @@ Vec3 with_bias(const Vec3& direction, double right_deg, double up_deg) {
   return direction_from({.azimuth_rad = angles.azimuth_rad + radians(right_deg),
                          .elevation_rad = angles.elevation_rad + radians(up_deg)});
 }
+
+constexpr Nanoseconds interval = std::chrono::milliseconds(8);
+/// Nobody who has not asked for so long wants to know all that was meanwhile.
+constexpr Nanoseconds longest_gap = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -77,6 +82,54 @@ GazeSample SimulatedEyeTracker::expose(std::int64_t index) const {
     return {.time = time};
   }
   return {.time = time, .direction = seen, .valid = true};
+}
+
+Vec3 direction_at(const Screen& screen, const DVec2& fraction) {
+  const double right = std::tan(radians(0.5 * screen.horizontal_fov_deg));
+  const double up = std::tan(radians(0.5 * screen.vertical_fov_deg));
+  return Vec3(
+      glm::normalize(DVec3((2.0 * fraction.x - 1.0) * right, (1.0 - 2.0 * fraction.y) * up, -1.0)));
+}
+
+DVec2 fraction_of(const Screen& screen, const DVec2& metres) {
+  return {metres.x / screen.width_m, metres.y / screen.height_m};
+}
+
+void PointerEyeTracker::point_at(Nanoseconds time, const std::optional<Vec3>& direction) {
+  GazeSample event{.time = time, .valid = direction.has_value()};
+  event.direction = direction.value_or(event.direction);
+  const std::lock_guard lock(mutex_);
+  events_.push_back(event);
+  const auto is_recent = [&](const GazeSample& e) { return time - e.time <= longest_gap; };
+  const auto recent = std::find_if(events_.cbegin(), events_.cend(), is_recent);
+  if (recent != events_.cbegin()) {
+    events_.erase(events_.cbegin(), std::prev(recent));  // keeps where it was before
+  }
+}
+
+void PointerEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
+  const std::lock_guard lock(mutex_);
+  if (events_.empty()) {
+    return;
+  }
+  // An event may come between `now` and this call.
+  const Nanoseconds newest = std::max(events_.back().time, now);
+  const Nanoseconds gap = newest - last_sample_.value_or(newest);
+  const auto samples =
+      gap > longest_gap ? 1 : std::max<std::int64_t>(1, (gap + interval / 2) / interval);
+  auto event = events_.cbegin();
+  for (std::int64_t left = samples - 1; left >= 0; --left) {
+    const Nanoseconds time = newest - left * gap / samples;
+    while (std::next(event) != events_.cend() && std::next(event)->time <= time) {
+      ++event;
+    }
+    if (event->time <= time) {
+      arrived.push_back(*event);
+      arrived.back().time = time;
+    }
+  }
+  events_.erase(events_.cbegin(), std::prev(events_.cend()));
+  last_sample_ = newest;
 }
 
 }  // namespace foveola

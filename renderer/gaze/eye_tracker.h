@@ -1,9 +1,13 @@
-// Where the eye looks: one interface for every source of gaze.
+// Where the eye looks: one interface for every source of gaze, sources without a device, the queue
+// from the threads that read trackers, and the screens on which trackers see points.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,6 +78,69 @@ class SimulatedEyeTracker final : public EyeTracker {
   SimulatedTrackerSettings settings_;
   TrueGaze true_gaze_;
   std::optional<std::int64_t> next_;  ///< the number of the exposure to be delivered next
+};
+
+/// Keeps them in the order of their arrival. Its owner sees to it that one thread uses it at a
+/// time.
+class SampleQueue {
+ public:
+  /// The most samples kept while nobody polls, nine minutes at 120 Hz; beyond, the older half goes.
+  static constexpr std::size_t capacity = 1U << 16U;
+
+  /// Takes no new memory while it is polled every two seconds, at 120 Hz.
+  SampleQueue() { samples_.reserve(256); }
+
+  void push(std::span<const GazeSample> samples) {
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+    if (samples_.size() > capacity) {
+      samples_.erase(samples_.begin(), samples_.end() - capacity / 2);
+    }
+  }
+
+  /// Appends all that it keeps to `arrived`, and keeps none of it any longer.
+  void take(std::vector<GazeSample>& arrived) {
+    arrived.insert(arrived.end(), samples_.begin(), samples_.end());
+    samples_.clear();
+  }
+
+ private:
+  std::vector<GazeSample> samples_;
+};
+
+/// A screen that a flat view fills. The eye that sees it undistorted is on the axis through its
+/// middle, which is the head's -Z.
+struct Screen {
+  double width_m = 0.0;             ///< > 0
+  double height_m = 0.0;            ///< > 0
+  double horizontal_fov_deg = 0.0;  ///< field of view of what is shown on it, in (0, 180)
+  double vertical_fov_deg = 0.0;    ///< vertical field of view, in (0, 180)
+};
+
+/// The direction in the head's axes, unit length, of the view's point at `fraction` of the screen's
+/// width and height, from its top left corner rightwards and downwards. Points beyond the screen
+/// (below 0, above 1) are on its plane.
+Vec3 direction_at(const Screen& screen, const DVec2& fraction);
+
+/// The fraction at a point that is so many metres right of and below the top left corner.
+DVec2 fraction_of(const Screen& screen, const DVec2& metres);
+
+/// One thread may move the pointer while another asks for gaze. A pointer that rests sends no
+/// events and is known to be where the last one put it, so its position is known at all times. The
+/// newest sample is as of when it is asked for. Samples before it fill the time since the last call
+/// evenly at a mouse's usual rate, 125 Hz, so that how well the gaze is known does not depend on
+/// how often frames ask for it. How long a hand's movement takes to become an event is not in it.
+class PointerEyeTracker final : public EyeTracker {
+ public:
+  /// The pointer is there from `time` on. direction: unit length, in the head's axes; empty when
+  /// the pointer has left the window, which makes samples invalid until it is back.
+  void point_at(Nanoseconds time, const std::optional<Vec3>& direction);
+
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
+
+ private:
+  std::mutex mutex_;                        ///< guards the members below
+  std::vector<GazeSample> events_;          ///< since the last call, after the newest one before it
+  std::optional<Nanoseconds> last_sample_;  ///< time of the newest sample that was given
 };
 
 }  // namespace foveola

@@ -24,7 +24,7 @@ std::optional<double> usual_interval_s(std::span<const WatchedTarget> watched) {
       intervals_s.push_back(seconds(target.samples[i].time - target.samples[i - 1].time));
     }
   }
-  return median(std::move(intervals_s));
+  return upper_median(std::move(intervals_s));
 }
 
 double data_loss(const WatchedTarget& target, std::optional<double> interval_s) {
@@ -52,7 +52,7 @@ EyeMovementSettings settings_for(const std::vector<GazeSample>& samples) {
   }
   settings.threshold_deg_per_s =
       std::max(settings.threshold_deg_per_s,
-               medians * median(std::move(velocities_deg_per_s)).value_or(0.0));
+               medians * upper_median(std::move(velocities_deg_per_s)).value_or(0.0));
   return settings;
 }
 
@@ -173,6 +173,47 @@ bool passes(const GazeQuality& quality, const GazeGate& gate) {
   return all_seen && quality.figures && quality.figures->accuracy_deg <= gate.max_accuracy_deg &&
          quality.figures->precision_rms_deg <= gate.max_precision_deg &&
          quality.data_loss <= gate.max_data_loss;
+}
+
+void InterSampleIntervals::add(const GazeSample& sample) {
+  if (last_time_ && sample.time <= *last_time_) {
+    return;
+  }
+  ++samples_;
+  valid_samples_ += sample.valid ? 1 : 0;
+  if (last_time_) {
+    constexpr double gap_intervals = 1.5;
+    const double interval_s = seconds(sample.time - *last_time_);
+    const std::optional<double> usual_s = median_interval_s();
+    gaps_ += usual_s && interval_s > gap_intervals * *usual_s ? 1 : 0;
+    intervals_s_.push_back(interval_s);
+    if (intervals_s_.size() > window) {
+      intervals_s_.pop_front();
+    }
+  }
+  last_time_ = sample.time;
+}
+
+std::optional<double> InterSampleIntervals::rate_hz() const {
+  const std::optional<double> interval_s = median_interval_s();
+  return interval_s ? std::optional(1.0 / *interval_s) : std::nullopt;
+}
+
+std::optional<double> InterSampleIntervals::jitter_ms() const {
+  const std::optional<double> usual_s = median_interval_s();
+  if (!usual_s) {
+    return std::nullopt;
+  }
+  double sum_s = 0.0;
+  for (const double interval_s : intervals_s_) {
+    sum_s += std::abs(interval_s - *usual_s);
+  }
+  constexpr double ms_per_s = 1e3;
+  return ms_per_s * sum_s / static_cast<double>(intervals_s_.size());
+}
+
+std::optional<double> InterSampleIntervals::median_interval_s() const {
+  return upper_median({intervals_s_.begin(), intervals_s_.end()});
 }
 
 }  // namespace foveola

@@ -1,8 +1,11 @@
-// How well a tracker sees where the eye looks: accuracy, precision and loss of data, after
-// Holmqvist, Nystrom and Mulvey 2012, "Eye tracker data quality: what it is and how to measure it".
+// How well and how regularly a tracker sees where the eye looks: accuracy, precision and loss of
+// data, after Holmqvist, Nystrom and Mulvey 2012, "Eye tracker data quality: what it is and how to
+// measure it"; rate and jitter.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -67,5 +70,35 @@ struct GazeGate {
 
 /// Whether every target was seen and the figures of all are within the gate.
 bool passes(const GazeQuality& quality, const GazeGate& gate);
+
+/// Looks at the samples of the last while, by their own times.
+class InterSampleIntervals {
+ public:
+  /// Over how many intervals the figures below are taken.
+  static constexpr std::size_t window = 240;
+
+  /// Adds a sample unless it is older than the one before, or as old.
+  void add(const GazeSample& sample);
+
+  /// All so far.
+  std::uint64_t samples() const { return samples_; }
+  std::uint64_t valid_samples() const { return valid_samples_; }
+  /// Intervals longer than one and a half times the usual one, so far: samples that never came.
+  std::uint64_t gaps() const { return gaps_; }
+
+  /// The reciprocal of the median interval; empty before two samples.
+  std::optional<double> rate_hz() const;
+  /// The intervals' mean absolute deviation from their median.
+  std::optional<double> jitter_ms() const;
+
+ private:
+  std::optional<double> median_interval_s() const;
+
+  std::optional<Nanoseconds> last_time_;
+  std::deque<double> intervals_s_;
+  std::uint64_t samples_ = 0;
+  std::uint64_t valid_samples_ = 0;
+  std::uint64_t gaps_ = 0;
+};
 
 }  // namespace foveola

@@ -5,7 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gaze/hid_eye_tracker.h"
 #include "renderer/gaze/open_gaze_tracker.h"
-#include "renderer/gaze/recorded_eye_tracker.h"
+#include "renderer/gaze/recordings.h"
 #include "renderer/gaze/simulated_eye.h"
 
 namespace foveola {

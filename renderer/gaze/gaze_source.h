@@ -5,9 +5,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/pointer_eye_tracker.h"
 #include "renderer/gaze/profiles.h"
-#include "renderer/gaze/screen.h"
 
 namespace foveola {
 

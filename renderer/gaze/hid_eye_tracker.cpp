@@ -1,11 +1,30 @@
 #include "renderer/gaze/hid_eye_tracker.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <utility>
 
 namespace foveola {
 namespace {
+
+/// Widths of a screen between a wrist watch's and a cinema's; others were never set.
+bool is_size_of_screen(const std::optional<double>& size_m) {
+  return size_m && *size_m >= 0.01 && *size_m <= 100.0;
+}
+
+/// The shape of the report that `bytes` begin with; null if there is none with this id.
+const HidReportShape* shape_at(const std::vector<HidReportShape>& shapes,
+                               std::span<const std::uint8_t> bytes) {
+  const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const HidReportShape& shape) {
+    return fit_of(shape, bytes) != HidReportFit::wrong_id;
+  });
+  return found != shapes.end() ? &*found : nullptr;
+}
+
+bool is_padding(std::span<const std::uint8_t> bytes) {
+  return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+}
 
 /// The longest time that the thread cannot be stopped.
 constexpr std::chrono::milliseconds read_timeout{50};
@@ -35,6 +54,72 @@ bool request_gaze(HidDevice& device, const std::optional<HidControlReport>& cont
 }
 
 }  // namespace
+
+HidGazeStream::HidGazeStream(const HidEyeReports& reports, const HidGazeSettings& settings)
+    : reports_(reports), settings_(settings), clock_(sensor_clock_period_s(reports.tracking)) {}
+
+void HidGazeStream::learn(const HidStatus& status) {
+  if (status.sampling_frequency_hz) {
+    status_.sampling_frequency_hz = status.sampling_frequency_hz;
+  }
+  if (status.configuration) {
+    status_.configuration = status.configuration;
+  }
+}
+
+void HidGazeStream::learn(const HidConfiguration& configuration) {
+  if (is_size_of_screen(configuration.screen_width_m) &&
+      is_size_of_screen(configuration.screen_height_m)) {
+    settings_.screen.width_m = *configuration.screen_width_m;
+    settings_.screen.height_m = *configuration.screen_height_m;
+  }
+}
+
+void HidGazeStream::reconnect(const HidEyeReports& reports) {
+  reports_ = reports;
+  clock_ = HidSensorClock(sensor_clock_period_s(reports.tracking));
+  status_ = {};
+}
+
+std::vector<GazeSample> HidGazeStream::receive(std::span<const std::uint8_t> bytes,
+                                               Nanoseconds arrival) {
+  std::vector<GazeSample> samples;
+  do {
+    const HidReportShape* shape = shape_at(reports_.inputs, bytes);
+    if (shape == nullptr || bytes.size() < shape->size_bytes) {
+      return samples;
+    }
+    const auto report = bytes.first(shape->size_bytes);
+    if (const auto data = read_report(reports_.tracking, report)) {
+      samples.push_back(take_tracking(*data, arrival));
+    }
+    take_status(report);
+    bytes = bytes.subspan(shape->size_bytes);
+  } while (!is_padding(bytes));
+  return samples;
+}
+
+GazeSample HidGazeStream::take_tracking(const HidTrackingData& data, Nanoseconds arrival) {
+  GazeSample sample{.time = arrival};
+  if (data.sensor_time_s && settings_.use_sensor_clock) {
+    sample.time = clock_.host_time(*data.sensor_time_s, arrival);
+  }
+  sample.time -= nanoseconds_from_seconds(settings_.latency_s);
+  const Screen& screen = settings_.screen;
+  if (data.gaze_point_m && screen.width_m > 0.0 && screen.height_m > 0.0) {
+    sample.direction = direction_at(screen, fraction_of(screen, *data.gaze_point_m));
+    sample.valid = true;
+  }
+  return sample;
+}
+
+void HidGazeStream::take_status(std::span<const std::uint8_t> report) {
+  if (reports_.status_input) {
+    if (const auto status = read_report(*reports_.status_input, report)) {
+      learn(*status);
+    }
+  }
+}
 
 HidEyeTracker::HidEyeTracker(Opener open, const Clock& clock, const HidTrackerSettings& settings)
     : open_(std::move(open)),
@@ -94,7 +179,6 @@ void HidEyeTracker::set_up(const HidConnection& connection, const HidEyeReports&
   state_.device = connection.info;
   state_.status = stream_->status();
   state_.configuration = configuration;
-  ++state_.connections;
   state_.status_text = will_measure ? "" : "the eye tracker refuses to be asked for gaze";
 }
 
@@ -117,7 +201,6 @@ void HidEyeTracker::take(std::span<const std::uint8_t> bytes) {
   const std::lock_guard lock(mutex_);
   samples_.push(samples);
   state_.status = stream_->status();
-  state_.counters = stream_->counters();
 }
 
 void HidEyeTracker::note_disconnected(const std::string& status_text) {

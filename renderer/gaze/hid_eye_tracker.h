@@ -1,5 +1,6 @@
 // An eye tracker that speaks the HID standard, read by a thread of its own: Linux queues 64 reports
-// for a reader, so that one who reads once a frame sees the past.
+// for a reader, so that one who reads once a frame sees the past. Decodes where the eye looked, and
+// when.
 #pragma once
 
 #include <chrono>
@@ -16,12 +17,56 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/hid_device.h"
-#include "renderer/gaze/hid_gaze_stream.h"
-#include "renderer/gaze/sample_queue.h"
+#include "renderer/gaze/hid_eye_reports.h"
 
 namespace foveola {
+
+struct HidGazeSettings {
+  /// What the tracker is calibrated to. A device that says how large that is knows better; if only
+  /// the device can know, the size is 0, and without either no sample is valid.
+  Screen screen;
+  /// From the eye to the host for the report with the shortest way, in seconds, >= 0: the middle of
+  /// the exposure, processing and transfer. The device says nothing of it; it is assumed.
+  double latency_s = 0.0;
+  /// Off: reports count from when they arrive, for a device whose clock is wrong.
+  bool use_sensor_clock = true;
+};
+
+/// Reads reports as they arrive, in their order. Its samples depend on its arguments alone.
+class HidGazeStream {
+ public:
+  HidGazeStream(const HidEyeReports& reports, const HidGazeSettings& settings);
+
+  /// Takes what feature reports say, as far as a device has them: its status, and the size of the
+  /// screen.
+  void learn(const HidStatus& status);
+  void learn(const HidConfiguration& configuration);
+
+  /// Begins another connection of the same tracker: its clock and its reports may be different now.
+  void reconnect(const HidEyeReports& reports);
+
+  /// Takes the bytes of one read: a report, several behind one another if the reads were merged,
+  /// or none that makes sense. Zeros behind a report are padding. Returns the gaze of the tracking
+  /// reports among them, in their order; its direction is straight ahead if it is not valid.
+  /// Arrivals may not go backwards between calls.
+  std::vector<GazeSample> receive(std::span<const std::uint8_t> bytes, Nanoseconds arrival);
+
+  /// The newest that the device said, in a feature report that was learnt or an input report.
+  const HidStatus& status() const { return status_; }
+  const Screen& screen() const { return settings_.screen; }
+
+ private:
+  GazeSample take_tracking(const HidTrackingData& data, Nanoseconds arrival);
+  void take_status(std::span<const std::uint8_t> report);
+
+  HidEyeReports reports_;
+  HidGazeSettings settings_;
+  HidStatus status_;
+  HidSensorClock clock_;
+};
 
 struct HidTrackerSettings {
   HidGazeSettings gaze;
@@ -34,8 +79,6 @@ struct HidTrackerState {
   HidDeviceInfo device;  ///< the last that was open
   HidStatus status;
   std::optional<HidConfiguration> configuration;
-  HidGazeCounters counters;       ///< sums over all connections
-  std::uint64_t connections = 0;  ///< connections so far
   std::string status_text;  ///< why it is not connected, or does not do all; empty if all well
 };
 

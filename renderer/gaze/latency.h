@@ -7,9 +7,17 @@
 #include <span>
 #include <string_view>
 
-#include "renderer/gaze/known_duration.h"
-
 namespace foveola {
+
+enum class Provenance {
+  measured,  ///< measured on this device
+  assumed    ///< from a data sheet, a publication or by guess
+};
+
+struct KnownDuration {
+  double duration_s = 0.0;  ///< >= 0
+  Provenance provenance = Provenance::assumed;
+};
 
 /// What the budget is made of. Rates are positive.
 struct LatencyInputs {

@@ -55,11 +55,9 @@ std::vector<GazeSample> OpenGazeDecoder::decode(std::string_view bytes, Nanoseco
     // Without a counter and a time, it may be of an eye that rests.
     const bool is_known = record.count || record.time_s;
     if (is_known && element.attributes == last_attributes_) {
-      ++counters_.repeats;
       continue;
     }
     last_attributes_ = std::move(element.attributes);
-    count(record);
     samples.push_back(sample_from(record, arrival));
   }
   return samples;
@@ -77,20 +75,13 @@ GazeSample OpenGazeDecoder::sample_from(const OpenGazeRecord& record, Nanosecond
     sent = alignment_.host_time(Nanoseconds(std::llround(1e9 * *record.time_s)), arrival);
   }
   const PointOfGaze gaze = combined_gaze(record);
+  ++counters_.records;
+  counters_.unreadable += gaze.is_unreadable ? 1 : 0;
   GazeSample sample{.time = sent - latency_, .valid = gaze.valid};
   if (gaze.valid) {
     sample.direction = direction_at(screen_, gaze.fraction);
   }
   return sample;
-}
-
-void OpenGazeDecoder::count(const OpenGazeRecord& record) {
-  ++counters_.records;
-  counters_.unreadable += combined_gaze(record).is_unreadable ? 1 : 0;
-  if (record.count && last_count_ && *record.count - 1 > *last_count_) {
-    ++counters_.gaps;
-  }
-  last_count_ = record.count;
 }
 
 OpenGazeTracker::OpenGazeTracker(const OpenGazeSettings& settings)
@@ -138,8 +129,6 @@ void OpenGazeTracker::converse(const TcpAddress& address, const std::stop_token&
   }
   OpenGazeCounters counters = this->counters();
   counters.is_connected = true;
-  counters.reconnects += was_connected_ ? 1U : 0U;
-  was_connected_ = true;
   publish({}, counters);
   listen(connection, stop);
   counters = this->counters();

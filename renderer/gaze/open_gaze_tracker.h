@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -17,8 +16,6 @@
 #include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/open_gaze_records.h"
-#include "renderer/gaze/sample_queue.h"
-#include "renderer/gaze/screen.h"
 #include "renderer/gaze/tcp_connection.h"
 
 namespace foveola {
@@ -38,10 +35,7 @@ struct OpenGazeSettings {
 struct OpenGazeCounters {
   std::uint64_t records = 0;
   std::uint64_t garbage = 0;     ///< lines that are no elements
-  std::uint64_t repeats = 0;     ///< records that came once more: they are no samples
   std::uint64_t unreadable = 0;  ///< records whose points are no numbers
-  std::uint64_t gaps = 0;        ///< jumps of the tracker's counter: some samples never came
-  std::uint64_t reconnects = 0;  ///< connections that were made after the first
   bool is_connected = false;
 };
 
@@ -60,14 +54,12 @@ class OpenGazeDecoder {
 
  private:
   GazeSample sample_from(const OpenGazeRecord& record, Nanoseconds arrival);
-  void count(const OpenGazeRecord& record);
 
   Screen screen_;
   Nanoseconds latency_;
   OpenGazeStream stream_;
   ClockAlignment alignment_;
   OpenGazeCounters counters_;
-  std::optional<std::int64_t> last_count_;
   std::map<std::string, std::string, std::less<>> last_attributes_;  ///< the last record's
 };
 
@@ -93,7 +85,6 @@ class OpenGazeTracker final : public EyeTracker {
 
   OpenGazeSettings settings_;
   std::vector<TcpAddress> addresses_;
-  bool was_connected_ = false;  ///< the thread's own
 
   mutable std::mutex mutex_;
   SampleQueue samples_;

@@ -13,8 +13,8 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/confined_path.h"
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 #include "renderer/base/files.h"
 #include "renderer/base/similar_word.h"
 #include "renderer/base/toml_file.h"

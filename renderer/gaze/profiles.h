@@ -11,12 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/radial_lens.h"
+#include "renderer/base/angles.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/known_duration.h"
+#include "renderer/gaze/latency.h"
 #include "renderer/gaze/open_gaze_records.h"
-#include "renderer/gaze/screen.h"
-#include "renderer/view/seen_part.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 

@@ -8,7 +8,6 @@
 
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
-#include "renderer/gaze/sample_queue.h"
 
 namespace foveola {
 

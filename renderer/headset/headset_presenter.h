@@ -10,9 +10,8 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/headset/headset_connection.h"
-#include "renderer/headset/headset_mirror.h"
 #include "renderer/headset/headset_motion.h"
-#include "renderer/window/frame_handover.h"
+#include "renderer/window/presenter.h"
 #include "renderer/window/window.h"
 
 namespace foveola {

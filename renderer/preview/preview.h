@@ -9,7 +9,6 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/film/viewport_image.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/gaze_filter.h"

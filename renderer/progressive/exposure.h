@@ -1,4 +1,5 @@
-// How bright a scene is shown: as it says itself, by what is seen of it, or as somebody says.
+// How bright a scene is shown: as it says itself, by what is seen of it in a small picture, or as
+// somebody says.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,20 @@
 #include "renderer/view/viewport.h"
 
 namespace foveola {
+
+struct SmallPictureSettings {
+  IVec2 size{1};  ///< pixels
+  std::uint32_t samples_per_pixel = 16;
+  /// Its seed is also that of the samples' places in their pixels, and the angle of a pixel is the
+  /// picture's own.
+  TraceSettings trace;
+};
+
+/// The mean radiance of each pixel, row after row from the top left; samples that are not finite
+/// count as black. Equal on any number of threads.
+std::vector<DVec3> small_picture(const PathTracer& tracer, const Vec3& viewpoint,
+                                 const Viewport& viewport, SmallPictureSettings settings,
+                                 const Workers& workers);
 
 struct ExposureChoice {
   enum class Base : std::uint8_t {

@@ -9,11 +9,9 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/load_watched.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/random.h"
-#include "renderer/film/film_state.h"
-#include "renderer/progressive/tile_dealing.h"
+#include "renderer/base/work_scope.h"
+#include "renderer/film/film_file.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/view/image_samplers.h"
 
@@ -122,7 +120,7 @@ void require_splittable(const RenderSettings& settings) {
 }
 
 /// Leaves what falls in the tiles of a part. film: must outlive it.
-SamplePass::Adjust tiles_of(const Shard& shard, const EquirectFilm& film) {
+ProgressiveRender::Filter tiles_of(const Shard& shard, const EquirectFilm& film) {
   return [shard, &film](std::vector<ViewSample>& samples) {
     std::erase_if(samples, [&](const ViewSample& sample) {
       return shard_of_pixel(film.pixel_at(sample.image), shard.count) != shard.number;

@@ -13,7 +13,8 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
 #include "renderer/base/shard.h"
-#include "renderer/film/viewport_image.h"
+#include "renderer/base/vec.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/progressive/picture.h"
@@ -21,6 +22,23 @@
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola {
+
+/// The number in [1, shards] of the part that has `pixel`, the same for all renders. Small tiles
+/// are dealt in turn, row by row, and the turn moves by the golden section of a round from row to
+/// row: wherever there are many tiles, each part has as many of them, far from one another, so that
+/// all trace about as much wherever samples go. shards: in [1, most_shards].
+inline std::int64_t shard_of_pixel(const IVec2& pixel, std::int64_t shards) {
+  // In pixels. A fovea, which gets a tenth of the samples, has some 50 such tiles in an image of
+  // 1024 pixels; larger ones could not be dealt evenly, and smaller ones hardly more so.
+  constexpr int tile_side = 4;
+  constexpr std::uint32_t golden_section = 0x9E3779B9U;  // times 2^32
+  const std::uint32_t column = static_cast<std::uint32_t>(pixel.x) / tile_side;
+  const std::uint32_t row = static_cast<std::uint32_t>(pixel.y) / tile_side;
+  const auto count = static_cast<std::uint32_t>(shards);
+  const std::uint32_t part_of_round = golden_section * row;  // times 2^32, without whole rounds
+  const auto first = static_cast<std::uint32_t>((std::uint64_t{part_of_round} * count) >> 32U);
+  return 1 + std::int64_t{(first + column) % count};
+}
 
 /// When a render is done: after a number of samples or after a time, whichever comes first; without
 /// either, when it is stopped.

@@ -1,18 +1,28 @@
-// A scene ready to be rendered: loaded, built for tracing, and with a camera chosen for it.
+// A scene ready to be rendered: loaded, built for tracing, with a camera chosen for it, and loaded
+// again whenever its files change.
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "renderer/base/clock.h"
+#include "renderer/base/file_watch.h"
 #include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/kept_hierarchies.h"
 #include "renderer/trace/path_tracer.h"
+#include "renderer/trace/ray_scene.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
@@ -73,6 +83,52 @@ struct LoadedScene {
   /// The scene and the seconds that loading it took.
   LoadedScene(const SceneSource& source, std::pair<Scene, double> timed_scene,
               const Workers& workers, const SceneChoices& choices, KeptForReload* kept);
+};
+
+/// What became of a change of a scene's files.
+struct ReloadedScene {
+  std::shared_ptr<const LoadedScene> scene;  ///< null: it does not load
+  std::string refusal;                       ///< why, then
+  Nanoseconds changed{0};                    ///< when the change was complete, by the steady clock
+};
+
+/// In a thread of its own. Files are read once nobody writes to them any more. What has not changed
+/// is neither decoded nor built again.
+class SceneReloader {
+ public:
+  struct Settings {
+    /// Finds the scene again, as it was found first: its descriptor may have changed too.
+    std::function<SceneSource()> find_source;
+    SceneChoices choices;
+    int threads = 0;  ///< 0: one for each core
+    FileWatchTiming timing;
+  };
+
+  /// first: what is shown. kept: what loading that left, which must outlive this. Throws Error if
+  /// the system does not let its folders be watched.
+  SceneReloader(const LoadedScene& first, KeptForReload& kept, Settings settings);
+
+  /// What came of the last change, once. Does not wait.
+  std::optional<ReloadedScene> take();
+
+  /// Whether a change is being loaded.
+  bool is_loading() const { return is_loading_; }
+
+ private:
+  void run(const std::stop_token& stop);
+  void reload_until(const std::stop_token& stop);
+  ReloadedScene reload();
+  void watch_files_of(const LoadedScene& loaded);
+
+  Settings settings_;
+  KeptForReload* kept_;
+  Workers workers_;
+  SteadyClock clock_;
+  FileWatch watch_;
+  std::atomic<bool> is_loading_ = false;
+  std::mutex mutex_;
+  std::optional<ReloadedScene> reloaded_;
+  std::jthread thread_;  ///< ends before what it uses
 };
 
 }  // namespace foveola

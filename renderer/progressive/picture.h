@@ -1,8 +1,12 @@
-// An ordinary picture of a scene, as a camera with a flat sensor makes it: its size and its view.
+// An ordinary picture of a scene, as a camera with a flat sensor makes it: its size, its view, and
+// standing back until all of something is in it.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 
+#include "renderer/base/angles.h"
 #include "renderer/scene/scene.h"
 #include "renderer/view/viewport.h"
 
@@ -36,5 +40,28 @@ Viewport viewport_of(const CameraView& camera, const FieldOfView& field_of_view)
 
 /// The angle that a pixel in the picture's middle spans across.
 float pixel_angle_rad(const Picture& picture);
+
+/// The nearest place from which a camera that looks along `heading` with the horizon level has all
+/// that was included in its picture, in the middle, with a margin around.
+class Framing {
+ public:
+  /// field_of_view: the picture's; its lens is ignored.
+  Framing(const AzimuthElevation& heading, const FieldOfView& field_of_view);
+
+  void include(const Vec3& position);
+  /// All vertices of an object.
+  void include(const Scene& scene, std::uint32_t object);
+  /// The eight corners.
+  void include(const Bounds& bounds);
+
+  /// Where the camera stands; meaningless before anything was included.
+  Vec3 position() const;
+
+ private:
+  DVec3 right_, up_, back_;
+  std::array<DVec3, 4> sides_;      ///< normals of the pyramid of view, outwards; of no unit length
+  std::array<double, 4> furthest_;  ///< the furthest that was included, along each of them
+  DVec2 half_size_;                 ///< of the picture without its margin, at distance 1
+};
 
 }  // namespace foveola

@@ -73,31 +73,28 @@ void ProgressiveRender::look_at(const Vec3& gaze) {
 }
 
 TracedSamples ProgressiveRender::advance(const ViewSampler& sampler, std::uint64_t points) {
-  TracedSamples traced;
-  draw(sampler, points, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    const SteadyClock clock;
-    const Nanoseconds start = clock.now();
-    traced = {.samples = jobs.size(), .rays = trace(jobs, radiance)};
-    traced.trace_seconds = seconds(clock.now() - start);
-    if (observe_) {
-      observe_(jobs, radiance);
-    }
-  });
+  const std::span<const SampleJob> jobs = draw(sampler, points);
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  TracedSamples traced{.samples = jobs.size(), .rays = trace(jobs)};
+  traced.trace_seconds = seconds(clock.now() - start);
+  if (observe_) {
+    observe_(jobs, radiance_);
+  }
+  add(sampler);
   return traced;
 }
 
 std::vector<SampleJob> ProgressiveRender::pass_over(const ViewSampler& sampler,
                                                     std::uint64_t points) {
-  std::vector<SampleJob> passed;
-  draw(sampler, points, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    if (settings_.adaptive) {
-      trace(jobs, radiance);
-    } else {
-      std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
-    }
-    passed.assign(jobs.begin(), jobs.end());
-  });
-  return passed;
+  const std::span<const SampleJob> jobs = draw(sampler, points);
+  if (settings_.adaptive) {
+    trace(jobs);
+  } else {
+    radiance_.assign(jobs.size(), Rgb(0.0F));
+  }
+  add(sampler);
+  return {jobs.begin(), jobs.end()};
 }
 
 std::optional<SampleJob> ProgressiveRender::find_job(const ViewSampler& sampler,
@@ -110,31 +107,18 @@ std::optional<SampleJob> ProgressiveRender::find_job(const ViewSampler& sampler,
   return job != jobs.end() ? std::optional(*job) : std::nullopt;
 }
 
-RayCounts ProgressiveRender::trace(std::span<const SampleJob> jobs, std::span<Rgb> radiance) const {
-  if (settings_.numbers == RandomNumbers::independent) {
-    return tracer_->trace(settings_.viewpoint, independent_of_each_other(jobs), radiance,
-                          settings_.trace, *workers_);
-  }
-  return tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_);
-}
-
-void ProgressiveRender::draw(const ViewSampler& sampler, std::uint64_t points,
-                             const SamplePass::Trace& trace) {
+std::span<const SampleJob> ProgressiveRender::draw(const ViewSampler& sampler,
+                                                   std::uint64_t points) {
   const bool in_rounds = settings_.visits_pixels_in_rounds && sampler.keeps_points();
-  const PointRange range = {.first = next_point_,
-                            .count = points,
-                            .seed = pattern_seed_,
-                            .numbers = settings_.numbers,
-                            .cells = in_rounds ? settings_.film_size : IVec2(0),
-                            .weighs_within_pixels = !settings_.adaptive};
-  const std::vector<DroppedSample> dropped =
-      pass_.run(sampler, range, trace, film_, *workers_,
-                [this](std::vector<ViewSample>& samples) { adjust(samples); });
-  dropped_.insert(dropped_.end(), dropped.begin(), dropped.end());
+  std::vector<ViewSample>& samples =
+      pass_.draw_samples(sampler,
+                         {.first = next_point_,
+                          .count = points,
+                          .seed = pattern_seed_,
+                          .numbers = settings_.numbers,
+                          .cells = in_rounds ? settings_.film_size : IVec2(0)},
+                         *workers_);
   next_point_ += points;
-}
-
-void ProgressiveRender::adjust(std::vector<ViewSample>& samples) const {
   if (settings_.adaptive) {
     redirect_samples(film_, gaze_, *settings_.adaptive, mix(pattern_seed_, looks_), samples,
                      *workers_);
@@ -142,6 +126,22 @@ void ProgressiveRender::adjust(std::vector<ViewSample>& samples) const {
   if (filter_) {
     filter_(samples);
   }
+  return pass_.number_samples(film_, *workers_);
+}
+
+RayCounts ProgressiveRender::trace(std::span<const SampleJob> jobs) {
+  radiance_.resize(jobs.size());
+  if (settings_.numbers == RandomNumbers::independent) {
+    return tracer_->trace(settings_.viewpoint, independent_of_each_other(jobs), radiance_,
+                          settings_.trace, *workers_);
+  }
+  return tracer_->trace(settings_.viewpoint, jobs, radiance_, settings_.trace, *workers_);
+}
+
+void ProgressiveRender::add(const ViewSampler& sampler) {
+  const std::vector<DroppedSample> dropped =
+      pass_.add_radiance(radiance_, settings_.adaptive ? nullptr : &sampler, film_, *workers_);
+  dropped_.insert(dropped_.end(), dropped.begin(), dropped.end());
 }
 
 }  // namespace foveola

@@ -74,8 +74,10 @@ class ProgressiveRender {
   void go_on_from(std::span<const PixelState> pixels, std::uint64_t points_drawn,
                   std::vector<DroppedSample> dropped);
 
+  /// Takes away samples that are not to be traced.
+  using Filter = std::function<void(std::vector<ViewSample>& samples)>;
   /// Traces only what `filter` leaves of the samples that were drawn.
-  void filter_samples(SamplePass::Adjust filter) { filter_ = std::move(filter); }
+  void filter_samples(Filter filter) { filter_ = std::move(filter); }
 
   /// The radiance of samples that were traced, one element a job.
   using Observe =
@@ -108,17 +110,21 @@ class ProgressiveRender {
   const TraceSettings& trace_settings() const { return settings_.trace; }
 
  private:
-  RayCounts trace(std::span<const SampleJob> jobs, std::span<Rgb> radiance) const;
-  void draw(const ViewSampler& sampler, std::uint64_t points, const SamplePass::Trace& trace);
-  void adjust(std::vector<ViewSample>& samples) const;
+  /// The jobs of the next points, without those that adaptive sampling and the filter take away.
+  std::span<const SampleJob> draw(const ViewSampler& sampler, std::uint64_t points);
+  /// Fills radiance_.
+  RayCounts trace(std::span<const SampleJob> jobs);
+  /// Adds radiance_ to the film.
+  void add(const ViewSampler& sampler);
 
   const PathTracer* tracer_;
   const Workers* workers_;
   ProgressiveSettings settings_;
-  SamplePass::Adjust filter_;
+  Filter filter_;
   Observe observe_;
   EquirectFilm film_;
   SamplePass pass_;
+  std::vector<Rgb> radiance_;  ///< of the last pass's jobs
   std::uint32_t pattern_seed_ = 0;
   std::uint64_t next_point_ = 0;
   Vec3 gaze_{0.0F, 0.0F, -1.0F};

@@ -1,8 +1,11 @@
-// What there is around a point, as found by rays in all directions.
+// What there is around a point, as found by rays in all directions; whether a scene is a room to
+// stand in, and where in it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "renderer/progressive/standpoint.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/view/viewport.h"
@@ -49,5 +52,10 @@ std::vector<SightLine> sight_lines(const RayScene& rays, const Vec3& from, const
 
 /// Whether what a ray met was met on its front.
 bool is_front(const Scene& scene, const Hit& hit, const Vec3& direction);
+
+/// The place in a room that choose_standpoint describes; none if the scene is no room.
+std::optional<Standpoint> standpoint_in_room(const Scene& scene, const RayScene& rays,
+                                             const Bounds& bounds,
+                                             const FieldOfView& field_of_view);
 
 }  // namespace foveola

@@ -13,8 +13,8 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/digest.h"
+#include "renderer/base/file_access.h"
 #include "renderer/base/files.h"
-#include "renderer/base/output_guard.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/data_uri.h"
 #include "renderer/scene/gltf_buffers.h"

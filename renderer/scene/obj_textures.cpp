@@ -12,8 +12,8 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 #include "renderer/base/files.h"
-#include "renderer/base/output_guard.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/image_channels.h"
 #include "renderer/scene/image_decoder.h"

@@ -20,7 +20,6 @@
 #include "renderer/trace/surface.h"
 #include "renderer/trace/surface_points.h"
 #include "renderer/trace/traced_scene.h"
-#include "renderer/trace/vertex_numbers.h"
 #include "renderer/trace/vertex_rules.h"
 
 namespace foveola {

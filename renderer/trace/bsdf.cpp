@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/random.h"
 #include "renderer/base/turns.h"
-#include "renderer/base/unit_interval.h"
 
 namespace foveola {
 namespace {

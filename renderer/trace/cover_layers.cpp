@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "renderer/base/turns.h"
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/opaque_layers.h"
 
 namespace foveola {

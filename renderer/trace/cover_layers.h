@@ -6,7 +6,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/bsdf_value.h"
-#include "renderer/trace/microfacet_lobe.h"
+#include "renderer/trace/ggx.h"
 #include "renderer/trace/scattering_tables.h"
 #include "renderer/trace/sheen.h"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/clock.h"
-#include "renderer/trace/ray_query.h"
+#include "renderer/trace/embree_device.h"
 
 namespace foveola {
 namespace {

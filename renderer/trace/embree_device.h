@@ -1,8 +1,10 @@
-// Embree's objects, owned, and its device with what that says of itself.
+// Embree's objects, owned, its device with what that says of itself, and what it hands through to
+// the filters of a query.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -41,6 +43,21 @@ class EmbreeDevice {
   std::atomic<std::ptrdiff_t> memory_bytes_ = 0;
   mutable std::string error_;
   FromEmbree<RTCDevice> device_;  ///< released before what it writes to
+};
+
+struct Scene;
+
+/// Every query goes with one of these: the filters rely on it.
+struct RayQueryContext : embree::QueryContext {
+  const Scene* scene;  ///< whose surfaces the filters ask
+  /// Keys by the rays' ids; null: a ray's id is its key.
+  const std::uint32_t* keys = nullptr;
+  std::uint32_t* met_thin_surface = nullptr;  ///< flags by the rays' ids, or null
+  bool meets_any_opacity = false;             ///< rays meet all that is not fully transparent
+
+  explicit RayQueryContext(const Scene& asked) : embree::QueryContext{}, scene(&asked) {
+    embree::init(*this);
+  }
 };
 
 }  // namespace foveola

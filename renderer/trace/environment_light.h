@@ -7,7 +7,7 @@
 
 #include "renderer/base/piecewise_constant.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/distant_light.h"
+#include "renderer/trace/light_sampling.h"
 
 namespace foveola {
 

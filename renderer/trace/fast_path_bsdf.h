@@ -6,8 +6,8 @@
 
 #include "renderer/base/lanes.h"
 #include "renderer/trace/bsdf_value.h"
+#include "renderer/trace/ggx.h"
 #include "renderer/trace/ggx_albedo.h"
-#include "renderer/trace/microfacet_lobe.h"
 #include "renderer/trace/opaque_layers.h"
 
 namespace foveola {

@@ -10,7 +10,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/trace/light_bounds.h"
-#include "renderer/trace/shading_point.h"
+#include "renderer/trace/light_sampling.h"
 
 namespace foveola {
 

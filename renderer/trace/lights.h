@@ -12,7 +12,6 @@
 #include "renderer/trace/light_sampling.h"
 #include "renderer/trace/local_lights.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/shading_point.h"
 #include "renderer/trace/suns.h"
 
 namespace foveola {

@@ -7,10 +7,8 @@
 #include "renderer/scene/scene.h"
 #include "renderer/trace/light_choice.h"
 #include "renderer/trace/light_sampling.h"
-#include "renderer/trace/local_light_sample.h"
 #include "renderer/trace/punctual_lights.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/shading_point.h"
 #include "renderer/trace/triangle_lights.h"
 
 namespace foveola {

@@ -6,9 +6,8 @@
 #include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/bsdf_value.h"
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/ggx.h"
 #include "renderer/trace/ggx_albedo.h"
-#include "renderer/trace/microfacet_lobe.h"
 
 namespace foveola {
 

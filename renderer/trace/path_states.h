@@ -9,8 +9,8 @@
 #include "renderer/base/lanes.h"
 #include "renderer/base/random.h"
 #include "renderer/base/vec.h"
+#include "renderer/trace/light_sampling.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/shading_point.h"
 
 namespace foveola {
 

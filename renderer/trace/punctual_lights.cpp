@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/trace/direction_cone.h"
+#include "renderer/trace/light_bounds.h"
 
 namespace foveola {
 namespace {

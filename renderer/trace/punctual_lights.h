@@ -9,7 +9,7 @@
 #include "renderer/base/lanes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/light_bounds.h"
-#include "renderer/trace/local_light_sample.h"
+#include "renderer/trace/light_sampling.h"
 
 namespace foveola {
 

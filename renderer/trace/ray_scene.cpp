@@ -17,7 +17,6 @@
 #include "renderer/trace/embree_device.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
-#include "renderer/trace/ray_query.h"
 
 namespace foveola {
 namespace {

@@ -9,10 +9,27 @@
 #include "renderer/scene/scene.h"
 #include "renderer/trace/ggx.h"
 #include "renderer/trace/ggx_albedo.h"
-#include "renderer/trace/glass_albedo.h"
 #include "renderer/trace/sheen.h"
 
 namespace foveola {
+
+/// The albedo of rough glass of one index of refraction, seen from outside and from inside. Within
+/// 5e-4 of the integral.
+class GlassAlbedo {
+ public:
+  /// ior: > 1, of the inside over the outside.
+  GlassAlbedo(float ior, const Workers& workers);
+
+  float ior() const { return ior_; }
+
+  /// Reflected and transmitted share of the power. roughness: in [smallest_roughness, 1]. cosine:
+  /// between the normal and the direction, in [0, 1].
+  float at(float roughness, float cosine, bool from_inside) const;
+
+ private:
+  float ior_;
+  std::vector<float> nodes_;  ///< side, roughness, position of the cosine
+};
 
 /// Glass with a smaller index of refraction bends light so little that its roughness does not show.
 constexpr float smallest_rough_ior = 1.001F;

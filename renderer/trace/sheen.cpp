@@ -7,7 +7,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "renderer/trace/albedo_axis.h"
+#include "renderer/trace/ggx_albedo.h"
 
 namespace foveola {
 namespace {

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
-#include "renderer/trace/alias_table.h"
-#include "renderer/trace/direction_cone.h"
-#include "renderer/trace/distant_light.h"
+#include "renderer/trace/light_bounds.h"
+#include "renderer/trace/light_choice.h"
 #include "renderer/trace/light_sampling.h"
 
 namespace foveola {

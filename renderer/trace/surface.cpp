@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/triangle.h"
 

@@ -6,7 +6,7 @@
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/surface_geometry.h"
+#include "renderer/trace/triangle.h"
 
 namespace foveola {
 

@@ -8,7 +8,6 @@
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/surface_geometry.h"
 #include "renderer/trace/triangle.h"
 
 namespace foveola {

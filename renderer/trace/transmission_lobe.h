@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/base/vec.h"
-#include "renderer/trace/fresnel.h"
+#include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/ggx.h"
 
 namespace foveola {

@@ -12,14 +12,13 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/view/equation7.h"
+#include "renderer/view/foveated_samplers.h"
 #include "renderer/view/image_samplers.h"
 #include "renderer/view/mask_sampler.h"
 #include "renderer/view/method_text.h"
 #include "renderer/view/mixture_sampler.h"
 #include "renderer/view/radial_distribution.h"
 #include "renderer/view/view_sampler.h"
-#include "renderer/view/watson_sampler.h"
 #include "renderer/view/weight_image.h"
 
 namespace foveola {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "renderer/base/unit_interval.h"
+#include "renderer/base/random.h"
 
 namespace foveola {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/base/unit_interval.h"
+#include "renderer/base/random.h"
 #include "renderer/view/acuity.h"
 
 namespace foveola {

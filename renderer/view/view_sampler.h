@@ -96,4 +96,10 @@ bool follows_gaze(std::string_view method);
 /// follows no pointer. Throws Error for a text that makes no sense.
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer);
 
+/// The sampler's density per steradian at `direction` (unit length, world); where it is 0 just
+/// there, the largest of four places a hundredth of a degree around it. For what is larger than
+/// that: fv-paper leaves out a ring of half a hundredth, and a pixel or patch whose middle lies in
+/// the ring is reached all the same.
+double density_around(const ViewSampler& sampler, const Vec3& direction);
+
 }  // namespace foveola

@@ -1,15 +1,65 @@
-// The part of the sphere that a display shows: a pinhole view with a head pose and field of view.
+// The part of the sphere that a display shows: a pinhole view with a head pose and field of view,
+// and the part of it that is ever seen, since a headset's lenses show no corners.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/radial_lens.h"
-#include "renderer/view/seen_part.h"
+#include "renderer/base/piecewise_constant.h"
+#include "renderer/base/vec.h"
 
 namespace foveola {
+
+/// In cells of equal size over the display's plane, as a Viewport has it, each of which is seen or
+/// not.
+class SeenPart {
+ public:
+  /// A row of cells for each text, from the top, four cells in each hexadecimal digit, the leftmost
+  /// one in its highest bit. Throws Error if that is no such grid, or nothing of it is seen.
+  explicit SeenPart(std::vector<std::string> rows);
+
+  /// What it was made of.
+  const std::vector<std::string>& rows() const { return rows_; }
+  /// How much of the plane is seen, in (0, 1].
+  double share() const { return share_; }
+  /// plane: (0, 0) is the display's top left corner, (1, 1) the bottom right one.
+  bool contains(const Vec2& plane) const;
+  /// Maps points of the unit square to places on the plane, uniform over what is seen, one to one.
+  Vec2 place(const Vec2& point) const;
+
+ private:
+  std::vector<std::string> rows_;
+  Vec2 cells_;  ///< how many beside each other, and one below the other
+  PiecewiseConstant2D seen_;
+  double share_;
+};
+
+/// How much larger the distance from the lens' axis is than the one on the display, squared: d2.
+inline double magnification(const RadialLens& lens, double d2) {
+  return 1.0 + d2 * (lens.k1 + d2 * lens.k2);
+}
+
+/// How fast the distance from the lens' axis grows with the one on the display, squared: d2.
+inline double growth(const RadialLens& lens, double d2) {
+  return 1.0 + d2 * (3.0 * lens.k1 + d2 * 5.0 * lens.k2);
+}
+
+/// Viewport::sr_per_area, of a view with half_size() and lens().
+inline double sr_per_area(const Vec2& half_size, const RadialLens& lens, const Vec2& plane) {
+  const Vec2 offset = 2.0F * (plane - lens.axis) * half_size;
+  const double d2 = glm::dot(offset, offset);
+  const double larger = magnification(lens, d2);
+  // Across the radius a patch grows by `larger`, along it by `growth`; at distance 1 it is seen
+  // under its area times cos^3.
+  const double area = 4.0 * half_size.x * half_size.y * larger * growth(lens, d2);
+  const double cosine = 1.0 / std::sqrt(1.0 + d2 * larger * larger);
+  return area * cosine * cosine * cosine;
+}
 
 /// A gaze (unit length, world) in the axes of a head that looks along `heading`; unit length.
 Vec3 gaze_in_head(const AzimuthElevation& heading, const Vec3& gaze);

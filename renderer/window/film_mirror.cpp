@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/film/film_tile.h"
 #include "renderer/film/view_pixels.h"
-#include "renderer/view/image_rectangle.h"
+#include "renderer/view/image_samplers.h"
 
 namespace foveola {
 namespace {
@@ -45,6 +46,20 @@ MarkedTiles tiles_in(const Viewport& viewport, const EquirectFilm& film) {
 }
 
 }  // namespace
+
+PyramidAtlas::PyramidAtlas(int width, int height) {
+  assert(width > 0 && height > 0);
+  IVec2 size(width, height);
+  levels_.push_back({.origin = IVec2(0), .size = size});
+  size_ = size;
+  int right = 0;
+  while (size != IVec2(1) || levels_.size() <= FilmTile::levels) {
+    size = (size + 1) / 2;
+    levels_.push_back({.origin = IVec2(right, height), .size = size});
+    right += size.x;
+    size_ = glm::max(size_, IVec2(right, height + size.y));
+  }
+}
 
 FilmMirror::FilmMirror(const EquirectFilm& film)
     : atlas_(film.width(), film.height()),

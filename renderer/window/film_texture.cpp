@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/window/view_shaders.h"
+#include "renderer/window/view_renderer.h"
 
 namespace foveola {
 namespace {

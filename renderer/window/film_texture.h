@@ -1,8 +1,8 @@
 // The film on the graphics card: its pyramid in one texture, written where it changed.
 #pragma once
 
+#include "renderer/window/film_mirror.h"
 #include "renderer/window/gl_objects.h"
-#include "renderer/window/pyramid_atlas.h"
 
 namespace foveola {
 

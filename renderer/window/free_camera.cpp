@@ -4,19 +4,38 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "renderer/gaze/steered_head_tracker.h"
-#include "renderer/progressive/framing.h"
+#include "renderer/base/quantile.h"
+#include "renderer/gaze/head_tracker.h"
+#include "renderer/progressive/picture.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/steering.h"
 
 namespace foveola {
 namespace {
+
+/// Hands shake: what goes no farther is a click.
+constexpr double click_way_px = 4.0;
+
+Drag drag_of(int button, bool holds_alt) {
+  switch (button) {
+    case GLFW_MOUSE_BUTTON_LEFT:
+      return holds_alt ? Drag::orbit : Drag::turn;
+    case GLFW_MOUSE_BUTTON_MIDDLE:
+      return Drag::orbit;
+    case GLFW_MOUSE_BUTTON_RIGHT:
+      return Drag::fly;
+    default:
+      return Drag::none;
+  }
+}
 
 struct MovingKey {
   int key;
@@ -69,10 +88,9 @@ double width_around(const CameraSurroundings& surroundings) {
       }
     }
   }
-  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
-  std::nth_element(distances_m.begin(), middle, distances_m.end());
   const Bounds& all = surroundings.bounds;
-  return std::min(2.0 * *middle, glm::distance(DVec3(all.lower), DVec3(all.upper)));
+  return std::min(2.0 * upper_median(std::move(distances_m)).value(),
+                  glm::distance(DVec3(all.lower), DVec3(all.upper)));
 }
 
 std::string words_of(const std::optional<Sighted>& seen) {
@@ -82,6 +100,46 @@ std::string words_of(const std::optional<Sighted>& seen) {
 }
 
 }  // namespace
+
+DVec2 MouseDrags::follow(const PointerMoved& moved) {
+  const std::optional<DVec2> before = pointer_;
+  pointer_ = moved.is_inside ? std::optional(pixels_per_unit_ * moved.position) : std::nullopt;
+  if (drag_ == Drag::none || !before || !pointer_) {
+    return DVec2(0.0);
+  }
+  const DVec2 way = *pointer_ - *before;
+  way_px_ += glm::length(way);
+  return way;
+}
+
+std::optional<DVec2> MouseDrags::follow(const MouseButtonMoved& button, bool holds_alt) {
+  if (button.is_down && drag_ == Drag::none) {
+    drag_ = drag_of(button.button, holds_alt);
+    button_ = button.button;
+    way_px_ = 0.0;
+  } else if (!button.is_down && button.button == button_) {
+    const bool is_click = drag_ == Drag::turn && way_px_ < click_way_px;
+    drag_ = Drag::none;
+    return is_click ? pointer_ : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn) {
+  constexpr double zenith_rad = 0.5 * std::numbers::pi;
+  const AzimuthElevation heading{
+      .azimuth_rad = wrapped_angle(standing.heading.azimuth_rad + turn.right_rad),
+      .elevation_rad =
+          std::clamp(standing.heading.elevation_rad + turn.up_rad, -zenith_rad, zenith_rad)};
+  const Vec3 in_head =
+      glm::conjugate(head_orientation(standing.heading)) * (pivot - standing.position);
+  return {.position = pivot - head_orientation(heading) * in_head, .heading = heading};
+}
+
+double walking_speed(double width_m) {
+  constexpr double crossing_s = 10.0;
+  return width_m > 0.0 ? width_m / crossing_s : 1.0;
+}
 
 FreeCamera::FreeCamera(CameraSurroundings surroundings, HeadTracker& shown,
                        SteeredHeadTracker* steered, std::string turned_by)

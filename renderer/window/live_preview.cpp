@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "renderer/window/preview_overlays.h"
 #include "renderer/window/preview_panels.h"
 
 namespace foveola {

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gaze/calibration_routine.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
@@ -21,14 +20,12 @@
 #include "renderer/window/free_camera.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
-#include "renderer/window/preview_messages.h"
 #include "renderer/window/preview_panels.h"
 #include "renderer/window/slow_drawing.h"
 #include "renderer/window/steering.h"
-#include "renderer/window/tracker_check.h"
 #include "renderer/window/view_geometry.h"
-#include "renderer/window/widened_eye_tracker.h"
 #include "renderer/window/window.h"
+#include "renderer/window/window_gaze.h"
 
 namespace foveola {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "renderer/base/utf8.h"
-#include "renderer/window/wrapped_text.h"
+#include "renderer/window/screen_column.h"
 
 namespace foveola {
 namespace {
@@ -50,7 +50,7 @@ class Places {
     for (const std::string& line : lines) {
       // Columns stand in lines that fit; breaking takes spaces away.
       const auto parts = width_of(line) <= width_px ? std::vector<std::string>{line}
-                                                    : wrapped(line, width_px, width_of);
+                                                    : wrap_to_width(line, width_px, width_of);
       rows.insert(rows.end(), parts.begin(), parts.end());
     }
     return rows;

@@ -1,10 +1,16 @@
-// What a display is given to draw, frame by frame, and the displays' interface.
+// What a display is given to draw, frame by frame, the displays' interface, and the thread that
+// draws into a window, to which frames are handed over.
 #pragma once
 
+#include <condition_variable>
+#include <exception>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "renderer/base/clock.h"
@@ -13,6 +19,7 @@
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/view_overlays.h"
 #include "renderer/window/view_renderer.h"
+#include "renderer/window/window.h"
 
 namespace foveola {
 
@@ -73,6 +80,70 @@ class Presenter {
   virtual ViewGeometry in_window(const ViewGeometry& shown, const IVec2& /*window_px*/) const {
     return shown;
   }
+};
+
+class FrameHandover {
+ public:
+  // --- The thread that renders. Each rethrows what went wrong in the other one. ---
+
+  /// Waits until frames are taken.
+  void wait_until_ready();
+  /// Hands a frame over, once the one before was shown, and waits until it is drawn.
+  void draw(ShownFrame frame);
+  /// Waits until that frame was shown, and says when.
+  Nanoseconds wait_until_shown();
+
+  // --- The thread that draws ---
+
+  /// Frames are taken from now on.
+  void be_ready();
+  /// Waits for a frame; empty if `stop` is requested.
+  std::optional<ShownFrame> wait_for_frame(const std::stop_token& stop);
+  /// The frame that was handed over, if there is one.
+  std::optional<ShownFrame> take_frame();
+  /// The frame no longer needs what it refers to.
+  void note_drawn();
+  /// It was shown at `time`: there may be another.
+  void note_shown(Nanoseconds time);
+  /// Nothing is taken any longer.
+  void fail(std::exception_ptr fault);
+
+ private:
+  /// Waits for `flag`, or for what goes wrong instead and rethrows it.
+  void wait_for(const bool& flag, std::unique_lock<std::mutex>& lock);
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  // Guarded by the mutex:
+  bool is_ready_ = false;            ///< ready for a frame: the one before was shown
+  bool is_drawn_ = false;            ///< the frame that was handed over last
+  std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
+  Nanoseconds shown_{0};             ///< when the last one was
+  std::exception_ptr fault_;
+};
+
+class WindowPresenter final : public Presenter {
+ public:
+  /// Takes the window's context. window and clock must outlive it. framebuffer: the window's size
+  /// in pixels. Throws Error if the graphics card cannot draw into such a window.
+  WindowPresenter(Window& window, const IVec2& framebuffer, const Clock& clock);
+  ~WindowPresenter() override;
+  WindowPresenter(const WindowPresenter&) = delete;
+  WindowPresenter& operator=(const WindowPresenter&) = delete;
+
+  void draw(ShownFrame frame) override { handover_.draw(std::move(frame)); }
+  Nanoseconds wait_until_shown() override { return handover_.wait_until_shown(); }
+  const std::string& graphics() const override { return graphics_; }
+  FilmDrawer film_drawer() const override;
+
+ private:
+  void run(const IVec2& framebuffer, const std::stop_token& stop);
+
+  Window* window_;
+  const Clock* clock_;
+  std::string graphics_;
+  FrameHandover handover_;
+  std::jthread thread_;  ///< last: it ends before the rest does
 };
 
 }  // namespace foveola

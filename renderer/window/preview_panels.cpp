@@ -1,6 +1,7 @@
 #include "renderer/window/preview_panels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -8,10 +9,26 @@
 
 #include <fmt/format.h>
 
-#include "renderer/preview/frame_latency.h"
+#include "renderer/preview/live_frames.h"
+#include "renderer/view/acuity.h"
+#include "renderer/window/view_overlays.h"
 
 namespace foveola {
 namespace {
+
+constexpr std::size_t most_messages = 4;
+
+std::optional<Nanoseconds> end_of(Nanoseconds now, MessageStay stay) {
+  switch (stay) {
+    case MessageStay::long_enough:
+      return now + std::chrono::seconds(15);
+    case MessageStay::until_key:
+      return std::nullopt;
+    case MessageStay::briefly:
+      break;
+  }
+  return now + std::chrono::seconds(4);
+}
 
 /// The frames that began within a second of the last one.
 std::span<const LiveFrame> last_second(std::span<const LiveFrame> frames) {
@@ -53,7 +70,34 @@ std::vector<std::string> warning_lines(std::span<const std::string> warnings) {
   return lines;
 }
 
+/// Where the published model of acuity begins to fall, and round numbers beyond.
+constexpr std::array acuity_rings_deg = {reddy_knee_deg, 10.0, 20.0, 40.0};
+
 }  // namespace
+
+void PreviewMessages::tell(Nanoseconds now, std::string text, MessageStay stay) {
+  std::erase_if(messages_, [&](const Message& one) {
+    return one.text == text || (one.end && *one.end <= now);
+  });
+  messages_.push_back({.text = std::move(text), .end = end_of(now, stay)});
+  if (messages_.size() > most_messages) {
+    messages_.erase(messages_.begin());
+  }
+}
+
+void PreviewMessages::answer_key() {
+  std::erase_if(messages_, [](const Message& one) { return !one.end; });
+}
+
+std::vector<std::string> PreviewMessages::lines(Nanoseconds now) const {
+  std::vector<std::string> lines;
+  for (const Message& one : messages_) {
+    if (!one.end || now < *one.end) {
+      lines.push_back(one.text);
+    }
+  }
+  return lines;
+}
 
 std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
                                           const std::string& method) {
@@ -183,6 +227,21 @@ std::vector<TextPanel> preview_panels(const PreviewChoices& choices,
     panels.back().has_density_scale = true;
   }
   return panels;
+}
+
+ViewOverlays preview_overlays(const PreviewChoices& choices, const Preview& preview) {
+  constexpr int density_cells = 48;
+  ViewOverlays overlays{.gaze = preview.gaze(), .shows_gaze = choices.shows_gaze};
+  if (choices.shows_rings) {
+    for (const double ring_deg : acuity_rings_deg) {
+      overlays.rings_rad.push_back(static_cast<float>(radians(ring_deg)));
+    }
+  }
+  if (choices.shows_density) {
+    overlays.density =
+        density_map(preview.sampler(), preview.viewport(), density_cells, density_cells);
+  }
+  return overlays;
 }
 
 }  // namespace foveola

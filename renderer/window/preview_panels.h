@@ -1,4 +1,5 @@
-// The live preview's panels: text over the picture.
+// The live preview's panels of text over the picture, what it tells its user for a while, and what
+// its user has chosen to see over the film.
 #pragma once
 
 #include <optional>
@@ -7,14 +8,42 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/base/clock.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
+#include "renderer/preview/preview.h"
 #include "renderer/window/panel_layout.h"
 #include "renderer/window/preview_controls.h"
+#include "renderer/window/view_overlays.h"
 
 namespace foveola {
+
+/// How long a message stays, chosen by judgement.
+enum class MessageStay {
+  briefly,      ///< 4 s: what a key did
+  long_enough,  ///< 15 s: what the user did not ask for
+  until_key     ///< until the next key: what the user waits for, and may not look at just then
+};
+
+class PreviewMessages {
+ public:
+  void tell(Nanoseconds now, std::string text, MessageStay stay = MessageStay::briefly);
+
+  /// A key was pressed: what waits for one goes.
+  void answer_key();
+
+  /// Those that still stay at `now`, the oldest first; at most the newest four.
+  std::vector<std::string> lines(Nanoseconds now) const;
+
+ private:
+  struct Message {
+    std::string text;
+    std::optional<Nanoseconds> end;  ///< empty: the next key
+  };
+  std::vector<Message> messages_;
+};
 
 /// Summary of the last second's frames.
 std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
@@ -63,5 +92,8 @@ struct PanelContents {
 
 /// Those that were chosen, the most important ones first: they have room before others.
 std::vector<TextPanel> preview_panels(const PreviewChoices& choices, const PanelContents& contents);
+
+/// As of the preview's last frame.
+ViewOverlays preview_overlays(const PreviewChoices& choices, const Preview& preview);
 
 }  // namespace foveola

@@ -224,7 +224,8 @@ void add_typed_text(ScreenColumn& column, const ScreenField& field) {
   constexpr std::size_t shown_lines = 5;
   const float text_px = column.text_px();
   const float room_px = column.width_px() - (2.0F * box_padding + 0.2F) * text_px;
-  std::vector<std::string> lines = wrapped(field.typed, room_px, column.line_width(TextFace::body));
+  std::vector<std::string> lines =
+      wrap_to_width(field.typed, room_px, column.line_width(TextFace::body));
   if (lines.size() > shown_lines) {
     lines.erase(lines.begin(), lines.end() - shown_lines);
   }

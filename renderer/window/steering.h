@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "renderer/gaze/pointer_eye_tracker.h"
-#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/head_tracker.h"
 #include "renderer/window/preview_controls.h"
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/window_event.h"

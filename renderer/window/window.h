@@ -16,8 +16,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
 #include "renderer/window/key_times.h"
-#include "renderer/window/lost_display.h"
 #include "renderer/window/window_event.h"
+#include "renderer/window/x_display.h"
 
 struct GLFWwindow;
 struct GLFWmonitor;

@@ -10,7 +10,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
-#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/gaze/head_tracker.h"
 
 namespace foveola {
 

@@ -13,7 +13,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
 #include "renderer/command_line/output_options.h"
-#include "renderer/gaze/recorded_eye_tracker.h"
+#include "renderer/gaze/recordings.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/record/damage_remedy.h"

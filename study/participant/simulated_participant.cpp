@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"

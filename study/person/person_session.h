@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gaze/pointer_eye_tracker.h"
+#include "renderer/gaze/eye_tracker.h"
 #include "study/console/console.h"
 #include "study/console/live_figures.h"
 #include "study/driver/clock_watch.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/gaze_correction.h"
 
 namespace foveola::study {
 

@@ -13,7 +13,6 @@
 #include "renderer/gaze/profiles.h"
 #include "renderer/image/image.h"
 #include "renderer/preview/frame_budget.h"
-#include "renderer/preview/refresh_estimator.h"
 #include "renderer/window/display_pictures.h"
 #include "renderer/window/film_drawing.h"
 #include "renderer/window/presenter.h"

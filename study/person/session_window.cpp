@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/build_info.h"
-#include "renderer/window/desktop_facts.h"
+#include "renderer/window/x_display.h"
 #include "study/person/source_commit.h"
 #include "study/person/words.h"
 #include "study/preflight/system_state.h"

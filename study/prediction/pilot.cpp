@@ -10,7 +10,7 @@
 #include "renderer/base/random.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/progressive_render.h"
-#include "renderer/view/density_around.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola::study {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/view/density_around.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola::study {
 namespace {

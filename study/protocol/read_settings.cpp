@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/confined_path.h"
 #include "renderer/base/error.h"
+#include "renderer/base/file_access.h"
 
 namespace fs = std::filesystem;
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <iterator>
 
+#include "renderer/gaze/eye_movements.h"
 #include "renderer/gaze/gaze_filter.h"
-#include "renderer/gaze/gaze_marker.h"
 
 namespace foveola::study {
 namespace {

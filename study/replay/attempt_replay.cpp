@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "renderer/film/film_state.h"
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/film_file.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/image/image_file.h"
 
 namespace foveola::study {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "study/design/plan.h"
 

@@ -7,8 +7,8 @@
 #include <stop_token>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/gaze_correction.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"

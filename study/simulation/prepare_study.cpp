@@ -5,8 +5,6 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/load_watched.h"
-#include "renderer/base/progress.h"
 #include "renderer/base/work_scope.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/simulation_setup.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/preview/preview.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "renderer/base/clock.h"
-#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/calibration.h"
 #include "study/design/plan.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"

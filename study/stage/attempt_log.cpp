@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/film/film_state.h"
+#include "renderer/film/film_file.h"
 
 namespace foveola::study {
 

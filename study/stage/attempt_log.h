@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/film/equirect_film.h"
-#include "renderer/gaze/gaze_marker.h"
+#include "renderer/gaze/eye_movements.h"
 #include "renderer/preview/preview.h"
 #include "study/record/session_recorder.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/gaze/calibration_routine.h"
+#include "renderer/gaze/calibration.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/progressive/scene_reload.h"
+#include "renderer/progressive/loaded_scene.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {

@@ -7,7 +7,6 @@
 
 #include "renderer/base/random.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/film/viewport_image.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/view/view_sampler.h"
 

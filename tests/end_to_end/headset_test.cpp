@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/angles.h"
-#include "renderer/gaze/calibration_routine.h"
+#include "renderer/gaze/calibration.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/headset_run.h"
 #include "tests/end_to_end/preview_command.h"

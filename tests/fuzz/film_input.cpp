@@ -8,7 +8,6 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/film/film_file.h"
-#include "renderer/film/film_state.h"
 #include "tests/fuzz/input_bytes.h"
 
 namespace foveola::test {

@@ -6,7 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gaze/hid_eye_reports.h"
-#include "renderer/gaze/hid_gaze_stream.h"
+#include "renderer/gaze/hid_eye_tracker.h"
 #include "renderer/gaze/hid_report_descriptor.h"
 #include "tests/fuzz/input_bytes.h"
 

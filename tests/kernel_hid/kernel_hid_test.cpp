@@ -180,7 +180,6 @@ TEST(KernelHid, ReadsTheConfigurationBeforeItRequestsGaze) {
       "a connection", [](const HidTrackerState& reached) { return reached.is_connected; });
   EXPECT_THAT(device.requests(), ElementsAre("get 12", "get 13", gaze_request));
   EXPECT_EQ(state.status_text, "");
-  EXPECT_EQ(state.counters.reports, 0U);
   EXPECT_NEAR(state.configuration.value().screen_width_m.value(), 0.6, 1e-12);
   EXPECT_NEAR(state.configuration.value().screen_height_m.value(), 0.3, 1e-12);
   EXPECT_EQ(state.status.sampling_frequency_hz, 120.0);
@@ -197,9 +196,6 @@ TEST(KernelHid, DeliversEveryReportInOrder) {
   for (int step = 0; step < reports; ++step) {
     expect_step(samples.at(static_cast<std::size_t>(step)), step);
   }
-  const HidGazeCounters counters = tracker.state().counters;
-  EXPECT_EQ(counters.reports, 240U);
-  EXPECT_EQ(counters.other_reports + counters.wrong_ids + counters.short_reads, 0U);
   print_latency(sent, samples);
 }
 
@@ -239,7 +235,6 @@ TEST(KernelHid, ComesBackWhenItIsPluggedInAgain) {
     expect_step(samples.at(static_cast<std::size_t>(i)), i);
     expect_step(samples.at(static_cast<std::size_t>(20 + i)), 100 + i);
   }
-  EXPECT_EQ(tracker.state().connections, 2U);
   EXPECT_EQ(tracker.state().status_text, "");
 }
 
@@ -295,11 +290,7 @@ TEST(KernelHid, SurvivesMergedShortAndForeignReports) {
   const HidTrackerState state = tracker.state();
   EXPECT_TRUE(state.is_connected);
   EXPECT_EQ(state.status_text, "");
-  EXPECT_EQ(state.counters.reports, 4U);
-  EXPECT_EQ(state.counters.other_reports, 1U);
   EXPECT_EQ(state.status.configuration, HidConfigurationStatus::user_calibration_needed);
-  print_measured(fmt::format("of the malformed reports {} arrived short, {} with a wrong id",
-                             state.counters.short_reads, state.counters.wrong_ids));
 }
 
 struct HostileDescriptor {

@@ -23,9 +23,9 @@ TEST(Quantile, IsTheLeastThatEnoughValuesDoNotExceed) {
 }
 
 TEST(Median, IsTheUpperOfTwo) {
-  EXPECT_EQ(median({16.0, 1.0, 4.0, 2.0, 8.0}), 4.0);
-  EXPECT_EQ(median({8.0, 1.0, 4.0, 2.0}), 4.0);
-  EXPECT_EQ(median({}), std::nullopt);
+  EXPECT_EQ(upper_median({16.0, 1.0, 4.0, 2.0, 8.0}), 4.0);
+  EXPECT_EQ(upper_median({8.0, 1.0, 4.0, 2.0}), 4.0);
+  EXPECT_EQ(upper_median({}), std::nullopt);
 }
 
 }  // namespace

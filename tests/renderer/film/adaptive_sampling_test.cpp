@@ -12,6 +12,7 @@
 #include "renderer/base/random.h"
 #include "renderer/film/sample_pass.h"
 #include "renderer/view/equirect.h"
+#include "tests/renderer/film/run_pass.h"
 
 namespace foveola {
 namespace {
@@ -45,8 +46,8 @@ EquirectFilm rendered(int frames, std::uint64_t per_frame, std::uint32_t seed,
       redirect_samples(film, gaze, noise, mix(seed, static_cast<std::uint32_t>(frame)), samples,
                        workers);
     };
-    pass.run(*od, {.first = frame * per_frame, .count = per_frame, .seed = seed}, trace, film,
-             workers, adjust);
+    test::run_pass(pass, *od, {.first = frame * per_frame, .count = per_frame, .seed = seed}, trace,
+                   film, workers, adjust);
   }
   return film;
 }
@@ -228,8 +229,8 @@ TEST(AdaptiveSampling, WhatIsBlackIsSoAfterTheExposure) {
         redirect_samples(film, ahead, {.contrast = 0.05, .exposure_stops = exposure_stops}, frame,
                          samples, workers);
       };
-      pass.run(*od, {.first = frame * 4096, .count = 4096, .seed = 4}, trace, film, workers,
-               adjust);
+      test::run_pass(pass, *od, {.first = frame * 4096, .count = 4096, .seed = 4}, trace, film,
+                     workers, adjust);
     }
     return film.total_samples();
   };

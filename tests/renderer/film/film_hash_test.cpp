@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/film_state.h"
+#include "renderer/film/film_file.h"
 #include "tests/renderer/film/film_samples.h"
 
 namespace foveola {

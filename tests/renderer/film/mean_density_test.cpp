@@ -11,6 +11,7 @@
 #include "renderer/base/random.h"
 #include "renderer/film/sample_pass.h"
 #include "renderer/view/equirect.h"
+#include "tests/renderer/film/run_pass.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
 
@@ -279,7 +280,7 @@ PerRing counted_shares(const std::string& method) {
   const auto black = [](std::span<const SampleJob>, std::span<Rgb> radiance) {
     std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
   };
-  pass.run(*sampler, {.count = samples_in_all, .seed = 7}, black, film, workers);
+  test::run_pass(pass, *sampler, {.count = samples_in_all, .seed = 7}, black, film, workers);
   PerRing shares{};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

@@ -11,6 +11,7 @@
 #include "renderer/view/equirect.h"
 #include "renderer/view/image_samplers.h"
 #include "tests/matchers.h"
+#include "tests/renderer/film/run_pass.h"
 #include "tests/renderer/view/every_method.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
@@ -30,7 +31,7 @@ TEST(SamplePass, BringsTheSequencesPointsToTheirPixels) {
   EquirectFilm film(64, 32);
   SamplePass pass;
   const PointRange points = {.first = 1000, .count = 9000, .seed = 4};
-  EXPECT_TRUE(pass.run(*od, points, trace_direction, film, workers).empty());
+  EXPECT_TRUE(test::run_pass(pass, *od, points, trace_direction, film, workers).empty());
   std::vector<std::uint32_t> expected(64 * 32, 0);
   for (std::uint64_t i = 1000; i < 10'000; ++i) {
     const Vec2 point = sobol_2d(i, 4);
@@ -63,8 +64,9 @@ TEST(SamplePass, MeansAreThoseOfAPixelsArea) {
     const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
     sampler->aim({.viewport = viewport, .gaze = ahead});
     EquirectFilm film(180, 90, FilmStatistics::mean_and_variance);
-    SamplePass().run(
-        *sampler, {.count = 1 << 21, .seed = 3},
+    SamplePass pass;
+    test::run_pass(
+        pass, *sampler, {.count = 1 << 21, .seed = 3},
         [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
           std::transform(jobs.begin(), jobs.end(), radiance.begin(),
                          [&](const SampleJob& job) { return ramp(film, job, ahead); });
@@ -93,8 +95,9 @@ TEST(SamplePass, EqualSamplesHaveTheirMeanWhateverTheirWeights) {
   const std::unique_ptr<ViewSampler> fv = make_view_sampler("fv");
   fv->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
   EquirectFilm film(90, 45, FilmStatistics::mean_and_variance);
-  SamplePass().run(
-      *fv, {.count = 100'000, .seed = 3},
+  SamplePass pass;
+  test::run_pass(
+      pass, *fv, {.count = 100'000, .seed = 3},
       [](std::span<const SampleJob>, std::span<Rgb> radiance) {
         std::fill(radiance.begin(), radiance.end(), Rgb(0.7F));
       },
@@ -112,8 +115,8 @@ TEST(SamplePass, WholeNetsGiveEveryPixelTheSame) {
   for (const std::uint32_t seed : {0U, 1U, 77U}) {
     EquirectFilm film(128, 64);
     SamplePass pass;
-    pass.run(*od, {.first = 0, .count = 128 * 64 * 8, .seed = seed}, trace_direction, film,
-             workers);
+    test::run_pass(pass, *od, {.first = 0, .count = 128 * 64 * 8, .seed = seed}, trace_direction,
+                   film, workers);
     EXPECT_THAT(film.resolve().samples, Each(8U));
   }
 }
@@ -133,7 +136,7 @@ TEST(SamplePass, VisitsInRoundsDifferByOneAtMost) {
       PointRange points = {.seed = 7, .cells = size};
       const auto counts_at = [&](std::uint64_t end) {
         points.count = end - points.first;
-        pass.run(*sampler, points, trace_direction, film, workers);
+        test::run_pass(pass, *sampler, points, trace_direction, film, workers);
         points.first = end;
         const std::vector<std::uint32_t> counts = film.resolve().samples;
         const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
@@ -159,8 +162,9 @@ TEST(SamplePass, RoundsStratifyEachPixel) {
     });
   };
   EquirectFilm film(size.x, size.y);
-  SamplePass().run(*od, {.count = 4 * 100 * 75, .seed = 3, .cells = size}, place_in_pixel, film,
-                   workers);
+  SamplePass pass;
+  test::run_pass(pass, *od, {.count = 4 * 100 * 75, .seed = 3, .cells = size}, place_in_pixel, film,
+                 workers);
   DVec2 variance(0.0);
   for (const Rgb& mean : film.resolve().color.pixels) {
     const DVec2 error = DVec2(mean) - 0.5;
@@ -177,8 +181,9 @@ TEST(SamplePass, ARoundFillsTheFilmEvenly) {
   const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
   constexpr IVec2 size(640, 480);
   EquirectFilm film(size.x, size.y);
-  SamplePass().run(*od, {.count = 640 * 480 / 3, .seed = 5, .cells = size}, trace_direction, film,
-                   workers);
+  SamplePass pass;
+  test::run_pass(pass, *od, {.count = 640 * 480 / 3, .seed = 5, .cells = size}, trace_direction,
+                 film, workers);
   double variance = 0.0;
   for (int square = 0; square < 32 * 24; ++square) {
     double count = 0.0;
@@ -200,7 +205,7 @@ TEST(SamplePass, CutsAndThreadsDoNotMatter) {
     PointRange points = {.seed = 9};
     for (const std::uint64_t count : counts) {
       points.count = count;
-      pass.run(*fv, points, trace_direction, result, workers);
+      test::run_pass(pass, *fv, points, trace_direction, result, workers);
       points.first += count;
     }
     return result.resolve();
@@ -240,7 +245,8 @@ TEST_P(EveryMethod, TheFilmIsTheSameToTheLastBitOnAnyNumberOfThreads) {
     };
     constexpr std::uint64_t per_pass = 30'000;
     for (std::uint64_t first = 0; first < 3 * per_pass; first += per_pass) {
-      pass.run(*sampler, {.first = first, .count = per_pass, .seed = 5}, trace, result, workers);
+      test::run_pass(pass, *sampler, {.first = first, .count = per_pass, .seed = 5}, trace, result,
+                     workers);
     }
     return result;
   };

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "tests/renderer/film/film_samples.h"
 
 namespace foveola {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 
 namespace foveola {
 namespace {

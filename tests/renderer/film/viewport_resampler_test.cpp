@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
 #include "tests/renderer/film/film_samples.h"
 

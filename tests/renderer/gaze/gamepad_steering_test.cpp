@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/gaze/steered_head_tracker.h"
+#include "renderer/gaze/head_tracker.h"
 
 namespace foveola {
 namespace {

@@ -1,5 +1,3 @@
-#include "renderer/gaze/gaze_extrapolation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,6 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
+#include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/rotations.h"
 #include "renderer/gaze/simulated_eye.h"
 #include "tests/renderer/gaze/gaze_expectations.h"

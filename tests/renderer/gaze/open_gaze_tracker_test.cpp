@@ -89,7 +89,6 @@ TEST(OpenGazeDecoder, ARecordThatComesTwiceIsOneSample) {
     samples += decoder.decode(once, seconds(count)).size();
   }
   EXPECT_EQ(samples, 60U);
-  EXPECT_EQ(decoder.counters().repeats, 60U);
   EXPECT_EQ(decoder.counters().records, 60U);
   const std::string rests = "<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"1\" />\n";
   EXPECT_EQ(decoder.decode(rests + rests, seconds(61)).size(), 2U) << "an eye that rests";
@@ -112,17 +111,14 @@ TEST(OpenGazeDecoder, DecimalCommasAndLinesThatEndInCrAreRead) {
 }
 
 TEST(OpenGazeDecoder, CountsWhatComes) {
-  OpenGazeDecoder decoder({.screen = square},
-                          {.records = 10, .garbage = 20, .gaps = 30, .reconnects = 40});
-  for (const int count : {1, 2, 5, 6, 9, 3}) {  // it jumps twice, and is set back once
+  OpenGazeDecoder decoder({.screen = square}, {.records = 10, .garbage = 20});
+  for (const int count : {1, 2, 5, 6, 9, 3}) {
     newest(decoder.decode(record(0.5, 0.5, count), seconds(1)));
   }
   decoder.decode("nonsense\r\n<REC\r\n", seconds(2));
   const OpenGazeCounters counters = decoder.counters();
   EXPECT_EQ(counters.records, 16U);
   EXPECT_EQ(counters.garbage, 22U);
-  EXPECT_EQ(counters.gaps, 32U);
-  EXPECT_EQ(counters.reconnects, 40U);
 }
 
 OpenGazeSettings settings_for(std::uint16_t port) {
@@ -167,7 +163,6 @@ TEST(OpenGazeTracker, AsksForDataAndDeliversIt) {
   EXPECT_GE(arrived[0].time, before);
   EXPECT_LE(arrived[1].time, SteadyClock().now());
   EXPECT_TRUE(tracker.counters().is_connected);
-  EXPECT_EQ(tracker.counters().reconnects, 0U);
 }
 
 TEST(OpenGazeTracker, ComesBackAfterTheServerHungUp) {
@@ -181,9 +176,7 @@ TEST(OpenGazeTracker, ComesBackAfterTheServerHungUp) {
   EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
   const OpenGazeCounters counters = tracker.counters();
   EXPECT_EQ(counters.records, 2U);
-  EXPECT_EQ(counters.reconnects, 1U);
   EXPECT_EQ(counters.garbage, 0U);  // half a line is no line
-  EXPECT_EQ(counters.gaps, 0U);     // nor does the counter go on
 }
 
 TEST(OpenGazeTracker, SaysWhenItIsNotConnected) {
@@ -225,7 +218,10 @@ TEST(OpenGazeTracker, GivesUpASilentServerForANewConnection) {
   settings.longest_silence = milliseconds(60);
   OpenGazeTracker tracker(settings);
   server.accept();
-  wait_until("another connection", [&] { return tracker.counters().reconnects >= 1; });
+  const auto is_connected = [&] { return tracker.counters().is_connected; };
+  wait_until("the connection", is_connected);
+  wait_until("the connection to be given up", [&] { return !is_connected(); });
+  wait_until("another connection", is_connected);
 }
 
 // Would wait for an hour otherwise.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/random.h"
-#include "renderer/gaze/recording_file.h"
+#include "renderer/gaze/recordings.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"
@@ -82,7 +82,7 @@ TEST(HeadFile, ErrorsSayWhere) {
               HasSubstr("head.csv:1: is not the first line of a head recording"));
   EXPECT_THAT(head_error_of("time_ns,x,y,z,valid\n"), HasSubstr("head.csv:1: "));
   EXPECT_THAT(head_error_of(head_header), HasSubstr("head.csv: has no samples"));
-  // What a line of any recording can have wrong is tested in recorded_eye_tracker_test.cpp.
+  // What a line of any recording can have wrong is tested in recordings_test.cpp.
   for (const auto& [line, what] : {std::pair("1,0", "head.csv:3: has 2 fields instead of 3"),
                                    {"1,1001,0", "\"1001\" is no number from -1000 to 1000"},
                                    {"1,0,1.571", "\"1.571\" is no number from -1.57"}}) {

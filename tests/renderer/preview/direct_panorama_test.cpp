@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/film_state.h"
+#include "renderer/film/film_file.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/preview/box_room.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/base/error.h"
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/measure/reference.h"
 #include "renderer/view/equirect.h"

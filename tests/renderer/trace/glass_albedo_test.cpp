@@ -1,8 +1,7 @@
-#include "renderer/trace/glass_albedo.h"
-
 #include <gtest/gtest.h>
 
 #include "reference_bsdf.h"
+#include "renderer/trace/scattering_tables.h"
 
 namespace foveola {
 namespace {

@@ -1,5 +1,3 @@
-#include "renderer/trace/spherical_triangle.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
+#include "renderer/trace/triangle_lights.h"
 #include "scenes.h"
 #include "statistics.h"
 #include "tests/renderer/trace/random_points.h"

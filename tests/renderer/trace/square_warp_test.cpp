@@ -1,9 +1,8 @@
-#include "renderer/trace/square_warp.h"
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "renderer/trace/learned_lights.h"
 #include "statistics.h"
 #include "tests/renderer/trace/random_points.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/view/equation7.h"
+#include "renderer/view/foveated_samplers.h"
 
 namespace foveola {
 namespace {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/view/equation7.h"
+#include "renderer/view/foveated_samplers.h"
 
 namespace foveola {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
-#include "renderer/window/window_presenter.h"
+#include "renderer/window/presenter.h"
 #include "tests/renderer/window/patterned_film.h"
 #include "tests/x_server.h"
 

@@ -2,7 +2,9 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
 
+#include "renderer/view/viewport.h"
 #include "tests/matchers.h"
 
 namespace foveola {
@@ -265,5 +267,94 @@ TEST_F(FreeCameraTest, BringsWhatIsSeenElsewhere) {
   EXPECT_NEAR(degrees(heading(0).azimuth_rad), 45.0, 1e-4);
 }
 
+PointerMoved to(double x, double y) { return {.is_inside = true, .position = {x, y}}; }
+MouseButtonMoved down(int button) { return {.button = button, .is_down = true}; }
+MouseButtonMoved up(int button) { return {.button = button, .is_down = false}; }
+
+TEST(MouseDragsTest, ButtonsMeanWhatTheyDo) {
+  for (const auto& [button, alt, drag] : {std::tuple(GLFW_MOUSE_BUTTON_LEFT, false, Drag::turn),
+                                          std::tuple(GLFW_MOUSE_BUTTON_LEFT, true, Drag::orbit),
+                                          std::tuple(GLFW_MOUSE_BUTTON_MIDDLE, false, Drag::orbit),
+                                          std::tuple(GLFW_MOUSE_BUTTON_RIGHT, false, Drag::fly),
+                                          std::tuple(GLFW_MOUSE_BUTTON_4, false, Drag::none)}) {
+    MouseDrags mouse;
+    mouse.follow(down(button), alt);
+    EXPECT_EQ(mouse.drag(), drag) << button;
+    mouse.follow(up(button), alt);
+    EXPECT_EQ(mouse.drag(), Drag::none) << button;
+  }
+}
+
+TEST(MouseDragsTest, WaysAreInPixelsAndOnlyOfDrags) {
+  MouseDrags mouse;
+  mouse.show(2.0);
+  EXPECT_EQ(mouse.follow(to(10, 10)), DVec2(0.0));
+  EXPECT_EQ(mouse.follow(to(20, 10)), DVec2(0.0));
+  mouse.follow(down(GLFW_MOUSE_BUTTON_RIGHT), false);
+  EXPECT_EQ(mouse.follow(to(25, 7)), DVec2(10.0, -6.0));
+  mouse.follow(PointerMoved{.is_inside = false});
+  EXPECT_EQ(mouse.follow(to(100, 100)), DVec2(0.0)) << "where it came back is no way";
+}
+
+TEST(MouseDragsTest, WhatHardlyMovesIsAClick) {
+  MouseDrags mouse;
+  mouse.follow(to(40, 30));
+  EXPECT_EQ(mouse.follow(down(GLFW_MOUSE_BUTTON_LEFT), false), std::nullopt);
+  mouse.follow(to(41, 31));
+  EXPECT_THAT(mouse.follow(up(GLFW_MOUSE_BUTTON_LEFT), false), Optional(DVec2(41, 31)));
+
+  mouse.follow(down(GLFW_MOUSE_BUTTON_LEFT), false);
+  mouse.follow(to(50, 31));
+  mouse.follow(to(41, 31));
+  EXPECT_EQ(mouse.follow(up(GLFW_MOUSE_BUTTON_LEFT), false), std::nullopt) << "a drag and back";
+
+  mouse.follow(down(GLFW_MOUSE_BUTTON_LEFT), true);
+  EXPECT_EQ(mouse.follow(up(GLFW_MOUSE_BUTTON_LEFT), true), std::nullopt) << "of an orbit";
+}
+
+TEST(MouseDragsTest, TheFirstButtonRules) {
+  MouseDrags mouse;
+  mouse.follow(down(GLFW_MOUSE_BUTTON_RIGHT), false);
+  mouse.follow(down(GLFW_MOUSE_BUTTON_LEFT), false);
+  mouse.follow(up(GLFW_MOUSE_BUTTON_LEFT), false);
+  EXPECT_EQ(mouse.drag(), Drag::fly);
+}
+
+/// Where a point lies in the axes of a camera's head.
+Vec3 in_head(const Standing& camera, const Vec3& point) {
+  return glm::conjugate(head_orientation(camera.heading)) * (point - camera.position);
+}
+
+TEST(CameraMovesTest, AnOrbitKeepsItsPivotInPlace) {
+  const Standing before{.position = {1.0F, 2.0F, 5.0F}, .heading = {radians(10.0), radians(-5.0)}};
+  const Vec3 pivot(0.5F, 1.0F, -1.0F);
+  const Standing after =
+      orbited(before, pivot, {.right_rad = radians(70.0), .up_rad = radians(-30.0)});
+  EXPECT_NEAR(degrees(after.heading.azimuth_rad), 80.0, 1e-9);
+  EXPECT_NEAR(degrees(after.heading.elevation_rad), -35.0, 1e-9);
+  EXPECT_NEAR(glm::length(in_head(after, pivot) - in_head(before, pivot)), 0.0, 1e-5);
+  EXPECT_GT(glm::length(after.position - before.position), 1.0F);
+}
+
+TEST(CameraMovesTest, AQuarterRoundWhatIsAhead) {
+  const Standing after =
+      orbited({.position = {0.0F, 0.0F, 2.0F}}, Vec3(0.0F), {.right_rad = radians(90.0)});
+  // Looking towards +X from the left of it.
+  EXPECT_NEAR(glm::length(after.position - Vec3(-2.0F, 0.0F, 0.0F)), 0.0, 1e-6);
+}
+
+TEST(CameraMovesTest, AnOrbitStopsOverhead) {
+  const Standing after =
+      orbited({.position = {0.0F, 0.0F, 2.0F}}, Vec3(0.0F), {.up_rad = radians(-200.0)});
+  EXPECT_NEAR(degrees(after.heading.elevation_rad), -90.0, 1e-9);
+  EXPECT_NEAR(glm::length(after.position - Vec3(0.0F, 2.0F, 0.0F)), 0.0, 1e-5);
+}
+
+TEST(CameraMovesTest, SpeedFitsTheSpace) {
+  EXPECT_NEAR(walking_speed(5.0), 0.5, 1e-9);
+  EXPECT_EQ(walking_speed(0.0), 1.0);
+}
+
 }  // namespace
+
 }  // namespace foveola

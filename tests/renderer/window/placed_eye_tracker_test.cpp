@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/window/widened_eye_tracker.h"
+#include "renderer/window/window_gaze.h"
 
 namespace foveola {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "renderer/film/equirect_film.h"
 #include "renderer/window/film_mirror.h"
-#include "renderer/window/window_presenter.h"
+#include "renderer/window/presenter.h"
 #include "tests/x_server.h"
 
 namespace foveola::test {

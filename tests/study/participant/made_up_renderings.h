@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "study/participant/population_file.h"
 #include "study/participant/simulated_participant.h"

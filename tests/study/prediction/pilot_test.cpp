@@ -7,6 +7,7 @@
 #include "renderer/base/error.h"
 #include "renderer/film/viewport_resampler.h"
 #include "study/stage/scene_stage.h"
+#include "tests/renderer/film/run_pass.h"
 #include "tests/study/simulation/small_wall.h"
 
 namespace foveola::study {
@@ -133,8 +134,8 @@ double shown_noise(const PilotSetting& setting, const ViewSampler& sampler, std:
     EquirectFilm film(setting.film.width, setting.film.height);
     SamplePass pass;
     const TraceSettings trace{.max_depth = setting.film.max_depth, .seed = seed};
-    pass.run(
-        sampler, {.first = 0, .count = count, .seed = seed},
+    test::run_pass(
+        pass, sampler, {.first = 0, .count = count, .seed = seed},
         [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
           setting.tracer.trace(setting.viewpoint, jobs, radiance, trace, setting.workers);
         },
