@@ -8,10 +8,10 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/environment.h"
 #include "renderer/scene/far_geometry.h"
 #include "renderer/scene/foreign_format.h"
 #include "renderer/scene/nested_volumes.h"
-#include "renderer/scene/sky.h"
 
 namespace foveola {
 namespace {

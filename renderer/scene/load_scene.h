@@ -8,7 +8,6 @@
 #include "renderer/base/scene_source.h"
 #include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
-#include "renderer/scene/warnings.h"
 
 namespace foveola {
 
@@ -43,11 +42,5 @@ Scene load_scene_file(const std::filesystem::path& path, const SceneReading& rea
 /// Throws Error as well for what of these makes no sense. Its first warning is that the file is not
 /// the one that the source was written for, if so.
 Scene load_scene(const SceneSource& source, KeptSceneParts* kept = nullptr);
-
-/// An equirect EXR, HDR, PNG or JPEG image as environment. Pixels that are negative or NaN become
-/// black, infinite ones 65504, the most that a half float holds, or as bright as the brightest
-/// other one: with warnings. Throws Error if it cannot be read or, for its size, would take too
-/// much memory: see require_modest_memory.
-Environment load_environment(const std::filesystem::path& path, Warnings& warnings);
 
 }  // namespace foveola

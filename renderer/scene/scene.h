@@ -12,7 +12,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/vec.h"
-#include "renderer/scene/texture.h"
+#include "renderer/scene/textures/texture.h"
 
 namespace foveola {
 

@@ -15,7 +15,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/work_scope.h"
 #include "renderer/scene/scene.h"
-#include "renderer/scene/texture.h"
+#include "renderer/scene/textures/texture.h"
 #include "renderer/scene/warnings.h"
 
 namespace foveola {

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "renderer/base/random.h"
-#include "renderer/scene/texture.h"
+#include "renderer/scene/textures/texture.h"
 
 namespace foveola {
 namespace {

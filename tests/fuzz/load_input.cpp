@@ -9,6 +9,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
+#include "renderer/scene/environment.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/fuzz/input_bytes.h"
 

@@ -1,0 +1,224 @@
+#include "renderer/scene/gltf/animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glm/gtc/quaternion.hpp>
+#include <tiny_gltf.h>
+
+#include "renderer/base/error.h"
+#include "renderer/scene/gltf/accessor.h"
+#include "renderer/scene/gltf/fault.h"
+#include "renderer/scene/made_up_names.h"
+#include "renderer/scene/sanitised.h"
+
+namespace foveola {
+namespace {
+
+using Values = std::vector<double>;
+
+/// How a sampler goes from one key to the next.
+struct Keys {
+  std::vector<float> times;  ///< seconds
+  std::vector<float>
+      numbers;  ///< `width` for each key, or thrice that: in-tangent, value, out-tangent
+  std::size_t width = 0;
+  std::string_view interpolation;
+
+  bool is_cubic() const { return interpolation == "CUBICSPLINE"; }
+  /// part: of a cubic's key, 0 the in-tangent, 1 the value, 2 the out-tangent.
+  Values at(std::size_t key, std::size_t part = 1) const {
+    const std::size_t begin = is_cubic() ? (3 * key + part) * width : key * width;
+    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(begin);
+    return {first, first + static_cast<std::ptrdiff_t>(width)};
+  }
+};
+
+glm::dquat quaternion_of(const Values& v) { return {v[3], v[0], v[1], v[2]}; }
+
+Values normalised(const glm::dquat& rotation) {
+  const glm::dquat unit = glm::normalize(rotation);
+  return {unit.x, unit.y, unit.z, unit.w};
+}
+
+Values on_line(const Values& from, const Values& to, double share, bool is_rotation) {
+  if (is_rotation) {
+    return normalised(glm::slerp(quaternion_of(from), quaternion_of(to), share));
+  }
+  Values result(from.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = std::lerp(from[i], to[i], share);
+  }
+  return result;
+}
+
+/// Appendix C.5: a Hermite spline whose tangents are per second.
+Values on_spline(const Keys& keys, std::size_t key, double share, bool is_rotation) {
+  const double seconds = static_cast<double>(keys.times[key + 1]) - keys.times[key];
+  const double t2 = share * share;
+  const double t3 = t2 * share;
+  const Values from = keys.at(key);
+  const Values out = keys.at(key, 2);
+  const Values in = keys.at(key + 1, 0);
+  const Values to = keys.at(key + 1);
+  Values result(keys.width);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = (2.0 * t3 - 3.0 * t2 + 1.0) * from[i] + seconds * (t3 - 2.0 * t2 + share) * out[i] +
+                (3.0 * t2 - 2.0 * t3) * to[i] + seconds * (t3 - t2) * in[i];
+  }
+  return is_rotation ? normalised(quaternion_of(result)) : result;
+}
+
+Values value_at(const Keys& keys, double time_s, bool is_rotation) {
+  const auto next = std::upper_bound(keys.times.begin(), keys.times.end(), time_s);
+  if (next == keys.times.begin()) {
+    return keys.at(0);
+  }
+  const auto key = static_cast<std::size_t>(next - keys.times.begin()) - 1;
+  if (next == keys.times.end() || keys.interpolation == "STEP") {
+    return keys.at(key);
+  }
+  const double share = (time_s - keys.times[key]) / (static_cast<double>(*next) - keys.times[key]);
+  return keys.is_cubic() ? on_spline(keys, key, share, is_rotation)
+                         : on_line(keys.at(key), keys.at(key + 1), share, is_rotation);
+}
+
+/// Poses one channel after the other.
+class Poser {
+ public:
+  Poser(tinygltf::Model& model, double time_s, Warnings& warnings)
+      : model_(model), time_s_(time_s), warnings_(warnings) {}
+
+  void pose(const tinygltf::AnimationChannel& channel, const tinygltf::AnimationSampler& sampler,
+            const std::string& place) {
+    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(channel.target_node)];
+    const std::string& path = channel.target_path;
+    if (path == "weights") {
+      node.weights = value(sampler, 1, weights_of(node), false, place);
+      return;
+    }
+    const bool is_rotation = path == "rotation";
+    if (!is_rotation && path != "translation" && path != "scale") {
+      warnings_.add(fmt::format("animations of \"{}\" are ignored", sanitised(path)), place);
+      return;
+    }
+    if (!node.matrix.empty()) {
+      warnings_.add("animations of nodes that have a matrix are ignored", place);
+      return;
+    }
+    const int components = is_rotation ? 4 : 3;
+    Values& target = is_rotation             ? node.rotation
+                     : path == "translation" ? node.translation
+                                             : node.scale;
+    target = value(sampler, components, 1, is_rotation, place);
+  }
+
+ private:
+  /// How many morph targets the node's mesh has.
+  std::size_t weights_of(const tinygltf::Node& node) const {
+    return node.mesh < 0 ? 0
+                         : model_.meshes[static_cast<std::size_t>(node.mesh)]
+                               .primitives.front()
+                               .targets.size();
+  }
+
+  /// per_key: how many elements of the sampler's output belong to a key, a cubic's tangents apart.
+  Values value(const tinygltf::AnimationSampler& sampler, int components, std::size_t per_key,
+               bool is_rotation, const std::string& place) {
+    Keys keys{.times = numbers(sampler.input, 1, place + ".input"),
+              .numbers = numbers(sampler.output, components, place + ".output"),
+              .width = static_cast<std::size_t>(components) * per_key,
+              .interpolation = sampler.interpolation};
+    const std::size_t parts = keys.is_cubic() ? 3 : 1;
+    if (keys.numbers.size() < parts * keys.width * keys.times.size()) {
+      throw GltfFault(place,
+                      fmt::format("has {} times, but {} numbers of {} each", keys.times.size(),
+                                  keys.numbers.size(), parts * keys.width));
+    }
+    if (!std::is_sorted(keys.times.begin(), keys.times.end())) {
+      throw GltfFault(place, "has times that are not in order");
+    }
+    return value_at(keys, time_s_, is_rotation);
+  }
+
+  /// Samplers may share accessors, so their number alone bounds nothing.
+  std::vector<float> numbers(int accessor, int components, const std::string& place) {
+    constexpr std::size_t most = std::size_t{1} << 27;
+    read_ += element_count(model_, accessor) * static_cast<std::size_t>(components);
+    if (read_ > most) {
+      throw GltfFault(place,
+                      fmt::format("brings the numbers of the animations to more than {}", most));
+    }
+    return read_numbers(model_, accessor, components, place);
+  }
+
+  tinygltf::Model& model_;
+  double time_s_;
+  Warnings& warnings_;
+  std::size_t read_ = 0;
+};
+
+std::string listed(const std::vector<std::string>& names) {
+  std::vector<std::string> texts;
+  for (const std::string& name : names) {
+    texts.push_back(fmt::format("'{}'", sanitised(name)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> clip_names(const tinygltf::Model& model) {
+  std::set<std::string> taken{""};
+  std::vector<std::string> names;
+  for (const tinygltf::Animation& animation : model.animations) {
+    names.push_back(taken.insert(animation.name).second ? animation.name : "");
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) {
+      names[i] = made_up_name("clip", i + 1, taken);
+    }
+  }
+  return names;
+}
+
+void pose_at(tinygltf::Model& model, double time_s, const std::string& clip, Warnings& warnings) {
+  const std::vector<std::string> names = clip_names(model);
+  if (!clip.empty() && std::find(names.begin(), names.end(), clip) == names.end()) {
+    throw UsageError(
+        "--clip", fmt::format("the file has no clip '{}'", sanitised(clip)),
+        names.empty() ? "it has none at all: leave it out" : "it has " + listed(names));
+  }
+  Poser poser(model, time_s, warnings);
+  std::map<std::pair<int, std::string>, std::size_t> last_mover;  // of a node's property
+  bool overlaps = false;
+  for (std::size_t i = 0; i < model.animations.size(); ++i) {
+    if (!clip.empty() && names[i] != clip) {
+      continue;
+    }
+    const tinygltf::Animation& animation = model.animations[i];
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      const auto mover =
+          last_mover.try_emplace({channel.target_node, channel.target_path}, i).first;
+      overlaps |= std::exchange(mover->second, i) != i && channel.target_node >= 0;
+      poser.pose(channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
+                 fmt::format("animations[{}].samplers[{}]", i, channel.sampler));
+    }
+  }
+  if (overlaps) {
+    warnings.add(
+        fmt::format("the clips {} move the same nodes, and the last holds; --clip NAME "
+                    "chooses one",
+                    listed(names)));
+  }
+}
+
+}  // namespace foveola

@@ -1,0 +1,194 @@
+#include "renderer/scene/gltf/lights.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "renderer/scene/gltf/values.h"
+#include "renderer/scene/sanitised.h"
+
+namespace foveola {
+namespace {
+
+constexpr double brightest_light = 1e9;
+constexpr double lumens_per_watt = 683.0;
+constexpr double largest_radius_m = 1e6;
+constexpr double largest_angular_radius_rad = std::numbers::pi / 4.0;
+
+using Version = std::array<int, 3>;
+
+/// "MAJOR.MINOR.PATCH", whatever follows.
+std::optional<Version> parse_version(std::string_view text) {
+  Version version{};
+  for (int& number : version) {
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc()) {
+      return std::nullopt;
+    }
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(text.starts_with('.') ? 1 : 0);
+  }
+  return version;
+}
+
+/// The version of Blender's exporter, if that wrote the file.
+std::optional<Version> blender_exporter_version(std::string_view generator) {
+  constexpr std::string_view exporter = "Khronos glTF Blender I/O v";
+  return generator.starts_with(exporter) ? parse_version(generator.substr(exporter.size()))
+                                         : std::nullopt;
+}
+
+/// Nothing for a type that KHR_lights_punctual does not have.
+std::optional<PunctualLight::Kind> kind_of(const tinygltf::Light& source) {
+  if (source.type == "directional") {
+    return PunctualLight::Kind::directional;
+  }
+  if (source.type == "spot") {
+    return PunctualLight::Kind::spot;
+  }
+  return source.type == "point" ? std::optional(PunctualLight::Kind::point) : std::nullopt;
+}
+
+Rgb intensity_of(const tinygltf::Light& source, LightUnits units, const std::string& place,
+                 Warnings& warnings) {
+  const DVec3 color =
+      source.color.empty() ? DVec3(1.0) : DVec3(source.color[0], source.color[1], source.color[2]);
+  const double units_per_watt = units == LightUnits::photometric ? lumens_per_watt : 1.0;
+  const DVec3 intensity = color * (source.intensity / units_per_watt);
+  const DVec3 limited = glm::clamp(intensity, DVec3(0.0), DVec3(brightest_light));
+  if (limited != intensity) {
+    warnings.add("the intensity of a light is limited to the range it may have", place);
+  }
+  return Rgb(limited);
+}
+
+/// The extension: 0 <= inner < outer <= pi / 2.
+void read_cone(const tinygltf::SpotLight& source, PunctualLight::ConeEdge edge,
+               const std::string& place, PunctualLight& light, Warnings& warnings) {
+  constexpr double widest = std::numbers::pi / 2.0;
+  constexpr double narrowest = 1e-4;
+  const double outer = std::clamp(source.outerConeAngle, narrowest, widest);
+  const double inner = std::clamp(source.innerConeAngle, 0.0, outer);
+  light.outer_cone_rad = static_cast<float>(outer);
+  const bool is_cycles = edge != PunctualLight::ConeEdge::squared;
+  light.inner_cone_rad =
+      static_cast<float>(is_cycles ? cycles_inner_cone_rad(inner, outer) : inner);
+  light.cone_edge = edge;
+  constexpr double rounding = 1e-5;  // exporters write pi / 2 with few digits
+  if (std::abs(outer - source.outerConeAngle) > rounding ||
+      std::abs(inner - source.innerConeAngle) > rounding) {
+    warnings.add("the cone of a spot light is limited to the range it may have", place);
+  }
+}
+
+/// A number of the light's extras, in [0, highest]; 0 if it is not there.
+float size_of(const tinygltf::Light& source, const std::string& key, double highest,
+              const std::string& place, Warnings& warnings) {
+  const tinygltf::Value* value = GltfValues(&source.extras).object("foveola").get(key);
+  if (value == nullptr) {
+    return 0.0F;
+  }
+  const double size = value->IsNumber() ? value->GetNumberAsDouble() : -1.0;
+  const double limited = std::clamp(size, 0.0, highest);
+  if (limited != size) {
+    warnings.add("the size of a light is limited to the range it may have",
+                 fmt::format("{}.extras.foveola.{}", place, key));
+  }
+  return static_cast<float>(limited);
+}
+
+void read_size(const tinygltf::Light& source, const std::string& place, PunctualLight& light,
+               Warnings& warnings) {
+  if (light.kind == PunctualLight::Kind::directional) {
+    light.angular_radius_rad =
+        size_of(source, "angular_radius_rad", largest_angular_radius_rad, place, warnings);
+  } else {
+    light.radius_m = size_of(source, "radius_m", largest_radius_m, place, warnings);
+  }
+}
+
+}  // namespace
+
+LightUnits light_units_of(std::string_view generator) {
+  constexpr Version first_photometric = {3, 4, 40};
+  const std::optional<Version> version = blender_exporter_version(generator);
+  return version && *version >= first_photometric ? LightUnits::photometric
+                                                  : LightUnits::radiometric;
+}
+
+PunctualLight::ConeEdge cone_edge_of(std::string_view generator) {
+  constexpr Version first_without_cosine = {4, 0, 0};
+  const std::optional<Version> version = blender_exporter_version(generator);
+  if (!version) {
+    return PunctualLight::ConeEdge::squared;
+  }
+  return *version < first_without_cosine ? PunctualLight::ConeEdge::smooth_times_cosine
+                                         : PunctualLight::ConeEdge::smooth;
+}
+
+double cycles_inner_cone_rad(double inner_rad, double outer_rad) {
+  const double blend = 1.0 - inner_rad / outer_rad;
+  return std::acos(std::lerp(std::cos(outer_rad), 1.0, blend));
+}
+
+std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
+                                       const std::vector<PlacedItem>& lights, const DVec3& origin,
+                                       std::optional<LightUnits> units, Warnings& warnings) {
+  const LightUnits meant = units.value_or(light_units_of(model.asset.generator));
+  const PunctualLight::ConeEdge edge = cone_edge_of(model.asset.generator);
+  std::vector<PunctualLight> result;
+  for (const PlacedItem& item : lights) {
+    const tinygltf::Light& source = model.lights[item.index];
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
+    const DMat4& world_from_local = item.placement.world_from_local;
+    const std::string place = fmt::format("lights[{}]", item.index);
+    const std::optional<PunctualLight::Kind> kind = kind_of(source);
+    if (!kind) {
+      warnings.add(fmt::format("lights of type \"{}\" are left out", sanitised(source.type)),
+                   place);
+      continue;
+    }
+    PunctualLight light;
+    light.name = sanitised(node.name.empty() ? source.name : node.name);
+    light.kind = *kind;
+    light.intensity = intensity_of(source, meant, place, warnings);
+    light.position = Vec3(DVec3(world_from_local[3]) - origin);
+    if (source.range > 0.0) {
+      warnings.add("the range of a light is ignored: it shines on with the square of the distance",
+                   place);
+    }
+    read_size(source, place, light, warnings);
+    if (light.kind == PunctualLight::Kind::spot) {
+      read_cone(source.spot, edge, place, light, warnings);
+    }
+    if (light.kind != PunctualLight::Kind::point) {
+      const DVec3 direction = -DVec3(world_from_local[2]);
+      const double length = glm::length(direction);
+      if (!(length > 0.0)) {
+        warnings.add("a light whose node has no direction is left out",
+                     fmt::format("nodes[{}]", item.placement.node));
+        continue;
+      }
+      light.direction = Vec3(direction / length);
+    }
+    if (max_component(light.intensity) > 0.0F) {
+      result.push_back(light);
+    }
+  }
+  if (!units && meant == LightUnits::photometric && !result.empty()) {
+    warnings.add(
+        "the lights are divided by 683 lm/W, since Blender's exporter writes them in lux and "
+        "candela, unlike emission; if it was set to \"Unitless\" or \"Raw\", give --light-units "
+        "radiometric");
+  }
+  return result;
+}
+
+}  // namespace foveola

@@ -1,0 +1,205 @@
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/work_scope.h"
+#include "renderer/scene/gltf/accessor.h"
+#include "renderer/scene/gltf/animation.h"
+#include "renderer/scene/gltf/deformation.h"
+#include "renderer/scene/gltf/digest.h"
+#include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/fault.h"
+#include "renderer/scene/gltf/file.h"
+#include "renderer/scene/gltf/geometry.h"
+#include "renderer/scene/gltf/lights.h"
+#include "renderer/scene/gltf/materials.h"
+#include "renderer/scene/gltf/nodes.h"
+#include "renderer/scene/gltf/placing.h"
+#include "renderer/scene/load_scene.h"
+#include "renderer/scene/sanitised.h"
+#include "renderer/scene/warnings.h"
+
+namespace foveola {
+namespace {
+
+constexpr const char* remedy = "export it again, or look at it with a glTF validator";
+
+void warn_of_what_is_ignored(const tinygltf::Model& model, bool is_posed, Warnings& warnings) {
+  for (const std::string& name : model.extensionsUsed) {
+    if (!is_supported_extension(name)) {
+      warnings.add(fmt::format("the extension {} is ignored{}", sanitised(name),
+                               what_is_lost_without(name)));
+    }
+  }
+  if (!model.animations.empty() && !is_posed) {
+    warnings.add(
+        "animations are ignored: everything stays in its first place, unless --time says when");
+  }
+}
+
+/// For each material, whether a placed mesh has it.
+std::vector<bool> shown_materials(const tinygltf::Model& model, const PlacedNodes& nodes) {
+  std::vector<bool> is_shown(model.materials.size(), false);
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
+      if (primitive.material >= 0 && !nodes.meshes[i].empty()) {
+        is_shown[static_cast<std::size_t>(primitive.material)] = true;
+      }
+    }
+  }
+  return is_shown;
+}
+
+/// Skins may share joints, so that a small file can name any number.
+void require_few_joints(std::size_t joints, const std::string& place) {
+  constexpr std::size_t most = std::size_t{1} << 22;
+  if (joints > most) {
+    throw GltfFault(place, fmt::format("brings the joints of the scene to more than {}", most));
+  }
+}
+
+/// Reads primitives, or finds them where they are kept.
+class PrimitiveReader {
+ public:
+  PrimitiveReader(const tinygltf::Model& model, KeptParts<Mesh>* kept, MemoryBudget& budget,
+                  Warnings& warnings)
+      : model_(model), kept_(kept), digests_(model), budget_(budget), warnings_(warnings) {}
+
+  std::optional<Mesh> read(const tinygltf::Primitive& primitive, const VertexNeeds& needs,
+                           const Deformation& deformation, const std::string& place) {
+    // What a skin moves is not the same in another pose.
+    const bool may_be_kept = kept_ != nullptr && deformation.joints.empty();
+    const std::optional<std::string> digest =
+        may_be_kept ? digests_.of(primitive, needs) : std::nullopt;
+    if (const auto known = digest ? kept_->find(*digest) : nullptr) {
+      budget_.take(bytes_of(*known), place);
+      return *known;
+    }
+    const std::size_t cases_before = warnings_.cases();
+    std::optional<Mesh> mesh =
+        read_primitive(model_, primitive, needs, deformation, place, budget_, warnings_);
+    // What was warned of is to be warned of again.
+    if (digest && mesh && warnings_.cases() == cases_before) {
+      kept_->keep(*digest, std::make_shared<const Mesh>(*mesh));
+    }
+    return mesh;
+  }
+
+ private:
+  const tinygltf::Model& model_;
+  KeptParts<Mesh>* kept_;
+  PrimitiveDigests digests_;
+  MemoryBudget& budget_;
+  Warnings& warnings_;
+};
+
+/// Each mesh that a node shows, as the node deforms it.
+std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNodes& nodes,
+                                   const GltfMaterials& materials, KeptParts<Mesh>* kept,
+                                   MemoryBudget& budget, Warnings& warnings) {
+  PrimitiveReader reader(model, kept, budget, warnings);
+  std::vector<LocalMesh> meshes(model.meshes.size());
+  std::size_t joints = 0;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    throw_if_work_stopped();
+    if (nodes.meshes[i].empty()) {
+      continue;
+    }
+    // A mesh that a node deforms is this node's alone.
+    const auto node = static_cast<std::size_t>(nodes.meshes[i].front().node);
+    const Deformation deformation = deformation_of(model, model.nodes[node], nodes.world_from_node);
+    joints += deformation.joints.size();
+    require_few_joints(joints, fmt::format("nodes[{}].skin", node));
+    const std::vector<tinygltf::Primitive>& primitives = model.meshes[i].primitives;
+    for (std::size_t k = 0; k < primitives.size(); ++k) {
+      const std::size_t material = materials.index_of(primitives[k].material);
+      std::optional<Mesh> mesh = reader.read(primitives[k], materials.needs[material], deformation,
+                                             fmt::format("meshes[{}].primitives[{}]", i, k));
+      if (mesh) {
+        mesh->material = static_cast<int>(material);
+        meshes[i].push_back(std::move(*mesh));
+      }
+    }
+  }
+  return meshes;
+}
+
+FileHashes files_beside(const GltfFile& file, FileHashes files) {
+  files.insert(file.buffer_hashes.begin(), file.buffer_hashes.end());
+  return files;
+}
+
+/// The memory for its content is kept where the next version of the file is soon to be read.
+GltfFile gltf_file_of(const std::filesystem::path& path, KeptSceneParts* kept) {
+  std::string content;
+  return read_gltf_file(path,
+                        kept != nullptr && kept->places_instances ? kept->file_content : content);
+}
+
+Scene scene_of(const GltfFile& file, const SceneReading& reading) {
+  const tinygltf::Model& model = *file.model;
+  Warnings warnings;
+  warn_of_what_is_ignored(model, reading.time_s.has_value(), warnings);
+  check_sparse_accessors(model);
+  if (reading.time_s) {
+    pose_at(*file.model, *reading.time_s, reading.clip, warnings);
+  }
+  separate_deformed_meshes(*file.model);
+  const PlacedNodes nodes = place_nodes(model, warnings);
+  KeptSceneParts* const kept = reading.kept;
+  GltfMaterials materials =
+      read_materials(file, shown_materials(model, nodes), kept != nullptr ? &kept->texels : nullptr,
+                     reading.strict, warnings);
+  MemoryBudget budget(model);
+  std::vector<LocalMesh> meshes = read_meshes(
+      model, nodes, materials, kept != nullptr ? &kept->meshes : nullptr, budget, warnings);
+
+  Scene scene;
+  scene.origin = choose_origin(meshes, nodes.meshes);
+  add_meshes(
+      scene, std::move(meshes), nodes, model,
+      kept != nullptr && kept->places_instances ? Placing::instances : Placing::copies_where_few,
+      budget, warnings);
+  scene.materials = std::move(materials.materials);
+  scene.textures = std::move(materials.textures);
+  scene.clips = clip_names(model);
+  scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
+  scene.lights = read_lights(model, nodes.lights, scene.origin, reading.light_units, warnings);
+  if (scene.object_count() == 0) {
+    warnings.add("the scene has no triangles");
+  }
+  scene.warnings = warnings.lines();
+  const FileHashes beside = files_beside(file, std::move(materials.image_hashes));
+  scene.sha256 = scene_sha256(file.sha256, beside);
+  scene.files = std::move(materials.missing_files);
+  for (const auto& [path, digest] : beside) {
+    scene.files.insert(path);
+  }
+  return scene;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading) {
+  try {
+    Scene scene = scene_of(gltf_file_of(path, reading.kept), reading);
+    scene.files.insert(path);
+    return scene;
+  } catch (const Error&) {
+    throw;
+  } catch (const GltfFault& fault) {
+    const std::string where = fault.where().empty() ? "" : ": " + fault.where();
+    throw Error(path.string() + where, fault.what(), remedy);
+  } catch (const std::exception& exception) {
+    throw Error(path.string(), fmt::format("cannot be read as glTF ({})", exception.what()),
+                remedy);
+  }
+}
+
+}  // namespace foveola

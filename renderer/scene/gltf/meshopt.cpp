@@ -1,0 +1,130 @@
+#include "renderer/scene/gltf/meshopt.h"
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/scene/gltf/added_buffer.h"
+#include "renderer/scene/gltf/fault.h"
+#include "renderer/scene/textures/decoded_memory.h"
+
+namespace foveola {
+namespace {
+
+using Json = nlohmann::json;
+using Bytes = std::vector<unsigned char>;
+
+constexpr const char* meshopt_extension = "EXT_meshopt_compression";
+
+/// What the extension says of a buffer view.
+struct Compressed {
+  std::span<const unsigned char> bytes;
+  std::size_t count = 0;
+  std::size_t stride = 0;
+  std::string mode;
+  std::string filter;
+};
+
+Compressed compressed_in(const Json& extension, const std::vector<Bytes>& buffers,
+                         const std::string& place) {
+  const Bytes& buffer = buffers[extension["buffer"].get<std::size_t>()];
+  const auto offset = extension.value("byteOffset", std::size_t{0});
+  const auto length = extension["byteLength"].get<std::size_t>();
+  if (offset + length > buffer.size()) {
+    throw GltfFault(place, fmt::format("ends at byte {}, but its buffer has {}", offset + length,
+                                       buffer.size()));
+  }
+  return {.bytes = std::span(buffer).subspan(offset, length),
+          .count = extension["count"].get<std::size_t>(),
+          .stride = extension["byteStride"].get<std::size_t>(),
+          .mode = extension["mode"].get<std::string>(),
+          .filter = extension.value("filter", "NONE")};
+}
+
+/// The extension's rules for strides and counts, which meshoptimizer takes on trust.
+void require_decodable(const Compressed& source, const std::string& place) {
+  const bool is_attributes = source.mode == "ATTRIBUTES";
+  const bool fits_mode = is_attributes ? source.stride % 4 == 0 && source.stride <= 256
+                                       : source.stride == 2 || source.stride == 4;
+  if (!fits_mode || (source.mode == "TRIANGLES" && source.count % 3 != 0)) {
+    throw GltfFault(place, fmt::format("has a byteStride of {} and a count of {}, which {} cannot "
+                                       "have",
+                                       source.stride, source.count, source.mode));
+  }
+  const bool fits_filter =
+      source.filter == "NONE" ||
+      (is_attributes && (source.filter == "EXPONENTIAL" || source.stride == 8 ||
+                         (source.filter == "OCTAHEDRAL" && source.stride == 4)));
+  if (!fits_filter) {
+    throw GltfFault(place, fmt::format("has the filter {}, which its mode or its byteStride of {} "
+                                       "cannot have",
+                                       source.filter, source.stride));
+  }
+}
+
+/// Whether `decoded` could be filled.
+bool decode(const Compressed& source, Bytes& decoded) {
+  const unsigned char* const bytes = source.bytes.data();
+  const std::size_t size = source.bytes.size();
+  void* const target = decoded.data();
+  if (source.mode == "ATTRIBUTES") {
+    return meshopt_decodeVertexBuffer(target, source.count, source.stride, bytes, size) == 0;
+  }
+  if (source.mode == "TRIANGLES") {
+    return meshopt_decodeIndexBuffer(target, source.count, source.stride, bytes, size) == 0;
+  }
+  return meshopt_decodeIndexSequence(target, source.count, source.stride, bytes, size) == 0;
+}
+
+void apply_filter(const Compressed& source, Bytes& decoded) {
+  if (source.filter == "OCTAHEDRAL") {
+    meshopt_decodeFilterOct(decoded.data(), source.count, source.stride);
+  } else if (source.filter == "QUATERNION") {
+    meshopt_decodeFilterQuat(decoded.data(), source.count, source.stride);
+  } else if (source.filter == "EXPONENTIAL") {
+    meshopt_decodeFilterExp(decoded.data(), source.count, source.stride);
+  }
+}
+
+Bytes decoded(const Compressed& source, const std::string& place) {
+  Bytes result(source.count * source.stride);
+  if (!decode(source, result)) {
+    throw GltfFault(place, "cannot be decoded: the compressed data is damaged");
+  }
+  apply_filter(source, result);
+  return result;
+}
+
+}  // namespace
+
+void decompress_meshopt(Json& document, std::vector<Bytes>& buffers) {
+  if (!document.contains("bufferViews")) {
+    return;
+  }
+  std::size_t decoded_bytes = 0;
+  std::size_t encoded_bytes = 0;
+  for (std::size_t i = 0; i < document["bufferViews"].size(); ++i) {
+    Json& view = document["bufferViews"][i];
+    if (!view.contains("extensions") || !view["extensions"].contains(meshopt_extension)) {
+      continue;
+    }
+    const std::string place = fmt::format("bufferViews[{}].extensions.{}", i, meshopt_extension);
+    const Compressed source = compressed_in(view["extensions"][meshopt_extension], buffers, place);
+    require_decodable(source, place);
+    decoded_bytes += source.count * source.stride;
+    encoded_bytes += source.bytes.size();
+    require_modest_gltf_memory(decoded_bytes, encoded_bytes, place);
+    Bytes bytes = decoded(source, place);
+    view["byteOffset"] = 0;
+    view["byteLength"] = bytes.size();
+    view["buffer"] = add_gltf_buffer(document, buffers, std::move(bytes));
+    view.erase("extensions");
+  }
+}
+
+}  // namespace foveola

@@ -1,0 +1,83 @@
+// A two-dimensional image on a surface, kept in the 8 bits and the channels that it came with.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "renderer/base/vec.h"
+#include "renderer/scene/textures/image_decoder.h"
+#include "renderer/scene/textures/mip_chain.h"
+#include "renderer/scene/textures/texels.h"
+
+namespace foveola {
+
+enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+enum class Filter : std::uint8_t { nearest, linear };
+/// How levels are chosen where a footprint is wider than a texel; none: always the finest.
+enum class MipFilter : std::uint8_t { none, nearest, linear };
+
+/// glTF's sampler (specification, section 3.8.4.1): how a texture continues and is filtered.
+struct Sampler {
+  Wrap wrap_u = Wrap::repeat;
+  Wrap wrap_v = Wrap::repeat;
+  Filter magnification = Filter::linear;  ///< where a texel is wider than the footprint
+  Filter minification = Filter::linear;   ///< within a level, where it is not
+  MipFilter mip = MipFilter::linear;      ///< between levels
+
+  auto operator<=>(const Sampler&) const = default;
+};
+
+/// Row-major texels, first row at v = 0 (glTF's top). A grey is read as equal red, green and blue,
+/// a missing alpha as 1.
+class Texture {
+ public:
+  /// Shows the coarser levels, if there are any, unless the sampler says not to.
+  Texture(std::shared_ptr<const Texels> texels, const Sampler& sampler);
+
+  /// With texels of its own; see Texels. Without mips, all footprints read the finest level.
+  Texture(DecodedImage image, bool is_srgb, const Sampler& sampler, bool with_mips = true);
+
+  /// texels: 4 * width * height bytes of red, green, blue, alpha.
+  Texture(int width, int height, std::vector<std::uint8_t> texels, bool is_srgb, Wrap wrap_u,
+          Wrap wrap_v);
+
+  int width() const { return levels_[0].width; }
+  int height() const { return levels_[0].height; }
+  /// The image, which other textures may share.
+  const Texels& texels() const { return *texels_; }
+
+  /// The linear value at `uv`, whatever its magnitude, in the finest level and with the filter for
+  /// magnification; texel centres lie at half-integers. A non-finite uv reads texel (0, 0).
+  Vec4 sample(const Vec2& uv) const;
+
+  /// The linear value of a footprint around `uv` that is `uv_width` wide, in the unit of uv. In the
+  /// level used a texel is as wide as the footprint along the image's longer side. A width that
+  /// is zero, negative or not finite reads the finest level.
+  Vec4 sample(const Vec2& uv, float uv_width) const;
+
+  /// Fetches into the cache what sample() will read of the finer of its levels.
+  void prefetch(const Vec2& uv, float uv_width) const;
+
+ private:
+  /// Which levels a footprint reads, and with which filter.
+  struct Levels {
+    std::size_t finer;
+    float weight_coarser;  ///< of the level after it
+    Filter filter;
+  };
+  Levels levels_for(float uv_width) const;
+  Vec4 sample_level(const MipLevel& level, Filter filter, const Vec2& uv) const;
+
+  std::shared_ptr<const Texels> texels_;
+  // What of them is read most, and how.
+  std::span<const MipLevel> levels_;  ///< the image itself first
+  const std::uint8_t* codes_;
+  const float* linear_from_byte_;  ///< 256 values that live as long as the program
+  int channels_;
+  Sampler sampler_;
+};
+
+}  // namespace foveola
