@@ -67,7 +67,7 @@ std::string check_whole_number(std::string& text) {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CommandDescription& command : describe(app).commands) {
+  for (const CommandDescription& command : foveola::describe(app).commands) {
     names.push_back(command.name);
   }
   return names;
@@ -75,7 +75,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
 
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const OptionDescription& option : describe(app).options) {
+  for (const OptionDescription& option : foveola::describe(app).options) {
     std::ranges::copy_if(option.names, std::back_inserter(names),
                          [](const std::string& name) { return name.starts_with("--"); });
   }

@@ -45,7 +45,7 @@ ImageSize size_if_readable(const fs::path& file) {
   }
 }
 
-std::string text_of(const std::exception_ptr& thrown) {
+std::string decoder_message(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const std::runtime_error& error) {
@@ -139,8 +139,8 @@ std::vector<Texture> ObjTextureSet::decode(std::vector<Material>& materials,
   }
   std::set<std::string> lost;
   for (const std::exception_ptr& fault : decoded.faults) {
-    if (fault && lost.insert(text_of(fault)).second) {
-      warn_of_lost_texture(text_of(fault), {}, warnings);
+    if (fault && lost.insert(decoder_message(fault)).second) {
+      warn_of_lost_texture(decoder_message(fault), {}, warnings);
     }
   }
   renumber_textures(materials, decoded);
