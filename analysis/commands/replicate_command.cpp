@@ -122,7 +122,7 @@ class StageResults {
   /// version or of other claims.
   void take_kept(const fs::path& folder) {
     for (const ClaimStage& stage : claims_.stages) {
-      const fs::path file = folder / "results" / (stage.id + ".json");
+      const fs::path file = folder / "stages" / (stage.id + ".json");
       if (made.contains(stage.id) || !fs::exists(file)) {
         continue;
       }
@@ -158,8 +158,8 @@ class StageResults {
  private:
   void keep(const ClaimStage& stage, const ResultJson& result) {
     made[stage.id] = result;
-    fs::create_directories(folder_ / "results");
-    write_file(folder_ / "results" / (stage.id + ".json"), result.dump(1) + "\n");
+    fs::create_directories(folder_ / "stages");
+    write_file(folder_ / "stages" / (stage.id + ".json"), result.dump(1) + "\n");
   }
 
   void make(const ClaimStage& stage, const std::function<void(double minutes)>& report) {
@@ -217,7 +217,8 @@ class StageResults {
 
 /// What was made beside what is claimed.
 struct Replication {
-  ResultJson page;                              ///< tables by their titles, each a list of rows
+  /// Tables by their titles, each a list of rows.
+  ResultJson page = {{"Claims", ResultJson::array()}, {"Stages", ResultJson::array()}};
   std::vector<NewValues> made;                  ///< of the claims all of whose numbers were made
   std::map<std::string, std::size_t> verdicts;  ///< the number of numbers with each
 

@@ -77,16 +77,16 @@ TEST_F(Replicate, PutsWhatIsMadeBesideWhatIsClaimed) {
   EXPECT_EQ(page["Claims"][2]["verdict"], "not made here");
   EXPECT_EQ(page["Claims"][2]["remark"], "a person");
   EXPECT_EQ(page["Stages"][0]["program_sha256"].get<std::string>().size(), 64U);
-  EXPECT_THAT(kept("made/replication.html"), HasSubstr("<td>film-bytes</td>"));
+  EXPECT_THAT(kept("made/replication.html"), HasSubstr(">film-bytes</th>"));
 }
 
 TEST_F(Replicate, MakesNoStageAgain) {
   succeeded(run("made", {"--quick"}));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "made/results/plan.json"));
-  const std::string film = kept("made/results/film.json");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made/stages/plan.json"));
+  const std::string film = kept("made/stages/film.json");
   succeeded(run("made"));
-  EXPECT_EQ(kept("made/results/film.json"), film) << "it has the time that it took";
-  EXPECT_THAT(kept("made/results/plan.json"), HasSubstr("largest_difference"));
+  EXPECT_EQ(kept("made/stages/film.json"), film) << "it has the time that it took";
+  EXPECT_THAT(kept("made/stages/plan.json"), HasSubstr("largest_difference"));
 }
 
 TEST_F(Replicate, EndsWithOneOutsideATolerance) {
@@ -111,8 +111,8 @@ TEST_F(Replicate, TakesWhatOtherMachinesMade) {
   succeeded(run("here", {"--only", "film-bytes"}));
   succeeded(run("there", {"--only", "plan"}));
   succeeded(run("both", {"--from", (folder_ / "here").string(), (folder_ / "there").string()}));
-  EXPECT_EQ(kept("both/results/film.json"), kept("here/results/film.json"));
-  EXPECT_EQ(kept("both/results/plan.json"), kept("there/results/plan.json"));
+  EXPECT_EQ(kept("both/stages/film.json"), kept("here/stages/film.json"));
+  EXPECT_EQ(kept("both/stages/plan.json"), kept("there/stages/plan.json"));
 }
 
 TEST_F(Replicate, RefusesInOneLine) {
