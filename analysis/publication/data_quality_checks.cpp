@@ -10,6 +10,7 @@
 #include "analysis/publication/gaze_source.h"
 #include "analysis/publication/session_checks.h"
 #include "analysis/statistics/order_balance.h"
+#include "renderer/base/quantile.h"
 
 namespace foveola::analysis {
 namespace {

@@ -24,7 +24,7 @@ std::optional<double> usual_interval_s(std::span<const WatchedTarget> watched) {
       intervals_s.push_back(seconds(target.samples[i].time - target.samples[i - 1].time));
     }
   }
-  return median(std::move(intervals_s));
+  return upper_median(std::move(intervals_s));
 }
 
 double data_loss(const WatchedTarget& target, std::optional<double> interval_s) {
@@ -52,7 +52,7 @@ EyeMovementSettings settings_for(const std::vector<GazeSample>& samples) {
   }
   settings.threshold_deg_per_s =
       std::max(settings.threshold_deg_per_s,
-               medians * median(std::move(velocities_deg_per_s)).value_or(0.0));
+               medians * upper_median(std::move(velocities_deg_per_s)).value_or(0.0));
   return settings;
 }
 

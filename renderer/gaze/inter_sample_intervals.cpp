@@ -44,7 +44,7 @@ std::optional<double> InterSampleIntervals::jitter_ms() const {
 }
 
 std::optional<double> InterSampleIntervals::median_interval_s() const {
-  return median({intervals_s_.begin(), intervals_s_.end()});
+  return upper_median({intervals_s_.begin(), intervals_s_.end()});
 }
 
 }  // namespace foveola
