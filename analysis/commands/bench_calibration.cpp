@@ -15,6 +15,8 @@
 #include "analysis/koskela2018/published_study.h"
 #include "analysis/publication/output_folder.h"
 #include "analysis/publication/published_comparison_report.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/table_formats.h"
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -121,32 +123,26 @@ std::string text_of(const std::vector<ComparedNumber>& cells) {
   return aligned(rows);
 }
 
-nlohmann::ordered_json json_of(const std::vector<NamedSpeed>& speeds) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const NamedSpeed& named : speeds) {
-    nlohmann::ordered_json row = {{"name", named.cells},
-                                  {"value", named.speed.samples_per_second},
-                                  {"low", nullptr},
-                                  {"high", nullptr}};
-    if (named.speed.interval) {
-      row["low"] = named.speed.interval->low;
-      row["high"] = named.speed.interval->high;
-    }
-    list.push_back(std::move(row));
-  }
-  return list;
+Table speeds_table(const std::vector<NamedSpeed>& speeds) {
+  using S = NamedSpeed;
+  const auto interval = path(&S::speed, &MachineSpeed::interval);
+  const ColumnsOf<S> columns = {
+      {"name", "", "The cells that it was fitted to", &S::cells},
+      {"value", "", "Samples a second", path(&S::speed, &MachineSpeed::samples_per_second)},
+      {"low", "", "Lower end of the 95 % interval over scenes", path(interval, &Interval::low)},
+      {"high", "", "Its upper end", path(interval, &Interval::high)}};
+  return tabulate("samples_per_second", "fit", columns, speeds);
 }
 
-nlohmann::ordered_json json_of(const std::vector<ComparedNumber>& cells) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ComparedNumber& cell : cells) {
-    list.push_back({{"scene", cell.row},
-                    {"own_scene", cell.own_row},
-                    {"mark", cell.mark},
-                    {"published_s", cell.published.value},
-                    {"simulated_s", cell.study->value}});
-  }
-  return list;
+Table cells_table(const std::vector<ComparedNumber>& cells) {
+  using N = ComparedNumber;
+  const ColumnsOf<N> columns = {
+      {"scene", "", "The published scene", &N::row},
+      {"own_scene", "", "The scene that stands for it", &N::own_row},
+      {"mark", "", "Id of the mark", &N::mark},
+      {"published_s", "s", "The published mean", path(&N::published, &Estimate::value)},
+      {"simulated_s", "s", "The simulated mean", path(&N::study, &Estimate::value)}};
+  return tabulate("cells", "published time with OD", columns, cells);
 }
 
 std::vector<NamedSpeed> fit_speeds(TriedSpeeds& speeds, double first) {
@@ -175,8 +171,8 @@ void run(const study::SimulatedBenchArguments& arguments, const SceneFinderBesid
                  {"scale", arguments.simulation.scale},
                  {"participant_kind", "simulated"},
                  {"baseline_trials_out_of_time", tried.baseline_trials_out_of_time},
-                 {"samples_per_second", json_of(fitted)},
-                 {"cells", json_of(cells)}});
+                 {"samples_per_second", json_of(speeds_table(fitted))},
+                 {"cells", json_of(cells_table(cells))}});
     print_text("{}\n", json.dump(2));
     return;
   }

@@ -10,6 +10,8 @@
 
 #include "analysis/commands/commands.h"
 #include "analysis/replication/bench_ratios.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/table_formats.h"
 #include "renderer/base/files.h"
 #include "renderer/base/print.h"
 
@@ -44,36 +46,26 @@ double expected_by_chance(const BenchComparison& comparison) {
   return 0.05 * static_cast<double>(comparison.count(BenchFigureKind::with_interval));
 }
 
-nlohmann::ordered_json json_of(const BenchRatio& row) {
-  nlohmann::ordered_json json = {{"name", row.figure},
-                                 {"before", row.before},
-                                 {"after", row.after},
-                                 {"value", nullptr},
-                                 {"low", nullptr},
-                                 {"high", nullptr},
-                                 {"low_together", nullptr},
-                                 {"high_together", nullptr},
-                                 {"exact", row.kind == BenchFigureKind::exact},
-                                 {"moved", name_of(row.move)}};
-  if (row.ratio) {
-    json["value"] = *row.ratio;
-  }
-  if (row.interval) {
-    json["low"] = row.interval->low;
-    json["high"] = row.interval->high;
-  }
-  if (row.together) {
-    json["low_together"] = row.together->low;
-    json["high_together"] = row.together->high;
-  }
-  return json;
+Table ratios_table(const BenchComparison& comparison) {
+  using R = BenchRatio;
+  const ColumnsOf<R> columns = {
+      {"name", "", "Where the figure stands", &R::figure},
+      {"before", "", "The figure of the first run", &R::before},
+      {"after", "", "The figure of the second run", &R::after},
+      {"value", "", "after / before", &R::ratio},
+      {"low", "", "Lower end of its own 95 % interval", path(&R::interval, &Interval::low)},
+      {"high", "", "Its upper end", path(&R::interval, &Interval::high)},
+      {"low_together", "", "Lower end of the interval that holds for all figures together",
+       path(&R::together, &Interval::low)},
+      {"high_together", "", "Its upper end", path(&R::together, &Interval::high)},
+      {"exact", "", "Whether the figure is the same to the last bit on one machine",
+       [](const R& row) { return row.kind == BenchFigureKind::exact; }},
+      {"moved", "", "By which interval it moved, or no",
+       [](const R& row) { return name_of(row.move); }}};
+  return tabulate("ratios", "figure of both runs", columns, comparison.ratios);
 }
 
 void print_json(const BenchComparison& comparison) {
-  nlohmann::ordered_json ratios = nlohmann::ordered_json::array();
-  for (const BenchRatio& row : comparison.ratios) {
-    ratios.push_back(json_of(row));
-  }
   nlohmann::ordered_json differing = nlohmann::ordered_json::array();
   for (const std::string& difference : comparison.differing) {
     differing.push_back({{"setting", difference}});
@@ -86,7 +78,7 @@ void print_json(const BenchComparison& comparison) {
       {"differ_without_interval", comparison.moved(BenchMove::without_interval).size()},
       {"figures_with_interval", comparison.count(BenchFigureKind::with_interval)},
       {"level_of_each_together", comparison.level_of_each},
-      {"ratios", ratios},
+      {"ratios", json_of(ratios_table(comparison))},
       {"differing_settings", differing},
       {"in_one_run_only", comparison.unmatched}};
   print_text("{}\n", json.dump(2));

@@ -90,7 +90,6 @@ ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
 
 ConvergenceRun run_of(const ConvergenceArguments& arguments, const SceneFinder& find_scene) {
   ConvergenceRun run{.plan = plan_of(arguments),
-                     .scenes = {},
                      .gazes = arguments.gazes,
                      .threads = arguments.threads,
                      .limit_s = arguments.quick ? quick_limit_s : 0.0};
@@ -143,9 +142,7 @@ void measure(const ConvergenceArguments& arguments, const SceneFinder& find_scen
 
 void pool(const ConvergenceArguments& arguments) {
   PooledRuns pooled = pool_runs({arguments.from.begin(), arguments.from.end()});
-  write_results(
-      arguments, pooled.facts,
-      {.measurements = std::move(pooled.measurements), .crops = {}, .exposure_stops = {}});
+  write_results(arguments, pooled.facts, {.measurements = std::move(pooled.measurements)});
 }
 
 void run_references(const ConvergenceArguments& arguments, const SceneFinder& find_scene,

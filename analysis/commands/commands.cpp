@@ -19,16 +19,14 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json measures(const Dataset& set) {
-  json rows = json::array();
-  for (const Measure& measure : set.measures) {
-    rows.push_back({{"id", measure.id()},
-                    {"kind", study::name_of(measure.kind)},
-                    {"unit", measure.unit()},
-                    {"text", measure.question.text},
-                    {"scale", study::scale_in_words(measure)}});
-  }
-  return rows;
+Table measures(const Dataset& set) {
+  const ColumnsOf<Measure> columns = {
+      {"id", "", "Its id", &Measure::id},
+      {"kind", "", "time, response or rating", &Measure::kind},
+      {"unit", "", "Its unit", &Measure::unit},
+      {"text", "", "Its question", path(&Measure::question, &study::Question::text)},
+      {"scale", "", "Its scale in words", study::scale_in_words}};
+  return tabulate("measures", "measure", columns, set.measures);
 }
 
 /// Those of trials, answers and participants are in their files only.
@@ -136,7 +134,7 @@ std::string analysis_json(const AnalysisOutput& output) {
       {"scenes", tables.set.scenes},
       {"methods", tables.set.methods},
       {"baseline", tables.set.methods.front()},
-      {"measures", measures(tables.set)},
+      {"measures", json_of(measures(tables.set))},
       {"tables", tables_of(output)},
       {"record", output.record ? study::verification_json(*output.record) : json(nullptr)},
       {"excluded", tables.set.exclusions.size()}};

@@ -139,7 +139,7 @@ std::optional<Estimate> jackknife(std::size_t repetitions, const RepetitionStati
   if (!value) {
     return std::nullopt;
   }
-  Estimate estimate{.n = repetitions, .value = *value, .interval = {}};
+  Estimate estimate{.n = repetitions, .value = *value};
   if (const std::optional<double> half = half_width(all, statistic)) {
     estimate.interval = Interval{*value - *half, *value + *half};
   }

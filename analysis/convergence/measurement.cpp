@@ -131,10 +131,7 @@ GazeMeasurement GazeBench::without_repetitions() const {
   GazeMeasurement measurement{.scene = subject_->loaded.source.name,
                               .scene_sha256 = sha256(std::string_view(subject_->key)),
                               .gaze = gaze_,
-                              .configurations = {},
-                              .regions = {},
-                              .predicted = predictions(),
-                              .repetitions = {}};
+                              .predicted = predictions()};
   for (const Configuration& configuration : plan_->configurations) {
     measurement.configurations.push_back(configuration.name);
   }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/convergence/plan.h"
+#include "analysis/convergence/convergence_plan.h"
 #include "analysis/convergence/scorer.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/measure/region_error.h"

@@ -79,15 +79,13 @@ void add_row(const CsvRow& row, std::vector<GazeMeasurement>& measurements) {
   Repetition& logs = measurement.repetitions.back();
   const bool is_first = measurement.repetitions.size() == 1;
   if (logs.empty() || measurement.configurations.at(logs.size() - 1) != row.at(2)) {
-    logs.push_back(
-        {.seed = seed, .dropped = number_in<std::uint64_t>(row.at(16)), .checkpoints = {}});
+    logs.push_back({.seed = seed, .dropped = number_in<std::uint64_t>(row.at(16))});
     expect_name(row.at(2), logs.size() - 1, is_first, measurement.configurations);
   }
   std::vector<Checkpoint>& checkpoints = logs.back().checkpoints;
   const auto samples = number_in<std::uint64_t>(row.at(5));
   if (checkpoints.empty() || checkpoints.back().samples != samples) {
-    checkpoints.push_back(
-        {.samples = samples, .seconds = number_in<double>(row.at(6)), .scores = {}});
+    checkpoints.push_back({.samples = samples, .seconds = number_in<double>(row.at(6))});
   }
   std::vector<Score>& scores = checkpoints.back().scores;
   expect_name(row.at(4), scores.size(), is_first && logs.size() == 1 && checkpoints.size() == 1,

@@ -59,7 +59,7 @@ std::vector<Score> Scorer::score(const EquirectFilm& film) const {
       flip_errors(view, reference_view_, pixels_per_degree(fov_rad, view_size_));
   std::vector<Score> scores;
   for (std::size_t i = 0; i < regions_->size(); ++i) {
-    Score score{.error = region_error(image, reference_, film_regions_[i]), .flip = {}};
+    Score score{.error = region_error(image, reference_, film_regions_[i])};
     if ((*regions_)[i].is_in_view) {
       score.flip = region_mean(flip, view_regions_[i]);
     }

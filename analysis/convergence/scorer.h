@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/convergence/plan.h"
+#include "analysis/convergence/convergence_plan.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/measure/region_error.h"
 #include "renderer/view/viewport.h"

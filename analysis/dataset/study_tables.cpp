@@ -9,13 +9,8 @@ namespace {
 
 SceneTimes tabulate_scene(const Dataset& set, std::size_t mark, std::size_t scene,
                           std::size_t method) {
-  SceneTimes result{.mark = set.measures[mark].id(),
-                    .scene = set.scenes[scene],
-                    .method = set.methods[method],
-                    .seconds = {},
-                    .percent_of_baseline = {},
-                    .geometric_percent = {},
-                    .of_baseline_mean = {}};
+  SceneTimes result{
+      .mark = set.measures[mark].id(), .scene = set.scenes[scene], .method = set.methods[method]};
   std::vector<double> seconds;
   std::vector<double> percent;
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
@@ -78,10 +73,7 @@ MethodTimes tabulate_method(const Dataset& set, std::size_t mark, std::size_t me
 }
 
 MethodRatings tabulate_ratings(const Dataset& set, std::size_t rating, std::size_t method) {
-  MethodRatings result{.rating = set.measures[rating].id(),
-                       .method = set.methods[method],
-                       .description = {},
-                       .counts = {}};
+  MethodRatings result{.rating = set.measures[rating].id(), .method = set.methods[method]};
   for (const double point : set.measures[rating].points()) {
     result.counts.push_back({.value = point});
   }

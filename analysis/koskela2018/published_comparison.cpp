@@ -48,9 +48,6 @@ void compare_background(const StudyTables& tables, const std::vector<BackgroundA
                        .section = "5.1",
                        .row = row.question,
                        .own_row = given.n == 0 ? "" : row.question,
-                       .mark = "",
-                       .method = "",
-                       .reading = "",
                        .unit = row.question == "age" ? "years" : "points",
                        .published = published_mean(published, row.mean, row.standard_deviation),
                        .published_deviation = row.standard_deviation,
@@ -128,12 +125,8 @@ void compare_over_scenes(const StudyTables& tables, const PublishedStudy& publis
                             .own_row = all_scenes,
                             .mark = mark,
                             .method = method,
-                            .reading = "",
                             .unit = method == "od" ? "s" : "%",
-                            .published = {.value = *mean},
-                            .published_deviation = {},
-                            .study = {},
-                            .study_deviation = {}};
+                            .published = {.value = *mean}};
       for (const Reading reading : readings_of(method)) {
         number.reading = name_of(reading);
         number.study = over_published_scenes(tables.set, published, mark, method, reading);
@@ -153,15 +146,8 @@ ComparedNumber number_of_text(const PublishedStudy& published, const std::string
   return {.source = "text",
           .section = figure.section,
           .row = words,
-          .own_row = "",
-          .mark = "",
-          .method = "",
-          .reading = "",
           .unit = figure.unit,
-          .published = {.value = figure.value},
-          .published_deviation = {},
-          .study = {},
-          .study_deviation = {}};
+          .published = {.value = figure.value}};
 }
 
 /// A time over another's, which section 5.2 states of all scenes together.

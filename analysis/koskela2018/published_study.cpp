@@ -112,9 +112,7 @@ const PublishedTime* published_time(const PublishedStudy& published, const std::
 
 Estimate published_mean(const PublishedStudy& published, double mean, double standard_deviation) {
   const auto n = static_cast<std::size_t>(published_figure(published, "participants").value);
-  return mean_estimate(
-             Description{
-                 .n = n, .mean = mean, .standard_deviation = standard_deviation, .median = {}})
+  return mean_estimate(Description{.n = n, .mean = mean, .standard_deviation = standard_deviation})
       .value();
 }
 

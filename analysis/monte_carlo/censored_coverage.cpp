@@ -42,8 +42,8 @@ constexpr const char* other_scenes = "covers in other scenes, too";
 StudyCounts count(const CrossedDesign& design, std::uint64_t seed, std::size_t first,
                   std::size_t last) {
   const CrossedCoverage found = count_coverage(design, design.mean, seed, first, last);
-  return {{.studies = found.studies, .hits = found.crossed_model, .estimates = {}},
-          {.studies = found.studies, .hits = found.over_participants, .estimates = {}}};
+  return {{.studies = found.studies, .hits = found.crossed_model},
+          {.studies = found.studies, .hits = found.over_participants}};
 }
 
 constexpr std::array effects = {study::SceneEffects::random, study::SceneEffects::fixed};

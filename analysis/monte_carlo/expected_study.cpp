@@ -217,8 +217,7 @@ study::StudyRecords draw_study(const ExpectedStudy& expected, std::size_t partic
   const std::size_t scenes = protocol.scenes.size();
   const std::size_t methods = protocol.methods.size();
   Pcg32 of_scenes(seed);
-  DrawnScenes drawn{.times = draw_scenes(expected.times_spread, scenes, methods, of_scenes),
-                    .ratings = {}};
+  DrawnScenes drawn{.times = draw_scenes(expected.times_spread, scenes, methods, of_scenes)};
   for (std::size_t rating = 0; rating < expected.shifts.size(); ++rating) {
     drawn.ratings.push_back(draw_scenes(expected.ratings_spread, scenes, methods, of_scenes));
   }
@@ -228,9 +227,7 @@ study::StudyRecords draw_study(const ExpectedStudy& expected, std::size_t partic
     const bool withdraws = generator.uniform() < expected.withdrawals;
     records.sessions.push_back({.participant = fmt::format("S{:05}", i + 1),
                                 .kind = "simulated",
-                                .state = withdraws ? "withdrawn" : "completed",
-                                .design_row = {},
-                                .reason = {}});
+                                .state = withdraws ? "withdrawn" : "completed"});
     if (!withdraws) {
       add_trials(expected, make_plan(protocol, design_seed, static_cast<int>(i)),
                  static_cast<std::uint32_t>(i),
@@ -252,8 +249,7 @@ ExpectedStudy example_study() {
   protocol.methods = {"od", "vp", "fv"};
   protocol.timing.mark_timeout_s = std::numeric_limits<double>::infinity();
   protocol.marks = study::published_marks();
-  protocol.marks.push_back(
-      {.id = "recognition", .instruction = "Press when you know what it is.", .simulated = {}});
+  protocol.marks.push_back({.id = "recognition", .instruction = "Press when you know what it is."});
   protocol.ratings = study::published_ratings();
   protocol.ratings.push_back(
       {.id = "comfort", .text = "How comfortable?", .minimum = 0.0, .maximum = 100.0});

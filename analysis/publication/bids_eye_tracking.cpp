@@ -10,7 +10,7 @@
 
 #include "analysis/publication/bids.h"
 #include "analysis/publication/data_files.h"
-#include "analysis/publication/gaze_source.h"
+#include "analysis/publication/gaze_sources.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_movements.h"

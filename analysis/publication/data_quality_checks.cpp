@@ -7,9 +7,10 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
-#include "analysis/publication/gaze_source.h"
+#include "analysis/publication/gaze_sources.h"
 #include "analysis/publication/session_checks.h"
 #include "analysis/statistics/order_balance.h"
+#include "renderer/base/quantile.h"
 
 namespace foveola::analysis {
 namespace {

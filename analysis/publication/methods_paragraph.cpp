@@ -11,7 +11,7 @@
 
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
-#include "analysis/publication/gaze_source.h"
+#include "analysis/publication/gaze_sources.h"
 
 namespace foveola::analysis {
 namespace {

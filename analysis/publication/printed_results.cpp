@@ -112,11 +112,8 @@ PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark
     std::vector<std::string> row = {tables.set.scenes[scene]};
     for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
       const OfBaselineMean& times = tables.scene_times_of(mark, scene, method).of_baseline_mean;
-      row.push_back(mean_and_deviation({.n = 0,
-                                        .mean = times.mean_percent,
-                                        .standard_deviation = times.sd_percent_points,
-                                        .median = {}},
-                                       1));
+      row.push_back(mean_and_deviation(
+          {.n = 0, .mean = times.mean_percent, .standard_deviation = times.sd_percent_points}, 1));
     }
     table.rows.push_back(std::move(row));
     if (auto beside = published_row(tables, mark, scene, methods, published)) {
@@ -223,7 +220,6 @@ PrintedTable printed_scores(const Table& scores) {
       .id = "scores",
       .title = "Scores of questionnaires.",
       .note = "By their published keys, of the analysed sessions that filled them in.",
-      .groups = {},
       .columns = {"Questionnaire and score", "instrument", "n", "mean", "sd", "median"}};
   for (const auto& [key, values] : groups) {
     const Description found = describe(values);

@@ -1,8 +1,6 @@
 #include "analysis/publication/published_comparison_report.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +15,7 @@
 #include "analysis/publication/result_tables.h"
 #include "analysis/tables/html.h"
 #include "analysis/tables/printed_table.h"
+#include "analysis/tables/row_text.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/files.h"
 
@@ -39,72 +38,6 @@ std::string mean_and_deviation(const PublishedTime* time) {
   return mean_and_deviation(shown, 1);
 }
 
-std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
-
-std::string method_or_dash(const std::string& method) {
-  return or_dash(method.empty() ? "" : method_label(method));
-}
-
-/// How the numbers of a row are written.
-enum class Format : std::uint8_t { count, p, two_decimals, one_decimal };
-
-Format format_of(const ComparedNumber& number) {
-  if (number.source == "Table 1") {
-    return Format::two_decimals;
-  }
-  if (number.source == "text" && !number.mark.empty() && number.unit.empty()) {
-    return Format::p;
-  }
-  return number.source == "text" && number.mark.empty() ? Format::count : Format::one_decimal;
-}
-
-int decimals_of(Format format) {
-  constexpr std::array decimals = {0, 3, 2, 1};
-  return decimals.at(static_cast<std::size_t>(format));
-}
-
-std::string with_unit(const std::string& value, const ComparedNumber& number) {
-  return number.unit.empty() ? value : value + " " + number.unit;
-}
-
-/// What the text states is written as there.
-std::string published_value(const ComparedNumber& number) {
-  return with_unit(number.source == "text"
-                       ? fmt::format("{:g}", number.published.value)
-                       : with_interval(number.published, decimals_of(format_of(number))),
-                   number);
-}
-
-std::string study_value(const ComparedNumber& number) {
-  if (!number.study) {
-    return "–";
-  }
-  const Format format = format_of(number);
-  return with_unit(format == Format::p ? p_value(number.study->value)
-                                       : with_interval(number.study, decimals_of(format)),
-                   number);
-}
-
-std::string yes_or_no(std::optional<bool> truth) { return !truth ? "–" : *truth ? "yes" : "no"; }
-
-std::vector<std::string> row_of_number(const ComparedNumber& number) {
-  const int decimals = decimals_of(format_of(number));
-  return {number.row,
-          or_dash(number.own_row),
-          or_dash(number.mark),
-          method_or_dash(number.method),
-          or_dash(number.reading),
-          published_value(number),
-          study_value(number),
-          with_sign(difference_of(number), decimals),
-          fixed(times_published(number), 2),
-          yes_or_no(is_study_in_published_interval(number)),
-          yes_or_no(is_published_in_study_interval(number)),
-          fixed(number.published_deviation, decimals),
-          fixed(number.study_deviation, decimals),
-          with_sign(difference_of_deviations(number), decimals)};
-}
-
 /// The table without those columns, but the first, that have no value in any row.
 PrintedTable without_empty_columns(PrintedTable table) {
   for (std::size_t column = table.columns.size() - 1; column > 0; --column) {
@@ -120,33 +53,50 @@ PrintedTable without_empty_columns(PrintedTable table) {
   return table;
 }
 
-/// The numbers of one source as a table; a column without anything in it is left out.
-std::string table_of(const StudyTables& tables, const std::vector<ComparedNumber>& numbers,
-                     const std::string& source, const std::string& title,
-                     const std::string& explanation) {
-  PrintedTable table;
-  table.title = title;
-  table.note = explanation;
-  table.columns = {"Published",
-                   "This study’s",
-                   "Mark",
-                   "Method",
-                   "Reading",
-                   "Published value [95 %]",
-                   "This study [95 %]",
-                   "Difference",
-                   "Times the published",
-                   "Ours in theirs",
-                   "Theirs in ours",
-                   "Published SD",
-                   "This study’s SD",
-                   "Difference of SDs"};
-  for (const ComparedNumber& number : numbers) {
-    if (number.source == source) {
-      table.rows.push_back(row_of_number(number));
+/// The patterns of a number with as many decimals, at each "#", as the paper has: those of Table 1
+/// two, counts of the text none, its P three, and all others one.
+std::vector<std::string> with_decimals(const std::string& pattern) {
+  std::vector<std::string> patterns;
+  for (const auto& [condition, decimals] :
+       {std::pair("{source=Table 1}", "2"), std::pair("{source=text}{mark=}", "0"),
+        std::pair("{source=text}{unit=}", "3"), std::pair("", "1")}) {
+    patterns.push_back(condition + pattern);
+    for (std::string& text = patterns.back(); text.find('#') != std::string::npos;) {
+      text.replace(text.find('#'), 1, decimals);
     }
   }
-  return html_of(without_empty_columns(std::move(table)), data_notice(tables));
+  return patterns;
+}
+
+/// The numbers of one source as a table; a column without anything in it is left out.
+std::string table_of(const StudyTables& tables, const Table& numbers, const std::string& source,
+                     const std::string& title, const std::string& explanation) {
+  PrintedColumn published = {
+      "Published value [95 %]",
+      with_decimals("{published:.#}| [{published_ci95_low:.#}, {published_ci95_high:.#}]| {unit}")};
+  // What the text states is written as there.
+  published.patterns.insert(published.patterns.begin(), "{source=text}{published:g}| {unit}");
+  PrintedColumn study = {
+      "This study [95 %]",
+      with_decimals("{study:.#}| [{study_ci95_low:.#}, {study_ci95_high:.#}]| {unit}")};
+  study.patterns.at(2) = "{source=text}{unit=}{study:p}";
+  return table_html(tables,
+                    without_empty_columns(print_rows(
+                        {.title = title, .note = explanation}, numbers, "{source=" + source + "}",
+                        {{"Published", "{row}"},
+                         {"This study’s", "{own_row}"},
+                         {"Mark", "{mark}"},
+                         {"Method", "{method}"},
+                         {"Reading", "{reading}"},
+                         published,
+                         study,
+                         {"Difference", with_decimals("{difference:+.#}")},
+                         {"Times the published", "{times_published:.2}"},
+                         {"Ours in theirs", "{study_in_published_ci95:yes/no}"},
+                         {"Theirs in ours", "{published_in_study_ci95:yes/no}"},
+                         {"Published SD", with_decimals("{published_sd:.#}")},
+                         {"This study’s SD", with_decimals("{study_sd:.#}")},
+                         {"Difference of SDs", with_decimals("{difference_of_sds:+.#}")}})));
 }
 
 std::string counts_html(const std::vector<ComparedNumber>& numbers) {
@@ -227,20 +177,21 @@ Table published_comparison_table(const StudyTables& tables,
 }
 
 std::string comparison_html(const StudyTables& tables, const std::vector<ComparedNumber>& numbers) {
+  const Table table = with_method_labels(published_comparison_table(tables, numbers));
   const std::string content =
       paragraph_html(introduction) + counts_html(numbers) +
-      table_of(tables, numbers, "Table 2, all scenes", "Over all scenes.",
+      table_of(tables, table, "Table 2, all scenes", "Over all scenes.",
                "Published is the geometric mean over scenes of Table 2’s means, which we compute: "
                "the paper draws its own in Fig. 5, without numbers. This study’s is formed "
                "likewise, if it has all five scenes or their counterparts; the last reading is the "
                "geometric mean over participants and all its scenes, which its report has.") +
-      table_of(tables, numbers, "Table 2", "Table 2: times in each scene.",
+      table_of(tables, table, "Table 2", "Table 2: times in each scene.",
                "Deviations and differences of percentages are in percentage points. A published "
                "scene that this study does not show is compared with Foveola’s own counterpart of "
                "it, which is another scene.") +
-      table_of(tables, numbers, "Table 1", "Table 1: background.",
+      table_of(tables, table, "Table 1", "Table 1: background.",
                "Means and standard deviations over participants.") +
-      table_of(tables, numbers, "text", "What the text states.",
+      table_of(tables, table, "text", "What the text states.",
                "Of participants (section 5), of background and the time saved (5.1; it says "
                "neither of which mark, nor how times were averaged, nor which correlation P is "
                "of), and of times over all scenes (5.2: around 10 %, 10 and 3 times). What it "
@@ -251,14 +202,17 @@ std::string comparison_html(const StudyTables& tables, const std::vector<Compare
 
 std::string comparison_summary(const StudyTables& tables,
                                const std::vector<ComparedNumber>& numbers) {
+  const std::string own =
+      "{source=Table 2, all scenes}{reading=geometric mean}{method} until the {mark}, over all "
+      "scenes: ";
+  const std::string value = "{study:.1}| [{study_ci95_low:.1}, {study_ci95_high:.1}]| {unit}|";
+  const std::string published =
+      "; published {published:.1} {unit} (geometric mean over scenes of Table 2)\n";
+  const Table table = with_method_labels(published_comparison_table(tables, numbers));
   std::string text;
-  for (const ComparedNumber& number : numbers) {
-    if (number.source == "Table 2, all scenes" && number.reading == "geometric mean") {
-      text += fmt::format(
-          "{} until the {}, over all scenes: {}; published {} (geometric mean over scenes of Table "
-          "2)\n",
-          method_label(number.method), number.mark, study_value(number), published_value(number));
-    }
+  for (const Row& row : table.rows) {
+    const std::string unknown = fill(own + no_value + published, table, row).value_or("");
+    text += fill(own + value + published, table, row).value_or(unknown);
   }
   for (const MetMeans& met : count_met_means(numbers)) {
     text += in_words(met) + "\n";

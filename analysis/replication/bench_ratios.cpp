@@ -190,7 +190,6 @@ BenchRatio judged(const BenchPair& pair, double widening) {
   BenchRatio row{.figure = pair.before.place,
                  .before = pair.before.value,
                  .after = pair.after.value,
-                 .ratio = {},
                  .interval = ratio_interval(pair.before, pair.after, 1.0),
                  .together = ratio_interval(pair.before, pair.after, widening),
                  .kind = pair.kind(),

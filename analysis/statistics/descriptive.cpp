@@ -8,6 +8,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
+#include "renderer/base/quantile.h"
 
 namespace foveola::analysis {
 namespace {
@@ -40,19 +41,6 @@ std::optional<double> standard_deviation(std::span<const double> values) {
     squares += (value - center) * (value - center);
   }
   return static_cast<double>(std::sqrt(squares / static_cast<long double>(values.size() - 1)));
-}
-
-std::optional<double> median(std::span<const double> values) {
-  if (values.empty()) {
-    return std::nullopt;
-  }
-  std::vector<double> ordered(values.begin(), values.end());
-  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
-  std::nth_element(ordered.begin(), middle, ordered.end());
-  if (ordered.size() % 2 == 1) {
-    return *middle;
-  }
-  return std::midpoint(*std::max_element(ordered.begin(), middle), *middle);
 }
 
 bool varies(std::span<const double> values) {

@@ -18,9 +18,6 @@ std::optional<double> mean(std::span<const double> values);
 /// The sample's standard deviation, with n - 1 in the denominator; needs two values.
 std::optional<double> standard_deviation(std::span<const double> values);
 
-/// The middle value, or the mean of the two middle ones.
-std::optional<double> median(std::span<const double> values);
-
 /// Whether there are two values or more that differ by more than their rounding: their standard
 /// deviation is above 16 units in the last place of the largest.
 bool varies(std::span<const double> values);

@@ -27,10 +27,7 @@ std::vector<SurvivalStep> count_steps(std::span<const TimeToMark> times) {
   std::vector<SurvivalStep> steps;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (steps.empty() || steps.back().time != sorted[i].time) {
-      steps.push_back({.time = sorted[i].time,
-                       .at_risk = sorted.size() - i,
-                       .standard_error = {},
-                       .interval = {}});
+      steps.push_back({.time = sorted[i].time, .at_risk = sorted.size() - i});
     }
     ++(sorted[i].censored ? steps.back().censored : steps.back().events);
   }

@@ -1,9 +1,11 @@
 // Texts of a table's rows: how a table's values are printed.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/tables/printed_table.h"
@@ -18,12 +20,14 @@ const Field& field_in(const Table& table, const Row& row, std::string_view colum
 std::optional<double> number_of(const Field& field);
 
 /// The pattern with the row's values in the place of their columns' names in braces:
-///   {n}                as in a CSV file
-///   {t:.2} {t:+.2}     with two decimals; with its sign
-///   {df:g} {p:p}       as short as can be; as a P-value
-///   {x:100*.1}         times a factor; {x:1/.1}: a factor over it; {x:100*exp.1}: of its
-///   exponential {exact:yes/no}     one of two words for a truth value {scale=ratio}      nothing;
-///   as if it had no value where its text is another
+///   {n}               as in a CSV file
+///   {t:.2} {t:+.2}    with two decimals; with its sign
+///   {df:g} {p:p}      as short as can be; as a P-value
+///   {x:100*.1}        times a factor
+///   {x:1/.1}          a factor over the value
+///   {x:100*exp.1}     of the value's exponential
+///   {exact:yes/no}    one of two words for a truth value
+///   {scale=ratio}     nothing; as if it had no value where its text is another
 /// What follows a "|" is left out, up to the next one, where a value in it is missing. Empty where
 /// a value before the first "|" is missing; so is an empty text.
 std::optional<std::string> fill(std::string_view pattern, const Table& table, const Row& row);
@@ -33,7 +37,9 @@ struct PrintedColumn {
   std::string heading;
   std::vector<std::string> patterns;  ///< Of fill(); the first that can be filled is taken.
 
-  template <typename... Patterns>
+  PrintedColumn(std::string name, std::vector<std::string> of_cells)
+      : heading(std::move(name)), patterns(std::move(of_cells)) {}
+  template <std::convertible_to<std::string>... Patterns>
   PrintedColumn(std::string name, Patterns... of_cells)
       : heading(std::move(name)), patterns{std::move(of_cells)...} {}
 };

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +21,7 @@ inline double quantile(std::span<const double> sorted, double share) {
   return sorted[std::max(rank, std::size_t{1}) - 1];
 }
 
-/// The middle one, of an even number the upper of the two; empty without values.
+/// The middle value, of an even number the upper of the two; empty without values.
 inline std::optional<double> upper_median(std::vector<double> values) {
   if (values.empty()) {
     return std::nullopt;
@@ -28,6 +29,18 @@ inline std::optional<double> upper_median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// The middle value, or the mean of the two middle ones; empty without values.
+inline std::optional<double> median(std::span<const double> values) {
+  std::vector<double> ordered(values.begin(), values.end());
+  const std::optional<double> upper = upper_median(ordered);
+  if (ordered.size() % 2 == 1 || !upper) {
+    return upper;
+  }
+  const auto lower = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2 - 1);
+  std::nth_element(ordered.begin(), lower, ordered.end());
+  return std::midpoint(*lower, *upper);
 }
 
 }  // namespace foveola

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "renderer/base/error.h"
+#include "renderer/base/quantile.h"
 #include "renderer/headset/live_window.h"
 #include "study/person/live_attempt.h"
 #include "study/person/words.h"
@@ -49,12 +50,7 @@ class Measurement {
   LiveGaze gaze() const {
     LiveGaze gaze = gaze_;
     gaze.status = subject_.eye.status();
-    if (!ages_s_.empty()) {
-      std::vector<double> ages_s = ages_s_;
-      const auto middle = ages_s.begin() + static_cast<std::ptrdiff_t>(ages_s.size() / 2);
-      std::nth_element(ages_s.begin(), middle, ages_s.end());
-      gaze.median_age_s = *middle;
-    }
+    gaze.median_age_s = upper_median(ages_s_);
     return gaze;
   }
 

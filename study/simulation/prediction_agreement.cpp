@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "renderer/base/quantile.h"
+
 namespace foveola::study {
 namespace {
 
@@ -101,9 +103,9 @@ MarkAgreement agreement_of(const TimesByTrial& rendered, const TimesByTrial& pre
   return {.mark = mark,
           .method = method,
           .trials = static_cast<int>(ratios.size()),
-          .rendered_median_s = median_of(rendered_s),
-          .predicted_median_s = median_of(predicted_s),
-          .median_ratio = median_of(ratios),
+          .rendered_median_s = median(rendered_s).value_or(0.0),
+          .predicted_median_s = median(predicted_s).value_or(0.0),
+          .median_ratio = median(ratios).value_or(0.0),
           .rank_correlation = rank_correlation(rendered_s, predicted_s)};
 }
 
@@ -139,15 +141,6 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
     square_b += (ranks_b[i] - mean) * (ranks_b[i] - mean);
   }
   return square_a > 0.0 && square_b > 0.0 ? product / std::sqrt(square_a * square_b) : 0.0;
-}
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 std::vector<MethodMean> method_means(const StudyRecords& records) {

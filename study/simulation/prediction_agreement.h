@@ -30,9 +30,6 @@ std::vector<MarkAgreement> prediction_agreement(const StudyRecords& rendered,
 /// of one side are alike. Both have as many values.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-/// The middle value, or the mean of the two in the middle; 0 of none.
-double median_of(std::vector<double> values);
-
 struct MethodMean {
   std::string mark;  ///< the mark's id
   std::string method;

@@ -1,6 +1,7 @@
 #include "renderer/base/quantile.h"
 
 #include <array>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,13 @@ TEST(Quantile, IsTheLeastThatEnoughValuesDoNotExceed) {
   EXPECT_EQ(quantile(even, 0.51), 4.0);
 }
 
-TEST(Median, IsTheUpperOfTwo) {
+TEST(Median, IsTheMeanOfTheTwoInTheMiddle) {
+  EXPECT_EQ(median(std::vector{3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median(std::vector{4.0, 1.0, 2.0, 8.0}), 3.0);
+  EXPECT_EQ(median({}), std::nullopt);
+}
+
+TEST(UpperMedian, IsTheUpperOfTwo) {
   EXPECT_EQ(upper_median({16.0, 1.0, 4.0, 2.0, 8.0}), 4.0);
   EXPECT_EQ(upper_median({8.0, 1.0, 4.0, 2.0}), 4.0);
   EXPECT_EQ(upper_median({}), std::nullopt);

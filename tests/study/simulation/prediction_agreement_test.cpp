@@ -32,12 +32,6 @@ TEST(PredictionAgreement, RanksAreCorrelatedAsByR) {
   EXPECT_EQ(rank_correlation({1.0, 1.0}, {2.0, 3.0}), 0.0);
 }
 
-TEST(PredictionAgreement, MediansAreInTheMiddle) {
-  EXPECT_EQ(median_of({3.0, 1.0, 2.0}), 2.0);
-  EXPECT_EQ(median_of({4.0, 1.0, 2.0, 8.0}), 3.0);
-  EXPECT_EQ(median_of({}), 0.0);
-}
-
 TEST(PredictionAgreement, PairsTrialsWhateverTheirOrder) {
   StudyRecords rendered = study_of({"od", "fv"});
   add_timed(rendered, 0, 0, 8.0);

@@ -1,4 +1,4 @@
-#include "analysis/publication/gaze_source.h"
+#include "analysis/publication/gaze_sources.h"
 
 #include <algorithm>
 #include <map>

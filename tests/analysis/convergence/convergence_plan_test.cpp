@@ -1,4 +1,4 @@
-#include "analysis/convergence/plan.h"
+#include "analysis/convergence/convergence_plan.h"
 
 #include "renderer/base/error.h"
 #include "tests/matchers.h"

@@ -1,4 +1,4 @@
-#include "analysis/publication/warnings.h"
+#include "analysis/publication/analysis_warnings.h"
 
 #include <algorithm>
 #include <utility>
