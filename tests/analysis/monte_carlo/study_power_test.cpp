@@ -138,6 +138,15 @@ TEST(StudyPower, ACurveHasTheFewestParticipants) {
   EXPECT_EQ(curve.back().participants, 50U);
 }
 
+TEST(StudyPower, TheFewestParticipantsReachTheTargetAndSoDoAllMore) {
+  std::vector<StudyPower> curve;
+  for (const std::size_t hits : {7U, 8U, 7U, 8U, 9U}) {
+    curve.push_back(
+        {.participants = 4 * (curve.size() + 1), .studies = 10, .all_significant = hits});
+  }
+  EXPECT_EQ(fewest_participants(curve, std::nullopt, 0.8), 16U);
+}
+
 TEST(StudyPower, ATargetOutOfReachHasNoFewestParticipants) {
   ExpectedStudy expected = planned({{"outline", "fv", "od"}}, 0.9, study::SceneEffects::random);
   expected.times_spread.scenes_gain = 0.5;

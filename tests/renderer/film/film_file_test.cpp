@@ -120,6 +120,16 @@ TEST_F(FilmFile, IsRefusedForSumsThatNoSamplesHave) {
   expect_read(other, false);
 }
 
+TEST_F(FilmFile, HasEachPixelOnceAndInOrder) {
+  for (const std::uint32_t second : {4U, 5U}) {
+    std::vector<PixelState> states(2, {.pixel = 5, .count = 1, .numbered = 1});
+    states[1].pixel = second;
+    write_film_file(path_, {.size = {3, 2}}, states);
+    FilmFileReader reader(path_);
+    EXPECT_THAT([&] { rest_of(reader); }, ThrowsMessage<Error>(HasSubstr("is damaged"))) << second;
+  }
+}
+
 TEST_F(FilmFile, MustBeAFilmThatIsThere) {
   EXPECT_THAT([&] { FilmFileReader(folder_ / "none.film"); },
               ThrowsMessage<Error>(HasSubstr("none.film: cannot be read")));

@@ -63,6 +63,17 @@ TEST(GazeTimes, AreNotBelievedWhereTheyCannotBe) {
   }
 }
 
+TEST(GazeTimes, AreBelievedForASecond) {
+  for (const auto& [ms, is_known] : {std::pair(1011, true), std::pair(1010, false)}) {
+    GazeTimes times;
+    const auto first = times.sample_of({.asked = milliseconds(2011),
+                                        .sampled = milliseconds(ms),
+                                        .direction = left,
+                                        .is_valid = true});
+    EXPECT_EQ(first->is_time_known, is_known) << ms;
+  }
+}
+
 TEST(GazeTimes, TellOfABlink) {
   GazeTimes times;
   times.sample_of({.asked = milliseconds(100),

@@ -40,13 +40,17 @@ TEST_F(SampleMaskTest, KeepsWhatIsWanted) {
 }
 
 TEST_F(SampleMaskTest, TheMarginGoesBeyondOnAllSides) {
-  mask_.add(mask_ahead, radius_rad, 0, workers_);
-  const std::size_t without = mask_.count();
-  SampleMask wide(64, 32);
-  wide.add(mask_ahead, radius_rad, 1, workers_);
-  // The cone's pixels are a block of 4 x 4, with a margin 6 x 6.
-  EXPECT_EQ(without, 16U);
-  EXPECT_EQ(wide.count(), 36U);
+  // In the image's middle, and two pixels from its edge.
+  for (const float u : {0.5F, 62.0F / 64.0F}) {
+    const Vec3 middle = direction_from_equirect({u, 0.5F});
+    SampleMask narrow(64, 32);
+    narrow.add(middle, radius_rad, 0, workers_);
+    SampleMask wide(64, 32);
+    wide.add(middle, radius_rad, 1, workers_);
+    // The cone's pixels are a block of 4 x 4, with a margin 6 x 6.
+    EXPECT_EQ(narrow.count(), 16U);
+    EXPECT_EQ(wide.count(), 36U);
+  }
 }
 
 TEST_F(SampleMaskTest, TheSeamIsNoEdge) {

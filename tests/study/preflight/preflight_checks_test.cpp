@@ -77,6 +77,17 @@ TEST(PreflightChecks, AWindowInWhichNothingIsSeenIsAlwaysRefused) {
   EXPECT_THROW(require_gate(check_preflight(found, {})), Error);
 }
 
+TEST(PreflightChecks, AMethodIsAsFastAsInItsSlowestScene) {
+  Preflight found = good_preflight();
+  for (const auto& [scene, samples] :
+       {std::pair("garden", 90'000U), std::pair("attic", 2'000'000U)}) {
+    found.speeds.push_back(found.speeds.front());
+    found.speeds.back().scene = scene;
+    found.speeds.back().samples = samples;
+  }
+  EXPECT_EQ(check_preflight(found, {})[1].found, "od 9e+04 in garden, fv 8e+05 in hall");
+}
+
 TEST(PreflightChecks, WithoutAGateABadOneIsWarnedOf) {
   const auto checks = check_preflight(bad_preflight(), {});
   EXPECT_THAT(named(checks, PreflightVerdict::warned),

@@ -257,6 +257,8 @@ TEST(Texture, MinificationHasFiltersOfItsOwn) {
     return red_of_four(texture, u, width);
   };
   EXPECT_NEAR(red(Filter::nearest, MipFilter::nearest, 0.55F, 0.5F), 180.0F, 1e-3F);
+  EXPECT_NEAR(red(Filter::nearest, MipFilter::nearest, 0.55F, 0.375F), 180.0F, 1e-3F)
+      << "level 0.58";
   EXPECT_NEAR(red(Filter::linear, MipFilter::nearest, 0.5F, 0.6F), 90.0F, 1e-3F);
   EXPECT_NEAR(red(Filter::linear, MipFilter::nearest, 0.875F, 0.3F), 240.0F, 1e-3F);
   EXPECT_NEAR(red(Filter::nearest, MipFilter::none, 0.55F, 0.5F), 120.0F, 1e-3F);
