@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -30,7 +30,7 @@ struct Plane {
   std::vector<float> values;
 
   Plane(int columns, int rows)
-      : width(columns), height(rows), values(static_cast<std::size_t>(columns) * rows) {}
+      : Plane(columns, rows, std::vector<float>(static_cast<std::size_t>(columns) * rows)) {}
   Plane(int columns, int rows, std::vector<float> known)
       : width(columns), height(rows), values(std::move(known)) {}
 
@@ -161,10 +161,7 @@ std::vector<std::vector<float>> temporal_filters(double rate_hz) {
     const double decades = std::log(times_s[i] + 1e-4) - std::log(0.06);
     sustained[i] = std::exp(-decades * decades / 0.5);
   }
-  double sum = 0.0;
-  for (const double weight : sustained) {
-    sum += weight;
-  }
+  const double sum = std::accumulate(sustained.begin(), sustained.end(), 0.0);
   std::vector<std::vector<float>> filters(2, std::vector<float>(taps, 0.0F));
   for (std::size_t i = 0; i < taps; ++i) {
     filters[0][i] = static_cast<float>(sustained[i] / sum);
@@ -252,6 +249,12 @@ FovVideoVdp::FovVideoVdp(const VdpDisplay& display, const IVec2& size,
   }
 }
 
+/// What a band is of: a picture, less its blurred self.
+struct FovVideoVdp::Level {
+  std::vector<float> fine;
+  std::vector<float> base;
+};
+
 FovVideoVdp::~FovVideoVdp() = default;
 
 FovVideoVdp::Luminance FovVideoVdp::luminance_of(const RgbImage& image) const {
@@ -271,8 +274,21 @@ FovVideoVdp::Luminance FovVideoVdp::luminance_of(const RgbImage& image) const {
   return luminance;
 }
 
-FovVideoVdp::Luminance FovVideoVdp::filtered(const std::deque<Luminance>& frames,
-                                             const std::vector<float>& weights) const {
+FovVideoVdp::Pyramid FovVideoVdp::pyramid_of(Luminance luminance) const {
+  Pyramid pyramid;
+  Plane fine(size_.x, size_.y, std::move(luminance));
+  for (const Band& band : bands_) {
+    Plane coarse = reduced(fine, workers_);
+    Plane base = expanded(coarse, band.width, band.height, workers_);
+    pyramid.push_back({.fine = std::move(fine.values), .base = std::move(base.values)});
+    fine = std::move(coarse);
+  }
+  return pyramid;
+}
+
+FovVideoVdp::Pyramid FovVideoVdp::seen_by(VdpChannel channel,
+                                          const std::deque<Luminance>& frames) const {
+  const std::vector<float>& weights = filters_[static_cast<std::size_t>(channel)];
   Luminance sum(frames.front().size(), 0.0F);
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const Luminance& frame = frames[std::min(k, frames.size() - 1)];
@@ -280,7 +296,7 @@ FovVideoVdp::Luminance FovVideoVdp::filtered(const std::deque<Luminance>& frames
       sum[i] += weights[k] * frame[i];
     }
   }
-  return sum;
+  return pyramid_of(std::move(sum));
 }
 
 float FovVideoVdp::sensitivity(const VdpSensitivityTable& table, const Band& band, int x, int y,
@@ -295,53 +311,32 @@ float FovVideoVdp::sensitivity(const VdpSensitivityTable& table, const Band& ban
                   glm::length(from_middle_deg - *fixation_deg_));
 }
 
-double FovVideoVdp::channel_difference(VdpChannel channel, Luminance image, Luminance reference,
-                                       const Luminance& adapting) const {
+double FovVideoVdp::channel_difference(VdpChannel channel, const Pyramid& image,
+                                       const Pyramid& reference, const Pyramid& background) const {
   const VdpSensitivityTable& table = sensitivity_[static_cast<std::size_t>(channel)];
   const float masking = channel == VdpChannel::sustained ? 2.43685F : 4.946F;
-  const bool adapts_to_reference = channel == VdpChannel::sustained;
-  Plane fine_image(size_.x, size_.y, std::move(image));
-  Plane fine_reference(size_.x, size_.y, std::move(reference));
-  Plane fine_adapting(size_.x, size_.y, adapts_to_reference ? Luminance() : adapting);
   double difference = 0.0;
-  for (const Band& band : bands_) {
-    Plane coarse_image = reduced(fine_image, workers_);
-    Plane coarse_reference = reduced(fine_reference, workers_);
-    const Plane base_image = expanded(coarse_image, band.width, band.height, workers_);
-    const Plane base_reference = expanded(coarse_reference, band.width, band.height, workers_);
-    Plane coarse_adapting(0, 0);
-    Plane base_adapting(0, 0);
-    if (!adapts_to_reference) {
-      coarse_adapting = reduced(fine_adapting, workers_);
-      base_adapting = expanded(coarse_adapting, band.width, band.height, workers_);
-    }
+  for (std::size_t level = 0; level < bands_.size(); ++level) {
+    const Band& band = bands_[level];
     std::vector<double> row_sums(static_cast<std::size_t>(band.height), 0.0);
     for_each_row(band.height, workers_, [&](int y) {
-      const std::size_t first = static_cast<std::size_t>(y) * band.width;
       for (int x = 0; x < band.width; ++x) {
-        const std::size_t i = first + x;
-        const float background =
-            std::max(adapts_to_reference ? base_reference.values[i] : base_adapting.values[i],
-                     darkest_cd_m2);
-        const float seen =
-            std::min((fine_image.values[i] - base_image.values[i]) / background, max_contrast);
-        const float expected = std::min(
-            (fine_reference.values[i] - base_reference.values[i]) / background, max_contrast);
+        const std::size_t i = static_cast<std::size_t>(y) * band.width + x;
+        const float adapted = std::max(background[level].base[i], darkest_cd_m2);
+        const auto contrast = [&](const Level& of) {
+          return std::min((of.fine[i] - of.base[i]) / adapted, max_contrast);
+        };
+        const float seen = contrast(image[level]);
+        const float expected = contrast(reference[level]);
         if (seen != expected) {
           row_sums[static_cast<std::size_t>(y)] += pooled_difference(
-              band.gain * sensitivity(table, band, x, y, background), seen, expected, masking);
+              band.gain * sensitivity(table, band, x, y, adapted), seen, expected, masking);
         }
       }
     });
-    double sum = 0.0;
-    for (const double row : row_sums) {
-      sum += row;
-    }
+    const double sum = std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
     const double pixels = static_cast<double>(band.width) * band.height;
     difference += std::pow(sum / pixels, 1.0 / over_pixels);
-    fine_image = std::move(coarse_image);
-    fine_reference = std::move(coarse_reference);
-    fine_adapting = std::move(coarse_adapting);
   }
   return difference;
 }
@@ -351,13 +346,13 @@ void FovVideoVdp::add(const RgbImage& image, const RgbImage& reference) {
   references_.push_front(luminance_of(reference));
   images_.resize(std::min(images_.size(), filters_[0].size()));
   references_.resize(images_.size());
-  const Luminance adapting = filtered(references_, filters_[0]);
-  double difference =
-      channel_difference(VdpChannel::sustained, filtered(images_, filters_[0]), adapting, adapting);
+  const Pyramid background = seen_by(VdpChannel::sustained, references_);
+  double difference = channel_difference(
+      VdpChannel::sustained, seen_by(VdpChannel::sustained, images_), background, background);
   if (filters_.size() > 1) {
     const double transient =
-        channel_difference(VdpChannel::transient, filtered(images_, filters_[1]),
-                           filtered(references_, filters_[1]), adapting);
+        channel_difference(VdpChannel::transient, seen_by(VdpChannel::transient, images_),
+                           seen_by(VdpChannel::transient, references_), background);
     difference = std::pow(
         std::pow(difference, over_channels) + std::pow(transient_weight * transient, over_channels),
         1.0 / over_channels);

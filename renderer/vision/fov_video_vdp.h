@@ -44,16 +44,19 @@ class FovVideoVdp {
 
  private:
   using Luminance = std::vector<float>;  ///< cd/m2 of each pixel, row by row
-  /// What tells one band of the pyramid from the others.
   struct Band;
+  struct Level;
+  using Pyramid = std::vector<Level>;  ///< one for each band, the finest first
 
   Luminance luminance_of(const RgbImage& image) const;
-  /// Seen through a temporal filter: weights of the newest frame, the one before it, ...
-  Luminance filtered(const std::deque<Luminance>& frames, const std::vector<float>& weights) const;
+  Pyramid pyramid_of(Luminance luminance) const;
+  /// Of the last frames, the newest first, as a channel sees them.
+  Pyramid seen_by(VdpChannel channel, const std::deque<Luminance>& frames) const;
   float sensitivity(const VdpSensitivityTable& table, const Band& band, int x, int y,
                     float background_cd_m2) const;
-  double channel_difference(VdpChannel channel, Luminance image, Luminance reference,
-                            const Luminance& adapting) const;
+  /// background: what the eye is adapted to.
+  double channel_difference(VdpChannel channel, const Pyramid& image, const Pyramid& reference,
+                            const Pyramid& background) const;
 
   VdpDisplay display_;
   IVec2 size_;
