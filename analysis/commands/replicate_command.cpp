@@ -113,22 +113,23 @@ ClaimValue make_value(const std::string& expression, const Figures& figures) {
 }
 
 /// The results of stages, each of which is kept in a folder.
-class StageResults {
- public:
-  StageResults(fs::path folder, const Claims& claims, std::stop_token stop)
-      : folder_(std::move(folder)), claims_(claims), stop_(std::move(stop)) {}
+struct StageResults {
+  fs::path folder;
+  const Claims& claims;
+  std::stop_token stop;
+  std::map<std::string, ResultJson> made{};  ///< by stage; without "result" if it failed
 
   /// Takes the results in this folder or another one like it. Throws Error for those of another
   /// version or of other claims.
-  void take_kept(const fs::path& folder) {
-    for (const ClaimStage& stage : claims_.stages) {
-      const fs::path file = folder / "stages" / (stage.id + ".json");
+  void take_kept(const fs::path& from) {
+    for (const ClaimStage& stage : claims.stages) {
+      const fs::path file = from / "stages" / (stage.id + ".json");
       if (made.contains(stage.id) || !fs::exists(file)) {
         continue;
       }
       const ResultJson kept = ResultJson::parse(read_file(file), nullptr, false);
       if (!kept.is_object() || kept.value("version", "") != program_facts()["version"] ||
-          kept.value("claims_sha256", "") != claims_.sha256) {
+          kept.value("claims_sha256", "") != claims.sha256) {
         throw Error(file.string(), "was made by another version, or for other claims",
                     "name another folder");
       }
@@ -153,35 +154,33 @@ class StageResults {
     }
   }
 
-  std::map<std::string, ResultJson> made;  ///< by the stages' ids; without "result" if it failed
-
- private:
   void keep(const ClaimStage& stage, const ResultJson& result) {
     made[stage.id] = result;
-    fs::create_directories(folder_ / "stages");
-    write_file(folder_ / "stages" / (stage.id + ".json"), result.dump(1) + "\n");
+    fs::create_directories(folder / "stages");
+    write_file(folder / "stages" / (stage.id + ".json"), result.dump(1) + "\n");
   }
 
   void make(const ClaimStage& stage, const std::function<void(double minutes)>& report) {
     const SteadyClock clock;
     const Nanoseconds start = clock.now();
     const auto minutes = [&] { return seconds(clock.now() - start) / 60.0; };
-    const fs::path folder = fs::absolute(folder_ / "stages" / stage.id);
-    fs::create_directories(folder);
+    const fs::path own_folder = fs::absolute(folder / "stages" / stage.id);
+    fs::create_directories(own_folder);
     ProgramEnd end;
-    for (auto run = stage.run.begin(); run != stage.run.end() && end.status == 0; ++run) {
-      auto running = std::async(std::launch::async, run_to_end, command(*run, folder));
+    for (auto run = stage.run.begin();
+         run != stage.run.end() && end.status == 0 && !stop.stop_requested(); ++run) {
+      auto running = std::async(std::launch::async, run_to_end, command(*run, own_folder));
       while (running.wait_for(std::chrono::milliseconds(200)) != std::future_status::ready) {
         report(minutes());
       }
       end = running.get();
-      if (stop_.stop_requested()) {
-        return;
-      }
+    }
+    if (stop.stop_requested()) {
+      return;
     }
     const bool is_in_file = !stage.result.empty() && end.status == 0;
     const ResultJson result = ResultJson::parse(
-        is_in_file ? read_file(folder / stage.result) : end.output, nullptr, false);
+        is_in_file ? read_file(own_folder / stage.result) : end.output, nullptr, false);
     const std::size_t error = std::min(end.errors.rfind("error: "), end.errors.size());
     const std::string complaint = end.errors.substr(error, end.errors.find('\n', error) - error);
     ResultJson facts = {{"stage", stage.id},
@@ -191,7 +190,7 @@ class StageResults {
                         {"minutes", minutes()}};
     facts.update(bench_facts());
     facts["program_sha256"] = sha256_of_file(own_program());
-    facts["claims_sha256"] = claims_.sha256;
+    facts["claims_sha256"] = claims.sha256;
     if (result.is_discarded()) {
       made[stage.id] = facts;
       return;
@@ -201,18 +200,15 @@ class StageResults {
   }
 
   /// This program's; {dir} at the beginning of a word is the stage's folder.
-  Command command(const std::string& run, const fs::path& folder) const {
-    Command command{.words = {own_program().string()}, .stop = stop_};
+  Command command(const std::string& run, const fs::path& own_folder) const {
+    Command command{.words = {own_program().string()}, .stop = stop};
     std::istringstream words(run);
     for (std::string word; words >> word;) {
-      command.words.push_back(word.starts_with("{dir}") ? folder.string() + word.substr(5) : word);
+      command.words.push_back(word.starts_with("{dir}") ? own_folder.string() + word.substr(5)
+                                                        : word);
     }
     return command;
   }
-
-  fs::path folder_;
-  const Claims& claims_;
-  std::stop_token stop_;
 };
 
 /// What was made beside what is claimed.
@@ -222,57 +218,59 @@ struct Replication {
   std::vector<NewValues> made;                  ///< of the claims all of whose numbers were made
   std::map<std::string, std::size_t> verdicts;  ///< the number of numbers with each
 
-  void add_row(const Claim& claim, const ClaimedNumber& number, const std::string& made_text,
-               const std::string& verdict, const std::string& remark) {
-    const auto& [absolute, relative, errors] = claim.tolerance;
-    ++verdicts[verdict];
-    page["Claims"].push_back({{"claim", claim.id},
-                              {"document", claim.document},
-                              {"text", fmt::format("{}", fmt::join(claim.words, "…"))},
-                              {"claimed", number.shown},
-                              {"made", made_text},
-                              {"verdict", verdict},
-                              {"tolerance", fmt::format("{:g} + {:g} % + {:g} standard errors",
-                                                        absolute, 100.0 * relative, errors)},
-                              {"remark", remark}});
-  }
-
+  /// result: null if the stage was not run.
   void add_stage(const ClaimStage& stage, ResultJson result) {
     Figures figures;
-    const auto is_text = [](std::string_view, const ResultJson& value) {
-      return value.is_string();
-    };
     const bool is_made = result.contains("result");
+    const bool has_failed = !result.is_null() && !is_made;
+    std::string reason = stage.needs;
     if (is_made) {
+      const auto is_text = [](std::string_view, const ResultJson& json) {
+        return json.is_string();
+      };
       collect_figures(result["result"], "", is_text, figures);
-    }
-    std::string why_not = stage.needs;
-    if (!result.empty()) {
-      why_not += fmt::format(" ({})", result.value("complaint", ""));
-      result["result"] = is_made ? sha256(result["result"].dump()) : "";
-      page["Stages"].push_back(result);
+      result["result"] = sha256(result["result"].dump());
+    } else if (has_failed) {
+      result["result"] = "";
+      reason += fmt::format(" ({})", result["complaint"].get<std::string>());
     }
     for (const Claim& claim : stage.claims) {
       NewValues values{&claim};
+      const auto& [absolute, relative, errors] = claim.tolerance;
       for (const ClaimedNumber& number : claim.numbers) {
-        if (!is_made) {
-          const bool has_failed = !result.empty() && stage.needs.empty();
-          add_row(claim, number, "", has_failed ? "outside" : "not made here", why_not);
-          continue;
+        std::string text;
+        std::string remark = reason;
+        bool is_outside = has_failed && stage.needs.empty();
+        if (is_made) {
+          try {
+            const ClaimValue value = make_value(number.figure, figures);
+            values.values.push_back(value);
+            text = shown_like(number.shown, value);
+            remark = fmt::format("{:g}", value.value);
+            is_outside = !is_within(claim.tolerance, number, value);
+          } catch (const Error& fault) {
+            remark = fault.what();
+            is_outside = true;
+          }
         }
-        try {
-          const ClaimValue value = make_value(number.figure, figures);
-          values.values.push_back(value);
-          add_row(claim, number, shown_like(number.shown, value),
-                  is_within(claim.tolerance, number, value) ? "within" : "outside",
-                  fmt::format("{:g}", value.value));
-        } catch (const Error& fault) {
-          add_row(claim, number, "", "outside", fault.what());
-        }
+        const char* verdict = is_outside ? "outside" : is_made ? "within" : "not made here";
+        ++verdicts[verdict];
+        page["Claims"].push_back({{"claim", claim.id},
+                                  {"document", claim.document},
+                                  {"text", fmt::format("{}", fmt::join(claim.words, "…"))},
+                                  {"claimed", number.shown},
+                                  {"made", text},
+                                  {"verdict", verdict},
+                                  {"tolerance", fmt::format("{:g} + {:g} % + {:g} standard errors",
+                                                            absolute, 100.0 * relative, errors)},
+                                  {"remark", remark}});
       }
       if (values.values.size() == claim.numbers.size()) {
         made.push_back(std::move(values));
       }
+    }
+    if (!result.is_null()) {
+      page["Stages"].push_back(std::move(result));
     }
   }
 };
@@ -327,7 +325,7 @@ void run(const ReplicateArguments& arguments, const std::stop_token& stop) {
   const std::vector<const ClaimStage*> stages = chosen_stages(arguments, claims);
   check_output_folder(arguments.folder);
   make_output_folder(arguments.folder);
-  StageResults results(arguments.folder, claims, stop);
+  StageResults results{arguments.folder, claims, stop};
   results.take_kept(arguments.folder);
   for (const fs::path& folder : arguments.from) {
     results.take_kept(folder);
