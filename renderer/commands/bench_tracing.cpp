@@ -18,7 +18,7 @@
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/tracing_figures.h"
 #include "renderer/progressive/headless_render.h"
-#include "renderer/trace/embree_alone.h"
+#include "renderer/trace/rays/embree_alone.h"
 
 namespace foveola {
 namespace {

@@ -20,7 +20,7 @@
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 
 namespace foveola {
 namespace {

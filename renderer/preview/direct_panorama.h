@@ -3,7 +3,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/trace/direct_shading.h"
+#include "renderer/trace/paths/direct_shading.h"
 
 namespace foveola {
 

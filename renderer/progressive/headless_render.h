@@ -19,7 +19,7 @@
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/progressive/progressive_render.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola {
 

@@ -21,8 +21,8 @@
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/path_tracer.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/paths/path_tracer.h"
+#include "renderer/trace/rays/ray_scene.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -15,7 +15,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 #include "scenes/descriptor_search.h"
 
 namespace foveola::scenes {
