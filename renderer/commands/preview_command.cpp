@@ -24,8 +24,8 @@
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "renderer/window/live_preview.h"
-#include "renderer/window/preview_panels.h"
+#include "renderer/window/live/live_preview.h"
+#include "renderer/window/live/preview_panels.h"
 
 namespace foveola {
 namespace {

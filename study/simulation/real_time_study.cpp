@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/commands/live_window.h"
-#include "renderer/window/presenter.h"
+#include "renderer/window/drawing/presenter.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/person_session.h"
 #include "study/person/session_window.h"

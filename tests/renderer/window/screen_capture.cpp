@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "renderer/base/parallel.h"
-#include "renderer/window/live_preview.h"
+#include "renderer/window/live/live_preview.h"
 #include "tests/renderer/window/patterned_film.h"
 
 namespace foveola::test {
