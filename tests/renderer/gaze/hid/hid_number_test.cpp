@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/gaze/hid_items.h"
+#include "renderer/gaze/hid/hid_items.h"
 #include "tests/renderer/gaze/hid_reference.h"
 
 namespace foveola {

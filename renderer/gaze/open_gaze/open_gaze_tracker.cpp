@@ -1,4 +1,4 @@
-#include "renderer/gaze/open_gaze_tracker.h"
+#include "renderer/gaze/open_gaze/open_gaze_tracker.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "renderer/gaze/hid_report_descriptor.h"
+#include "renderer/gaze/hid/hid_report_descriptor.h"
 
 namespace foveola {
 

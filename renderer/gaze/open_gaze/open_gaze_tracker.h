@@ -15,8 +15,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/open_gaze_records.h"
-#include "renderer/gaze/tcp_connection.h"
+#include "renderer/gaze/open_gaze/open_gaze_records.h"
+#include "renderer/gaze/open_gaze/tcp_connection.h"
 
 namespace foveola {
 

@@ -1,4 +1,4 @@
-#include "renderer/gaze/hid_device.h"
+#include "renderer/gaze/hid/hid_device.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,7 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/gaze/hid_eye_reports.h"
+#include "renderer/gaze/hid/hid_eye_reports.h"
 
 namespace foveola {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/gaze/hid_report_descriptor.h"
+#include "renderer/gaze/hid/hid_report_descriptor.h"
 
 #include <span>
 #include <string>

@@ -1,4 +1,4 @@
-#include "renderer/gaze/tcp_connection.h"
+#include "renderer/gaze/open_gaze/tcp_connection.h"
 
 #include <cerrno>
 #include <cstring>

@@ -19,8 +19,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/device_clocks.h"
 #include "renderer/gaze/eye_tracker.h"
-#include "renderer/gaze/hid_device.h"
-#include "renderer/gaze/hid_eye_reports.h"
+#include "renderer/gaze/hid/hid_device.h"
+#include "renderer/gaze/hid/hid_eye_reports.h"
 
 namespace foveola {
 

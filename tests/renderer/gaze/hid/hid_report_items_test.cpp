@@ -1,5 +1,5 @@
 #include "renderer/base/error.h"
-#include "renderer/gaze/hid_items.h"
+#include "renderer/gaze/hid/hid_items.h"
 #include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"
 

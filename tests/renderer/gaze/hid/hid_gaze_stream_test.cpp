@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/gaze/hid_eye_tracker.h"
+#include "renderer/gaze/hid/hid_eye_tracker.h"
 #include "tests/renderer/gaze/gaze_expectations.h"
 #include "tests/renderer/gaze/hid_reference.h"
 

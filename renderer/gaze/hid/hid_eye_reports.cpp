@@ -1,4 +1,4 @@
-#include "renderer/gaze/hid_eye_reports.h"
+#include "renderer/gaze/hid/hid_eye_reports.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/gaze/open_gaze_records.h"
+#include "renderer/gaze/open_gaze/open_gaze_records.h"
 
 #include "renderer/base/random.h"
 #include "tests/matchers.h"

@@ -1,4 +1,4 @@
-#include "renderer/gaze/hid_eye_tracker.h"
+#include "renderer/gaze/hid/hid_eye_tracker.h"
 
 #include <algorithm>
 #include <atomic>

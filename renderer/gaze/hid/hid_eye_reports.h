@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/gaze/hid_items.h"
-#include "renderer/gaze/hid_report_descriptor.h"
+#include "renderer/gaze/hid/hid_items.h"
+#include "renderer/gaze/hid/hid_report_descriptor.h"
 
 namespace foveola {
 

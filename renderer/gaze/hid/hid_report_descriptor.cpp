@@ -1,11 +1,11 @@
-#include "renderer/gaze/hid_report_descriptor.h"
+#include "renderer/gaze/hid/hid_report_descriptor.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "renderer/gaze/hid_items.h"
+#include "renderer/gaze/hid/hid_items.h"
 
 namespace foveola {
 namespace {

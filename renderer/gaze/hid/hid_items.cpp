@@ -1,4 +1,4 @@
-#include "renderer/gaze/hid_items.h"
+#include "renderer/gaze/hid/hid_items.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/gaze/hid_device.h"
+#include "renderer/gaze/hid/hid_device.h"
 
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
