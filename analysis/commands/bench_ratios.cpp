@@ -14,7 +14,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -26,7 +26,7 @@
 #include "analysis/r_models/models_script.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/protocol/cautions.h"
 #include "study/record/damage_remedy.h"
 

@@ -14,7 +14,7 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola::analysis {
 namespace {

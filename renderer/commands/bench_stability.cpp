@@ -10,9 +10,9 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/parallel.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/stability/checks.h"

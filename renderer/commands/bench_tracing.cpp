@@ -10,8 +10,8 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/gaze_filter_option.h"
 #include "renderer/commands/headset_option.h"

@@ -13,7 +13,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
-#include "renderer/base/shard.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work/parallel.h"
+#include "renderer/base/work/shard.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/obj_colors.h"
 #include "renderer/scene/obj_numbers.h"
 #include "renderer/scene/obj_smoothing.h"

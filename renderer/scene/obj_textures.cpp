@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/image_channels.h"
 #include "renderer/scene/image_decoder.h"

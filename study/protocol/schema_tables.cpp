@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/gaze/profiles.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/read_questions.h"

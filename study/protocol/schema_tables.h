@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/toml_keys.h"
+#include "renderer/base/toml/toml_keys.h"
 
 namespace foveola::study {
 

@@ -8,7 +8,7 @@
 #include <hidapi.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/gaze/hid/hid_eye_reports.h"
 
 namespace foveola {

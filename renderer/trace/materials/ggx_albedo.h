@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "renderer/base/lanes.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/trace/materials/bsdf_value.h"
 #include "renderer/trace/materials/ggx.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/materials/ggx.h"
 #include "renderer/trace/materials/ggx_albedo.h"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work/parallel.h"
 
 namespace foveola {
 

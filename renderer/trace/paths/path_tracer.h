@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/lights/light_sampling.h"
 #include "renderer/trace/rays/ray_scene.h"

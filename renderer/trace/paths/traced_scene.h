@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/lights/light_sampling.h"
 #include "renderer/trace/lights/lights.h"

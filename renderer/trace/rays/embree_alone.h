@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/trace/rays/ray_scene.h"
 
 namespace foveola {

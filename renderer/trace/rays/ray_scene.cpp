@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/random.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/trace/rays/embree_device.h"
 #include "renderer/trace/rays/mesh_attributes.h"
 #include "renderer/trace/rays/opacity.h"

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "renderer/base/lanes.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/rays/ray_stream.h"
 

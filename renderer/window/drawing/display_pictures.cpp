@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"
 

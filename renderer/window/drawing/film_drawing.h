@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/preview/frame_budget.h"

@@ -12,7 +12,7 @@
 #include <imgui.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola {
 namespace {

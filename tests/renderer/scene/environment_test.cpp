@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/encoded_image.h"
 #include "tests/error_of.h"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/window/live/live_preview.h"
 #include "tests/renderer/window/patterned_film.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/window/drawing/film_drawing.h"
 #include "tests/renderer/window/patterned_film.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/base/shard.h"
+#include "renderer/base/work/shard.h"
 
 #include "renderer/base/error.h"
 #include "tests/matchers.h"

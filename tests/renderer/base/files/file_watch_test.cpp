@@ -1,4 +1,4 @@
-#include "renderer/base/file_watch.h"
+#include "renderer/base/files/file_watch.h"
 
 #include <array>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 #include <array>
 #include <atomic>
@@ -19,7 +19,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 
 namespace foveola {
 

@@ -1,4 +1,4 @@
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -16,7 +16,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>

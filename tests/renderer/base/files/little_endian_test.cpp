@@ -1,4 +1,4 @@
-#include "renderer/base/little_endian.h"
+#include "renderer/base/files/little_endian.h"
 
 #include <limits>
 

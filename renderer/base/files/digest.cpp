@@ -1,4 +1,4 @@
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <openssl/evp.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 namespace foveola {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/base/toml_keys.h"
+#include "renderer/base/toml/toml_keys.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,12 +1,12 @@
-#include "renderer/base/cache.h"
+#include "renderer/base/files/cache.h"
 
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -1,4 +1,4 @@
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,8 +15,8 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/programs.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/work/programs.h"
 
 namespace fs = std::filesystem;
 

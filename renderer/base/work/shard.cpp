@@ -1,4 +1,4 @@
-#include "renderer/base/shard.h"
+#include "renderer/base/work/shard.h"
 
 #include <algorithm>
 #include <charconv>

@@ -13,7 +13,7 @@
 
 #include <toml++/toml.h>
 
-#include "renderer/base/toml_keys.h"
+#include "renderer/base/toml/toml_keys.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

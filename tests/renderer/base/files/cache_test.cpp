@@ -1,4 +1,4 @@
-#include "renderer/base/cache.h"
+#include "renderer/base/files/cache.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,10 +12,10 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/little_endian.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/little_endian.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/temporary_folder.h"

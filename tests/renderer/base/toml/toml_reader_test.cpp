@@ -1,4 +1,4 @@
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_reader.h"
 
 #include <array>
 #include <functional>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/toml_file.h"
+#include "renderer/base/toml/toml_file.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "renderer/base/programs.h"
+#include "renderer/base/work/programs.h"
 
 #include <csignal>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "renderer/base/ordered_jobs.h"
+#include "renderer/base/work/ordered_jobs.h"
 
 #include <algorithm>
 #include <atomic>

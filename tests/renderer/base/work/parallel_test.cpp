@@ -1,4 +1,4 @@
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 
 #include <algorithm>
 #include <atomic>

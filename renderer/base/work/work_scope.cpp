@@ -1,4 +1,4 @@
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 #include <cmath>
 #include <cstdio>

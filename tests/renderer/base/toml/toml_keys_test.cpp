@@ -1,9 +1,9 @@
-#include "renderer/base/toml_keys.h"
+#include "renderer/base/toml/toml_keys.h"
 
 #include <array>
 
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "tests/matchers.h"
 
 namespace foveola {

@@ -1,4 +1,4 @@
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_reader.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/base/toml_file.h"
+#include "renderer/base/toml/toml_file.h"
 
 namespace foveola {
 namespace {
