@@ -96,7 +96,7 @@ TEST(SimulatedHeadTracker, FollowsTheHead) {
 
 using std::chrono::milliseconds;
 
-constexpr AzimuthElevation ahead{};
+constexpr AzimuthElevation level_ahead{};
 
 double azimuth_deg(SteeredHeadTracker& head, int time_ms) {
   return degrees(head.pose(milliseconds(time_ms)).heading.azimuth_rad);
@@ -115,7 +115,7 @@ Turn turn_deg(double right_deg, double up_deg) {
 }
 
 TEST(SteeredHeadTracker, DragsTurnItAtOnce) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   head.turn(milliseconds(10), turn_deg(5.0, 2.0));
   head.turn(milliseconds(12), turn_deg(-8.0, 1.0));
   EXPECT_NEAR(azimuth_deg(head, 12), -3.0, 1e-12);
@@ -123,7 +123,7 @@ TEST(SteeredHeadTracker, DragsTurnItAtOnce) {
 }
 
 TEST(SteeredHeadTracker, AHeldKeyTurnsItByItsSpeedTimesHowLong) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   head.set_speed(milliseconds(1000), speed_deg(40.0, -20.0));
   EXPECT_NEAR(azimuth_deg(head, 1250), 10.0, 1e-12);
   EXPECT_NEAR(elevation_deg(head, 1250), -5.0, 1e-12);
@@ -135,7 +135,7 @@ TEST(SteeredHeadTracker, AHeldKeyTurnsItByItsSpeedTimesHowLong) {
 
 TEST(SteeredHeadTracker, FramesDoNotChangeHowFarItTurns) {
   const auto azimuth_with_frames_every = [](int frame_ms) {
-    SteeredHeadTracker head(ahead);
+    SteeredHeadTracker head(level_ahead);
     head.set_speed(milliseconds(1003), speed_deg(33.3, 0.0));
     for (int time_ms = 1003; time_ms < 1791; time_ms += frame_ms) {
       head.pose(milliseconds(time_ms));
@@ -148,7 +148,7 @@ TEST(SteeredHeadTracker, FramesDoNotChangeHowFarItTurns) {
 }
 
 TEST(SteeredHeadTracker, AFrameThatIsBeforeTheNewsIsMadeGood) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   head.set_speed(milliseconds(0), speed_deg(100.0, 0.0));
   EXPECT_NEAR(azimuth_deg(head, 110), 11.0, 1e-12) << "not known yet that the key is up";
   head.set_speed(milliseconds(100), {});
@@ -156,7 +156,7 @@ TEST(SteeredHeadTracker, AFrameThatIsBeforeTheNewsIsMadeGood) {
 }
 
 TEST(SteeredHeadTracker, WhatComesLateCountsAsTheLastOnesTime) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   head.set_speed(milliseconds(100), speed_deg(10.0, 0.0));
   head.set_speed(milliseconds(90), speed_deg(-10.0, 0.0));
   EXPECT_NEAR(azimuth_deg(head, 200), -1.0, 1e-12);
@@ -164,7 +164,7 @@ TEST(SteeredHeadTracker, WhatComesLateCountsAsTheLastOnesTime) {
 }
 
 TEST(SteeredHeadTracker, DragsAddToAHeldKey) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   head.set_speed(milliseconds(0), speed_deg(10.0, 0.0));
   head.turn(milliseconds(500), turn_deg(20.0, 0.0));
   EXPECT_NEAR(azimuth_deg(head, 500), 25.0, 1e-12);
@@ -180,7 +180,7 @@ TEST(SteeredHeadTracker, TheAzimuthGoesRound) {
 }
 
 TEST(SteeredHeadTracker, TheElevationStopsAtTheZenithAndLeavesItWithoutDelay) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   head.set_speed(milliseconds(0), speed_deg(0.0, 60.0));
   EXPECT_EQ(head.pose(milliseconds(5000)).heading.elevation_rad, 0.5 * std::numbers::pi);
   head.set_speed(milliseconds(5000), speed_deg(0.0, -60.0));
@@ -191,7 +191,7 @@ TEST(SteeredHeadTracker, TheElevationStopsAtTheZenithAndLeavesItWithoutDelay) {
 
 // For the thread sanitizer, and that no turn is lost.
 TEST(SteeredHeadTracker, IsSteeredWhileFramesLook) {
-  SteeredHeadTracker head(ahead);
+  SteeredHeadTracker head(level_ahead);
   constexpr int turns = 2000;
   std::thread steering([&] {
     for (int i = 0; i < turns; ++i) {

@@ -14,7 +14,7 @@ namespace foveola {
 namespace {
 
 /// A unit square on the floor whose front looks up.
-Scene floor_scene(const Material& material) {
+Scene floor_made_of(const Material& material) {
   Scene scene;
   scene.materials = {material};
   scene.meshes = {quad(Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 0, -1), 0)};
@@ -26,7 +26,7 @@ const Vec3 down(0, -1, 0);
 const Vec3 up(0, 1, 0);
 
 TEST(SurfaceTest, RaysLeaveOnTheSideTheyCameFrom) {
-  const Scene scene = floor_scene(dielectric(0.5F));
+  const Scene scene = floor_made_of(dielectric(0.5F));
   const SurfacePoint above = surface_point(scene, centre, down);
   EXPECT_EQ(above.geometric_normal, up);
   EXPECT_GT(above.origin.y, 0.0F);
@@ -51,7 +51,7 @@ TEST(SurfaceTest, RaysStartWhereTheGrazingOneCameAlong) {
 }
 
 TEST(SurfaceTest, ShadingNormalIsInterpolatedOnTheRaysSide) {
-  Scene scene = floor_scene(dielectric(0.5F));
+  Scene scene = floor_made_of(dielectric(0.5F));
   const Vec3 tilted = glm::normalize(Vec3(0.2F, 1.0F, 0.0F));
   scene.meshes[0].normals.assign(4, tilted);
   EXPECT_NEAR(glm::length(surface_point(scene, centre, down).shading_normal - tilted), 0.0, 1e-6);
@@ -62,7 +62,7 @@ TEST(SurfaceTest, ShadingNormalIsInterpolatedOnTheRaysSide) {
 }
 
 TEST(SurfaceTest, ShadingNormalWithoutDirectionOrTurnedAwayIsTheGeometricOne) {
-  Scene scene = floor_scene(dielectric(0.5F));
+  Scene scene = floor_made_of(dielectric(0.5F));
   scene.meshes[0].normals.assign(4, Vec3(0.0F));
   EXPECT_EQ(surface_point(scene, centre, down).shading_normal, up);
   scene.meshes[0].normals.assign(4, glm::normalize(Vec3(1.0F, 0.1F, 0.0F)));
@@ -75,7 +75,7 @@ TEST(SurfaceTest, TexturesMultiplyTheFactors) {
   material.metallic = 1.0F;
   material.base_color_texture.texture = 0;
   material.metallic_roughness_texture.texture = 1;
-  Scene scene = floor_scene(material);
+  Scene scene = floor_made_of(material);
   const std::vector<std::uint8_t> base{255, 51, 0, 255};
   const std::vector<std::uint8_t> metallic_roughness{9, 51, 102, 255};
   scene.textures.emplace_back(1, 1, base, false, Wrap::repeat, Wrap::repeat);
@@ -88,7 +88,7 @@ TEST(SurfaceTest, TexturesMultiplyTheFactors) {
 }
 
 TEST(SurfaceTest, SingleSidedEmittersShineFromTheirFront) {
-  const Scene scene = floor_scene(emitter(3.0F));
+  const Scene scene = floor_made_of(emitter(3.0F));
   const Vec3 slanted = glm::normalize(Vec3(0.0F, -0.6F, 0.8F));
   EXPECT_EQ(surface_emission(scene, centre, slanted).radiance, Rgb(3.0F));
   EXPECT_NEAR(surface_emission(scene, centre, slanted).cosine, 0.6, 1e-6);
@@ -99,7 +99,7 @@ TEST(SurfaceTest, SingleSidedEmittersShineFromTheirFront) {
 TEST(SurfaceTest, AClearCoatReflectsItsShareOfTheEmissionBack) {
   Material material = emitter(2.0F);
   material.clearcoat = 1.0F;
-  Scene scene = floor_scene(material);
+  Scene scene = floor_made_of(material);
   const auto emission = [&](double angle_deg) {
     const double angle = radians(angle_deg);
     return surface_emission(scene, centre, Vec3(std::sin(angle), -std::cos(angle), 0.0)).radiance.g;
@@ -117,13 +117,13 @@ TEST(SurfaceTest, AClearCoatReflectsItsShareOfTheEmissionBack) {
 }
 
 TEST(SurfaceTest, DoubleSidedEmittersShineBothWays) {
-  const Scene scene = floor_scene(emitter(3.0F, true));
+  const Scene scene = floor_made_of(emitter(3.0F, true));
   EXPECT_EQ(surface_emission(scene, centre, up).radiance, Rgb(3.0F));
   EXPECT_EQ(surface_emission(scene, centre, up).cosine, 1.0F);
 }
 
 TEST(SurfaceTest, VertexColoursMultiplyTheBaseColour) {
-  Scene scene = floor_scene(dielectric(0.5F));
+  Scene scene = floor_made_of(dielectric(0.5F));
   scene.meshes[0].colors = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0.5F, 0, 1}, {1, 0.5F, 0, 1}};
   const Rgb color = surface_point(scene, centre, down).reflectance.base_color;
   EXPECT_NEAR(color.r, 0.5, 1e-6);
@@ -135,7 +135,7 @@ TEST(SurfaceTest, TextureTransformAndUvSetAreApplied) {
   Material material = dielectric(1.0F);
   material.base_color_texture = {
       .texture = 0, .uv_set = 1, .texture_from_mesh = {0.0F, 1.0F, -1.0F, 0.0F, 1.0F, 0.0F}};
-  Scene scene = floor_scene(material);
+  Scene scene = floor_made_of(material);
   // Four texels in a row; the second set of coordinates runs along them after a quarter turn.
   const std::vector<std::uint8_t> row{0, 0, 0, 255, 85, 0, 0, 255, 170, 0, 0, 255, 255, 0, 0, 255};
   scene.textures.emplace_back(4, 1, row, false, Wrap::clamp_to_edge, Wrap::clamp_to_edge);
@@ -147,7 +147,7 @@ TEST(SurfaceTest, TextureTransformAndUvSetAreApplied) {
 TEST(SurfaceTest, WideRaysSeeTheMeanOfATexture) {
   Material material = dielectric(1.0F);
   material.base_color_texture.texture = 0;
-  Scene scene = floor_scene(material);
+  Scene scene = floor_made_of(material);
   std::vector<std::uint8_t> checkers;
   for (int i = 0; i < 64 * 64; ++i) {
     const auto value = static_cast<std::uint8_t>((i + i / 64) % 2 * 255);
@@ -161,7 +161,7 @@ TEST(SurfaceTest, WideRaysSeeTheMeanOfATexture) {
 TEST(SurfaceTest, WideRaysSeeNothingBeyondTheirTriangle) {
   Material material = dielectric(1.0F);
   material.base_color_texture.texture = 0;
-  Scene scene = floor_scene(material);
+  Scene scene = floor_made_of(material);
   for (Vec2& uv : scene.meshes[0].uv_sets[0]) {
     uv.x *= 0.5F;
   }
@@ -178,7 +178,7 @@ TEST(SurfaceTest, WideRaysSeeNothingBeyondTheirTriangle) {
 Scene floor_with_normal_map(const std::vector<std::uint8_t>& texel) {
   Material material = dielectric(0.5F);
   material.normal_texture.texture = 0;
-  Scene scene = floor_scene(material);
+  Scene scene = floor_made_of(material);
   scene.textures.emplace_back(1, 1, texel, false, Wrap::repeat, Wrap::repeat);
   scene.meshes[0].tangents.assign(4, Vec4(1, 0, 0, 1));
   return scene;
