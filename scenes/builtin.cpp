@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

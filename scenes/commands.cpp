@@ -16,11 +16,11 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/similar_word.h"
 #include "renderer/base/utf8.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"
 #include "scenes/descriptor_search.h"

@@ -4,8 +4,8 @@
 #include <system_error>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/toml_file.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/toml/toml_file.h"
 #include "scenes/builtin.h"
 #include "scenes/file_search.h"
 

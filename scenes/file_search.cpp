@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

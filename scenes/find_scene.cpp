@@ -10,8 +10,8 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/similar_word.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"

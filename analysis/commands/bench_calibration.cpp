@@ -19,7 +19,7 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"

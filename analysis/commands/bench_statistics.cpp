@@ -18,7 +18,7 @@
 #include "analysis/monte_carlo/model_coverage.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/commands/bench_facts.h"
 
 namespace foveola::analysis {

@@ -7,7 +7,7 @@
 
 #include "analysis/convergence/measurement.h"
 #include "renderer/base/scene_source.h"
-#include "renderer/base/shard.h"
+#include "renderer/base/work/shard.h"
 #include "renderer/image/image.h"
 
 namespace foveola::analysis {

@@ -11,7 +11,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola::analysis {
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/view_sampler.h"

@@ -16,7 +16,7 @@
 
 #include "renderer/base/csv.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -15,8 +15,8 @@
 #include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/multiplicity.h"
 #include "analysis/statistics/order_balance.h"
-#include "renderer/base/ordered_jobs.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/ordered_jobs.h"
+#include "renderer/base/work/parallel.h"
 
 namespace foveola::analysis {
 namespace {

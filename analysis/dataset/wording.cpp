@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "study/protocol/read_procedure.h"
 
 namespace foveola::analysis {

@@ -8,7 +8,7 @@
 #include "analysis/koskela2018/profile.h"
 #include "renderer/base/csv.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

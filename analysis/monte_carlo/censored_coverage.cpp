@@ -11,7 +11,7 @@
 #include "analysis/dataset/participant_values.h"
 #include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/distributions.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 
 namespace foveola::analysis {
 namespace {

@@ -18,9 +18,9 @@
 #include "analysis/tables/row_file.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/random.h"
+#include "renderer/base/work/parallel.h"
 
 namespace fs = std::filesystem;
 namespace foveola::analysis {

@@ -8,7 +8,7 @@
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/dataset.h"
 #include "analysis/statistics/distributions.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 
 namespace foveola::analysis {
 namespace {

@@ -9,8 +9,8 @@
 #include "analysis/publication/scene_figure.h"
 #include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
-#include "renderer/base/ordered_jobs.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/ordered_jobs.h"
+#include "renderer/base/work/parallel.h"
 
 namespace foveola::analysis {
 std::string rating_figure_name(const Measure& rating) { return "ratings_" + rating.id(); }

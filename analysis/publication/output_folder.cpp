@@ -15,9 +15,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 namespace foveola::analysis {

@@ -17,7 +17,7 @@
 #include "analysis/tables/printed_table.h"
 #include "analysis/tables/row_text.h"
 #include "analysis/tables/table_formats.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 namespace foveola::analysis {

@@ -10,7 +10,7 @@
 
 #include <pybind11/numpy.h>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
 

@@ -12,8 +12,8 @@
 
 #include "renderer/base/csv.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/programs.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/work/programs.h"
 
 namespace fs = std::filesystem;
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 
 namespace fs = std::filesystem;
 

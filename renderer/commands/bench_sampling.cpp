@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/bench_commands.h"

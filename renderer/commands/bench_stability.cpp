@@ -10,7 +10,6 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
 #include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"

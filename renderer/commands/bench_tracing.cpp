@@ -11,7 +11,6 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/print.h"
 #include "renderer/base/work_scope.h"
 #include "renderer/command_line/common_options.h"
@@ -21,7 +20,7 @@
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/tracing_figures.h"
 #include "renderer/progressive/headless_render.h"
-#include "renderer/trace/embree_alone.h"
+#include "renderer/trace/rays/embree_alone.h"
 
 namespace foveola {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/film/film_file.h"
 
 namespace foveola {

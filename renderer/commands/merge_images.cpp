@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"

@@ -11,7 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/vec.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/view/viewport.h"

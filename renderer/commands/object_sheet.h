@@ -3,8 +3,8 @@
 
 #include <stop_token>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/image/image.h"
 #include "renderer/progressive/loaded_scene.h"
 

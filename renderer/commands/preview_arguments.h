@@ -13,7 +13,7 @@
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/progressive/picture.h"
-#include "renderer/window/preview_controls.h"
+#include "renderer/window/live/preview_controls.h"
 
 namespace CLI {
 class App;

@@ -13,7 +13,6 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
-#include "renderer/base/programs.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/preview_arguments.h"
 #include "renderer/commands/preview_head.h"
@@ -24,8 +23,8 @@
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "renderer/window/live_preview.h"
-#include "renderer/window/preview_panels.h"
+#include "renderer/window/live/live_preview.h"
+#include "renderer/window/live/preview_panels.h"
 
 namespace foveola {
 namespace {

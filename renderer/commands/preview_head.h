@@ -7,7 +7,7 @@
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/headset/live_display.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "renderer/window/free_camera.h"
+#include "renderer/window/live/free_camera.h"
 
 namespace foveola {
 

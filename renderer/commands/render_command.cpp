@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/work_scope.h"
 #include "renderer/commands/commands.h"

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work_scope.h"

@@ -14,14 +14,14 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 
 namespace foveola {
 namespace {

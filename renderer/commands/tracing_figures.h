@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/commands/bench_facts.h"
-#include "renderer/trace/embree_alone.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
+#include "renderer/trace/rays/embree_alone.h"
 
 namespace foveola {
 

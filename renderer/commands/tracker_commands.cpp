@@ -17,7 +17,7 @@
 #include "renderer/commands/commands.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/gaze_source.h"
-#include "renderer/gaze/hid_device.h"
+#include "renderer/gaze/hid/hid_device.h"
 #include "renderer/gaze/profiles.h"
 
 namespace foveola {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
 
 namespace foveola {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/film_tile.h"
 #include "renderer/film/texel_pyramid.h"
 #include "renderer/image/image.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/base/lanes.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/film_tile.h"
 #include "renderer/film/shown_color.h"

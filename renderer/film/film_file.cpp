@@ -9,10 +9,10 @@
 #include <system_error>
 #include <utility>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/little_endian.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/files/little_endian.h"
 
 namespace foveola {
 namespace {

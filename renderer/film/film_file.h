@@ -19,8 +19,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/exact_sum.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/film/equirect_film.h"
 
 namespace foveola {

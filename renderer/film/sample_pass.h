@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/view/view_sampler.h"
 

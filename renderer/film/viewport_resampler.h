@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/film_copy.h"
 #include "renderer/film/shown_color.h"

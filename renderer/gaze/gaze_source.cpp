@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/gaze/hid_eye_tracker.h"
-#include "renderer/gaze/open_gaze_tracker.h"
+#include "renderer/gaze/hid/hid_eye_tracker.h"
+#include "renderer/gaze/open_gaze/open_gaze_tracker.h"
 #include "renderer/gaze/recordings.h"
 #include "renderer/gaze/simulated_eye.h"
 

@@ -14,11 +14,11 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 
 namespace fs = std::filesystem;
 

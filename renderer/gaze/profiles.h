@@ -14,7 +14,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/latency.h"
-#include "renderer/gaze/open_gaze_records.h"
+#include "renderer/gaze/open_gaze/open_gaze_records.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -16,7 +16,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "renderer/headset/xr_instance.h"
 #include "renderer/view/viewport.h"
-#include "renderer/window/gl_objects.h"
+#include "renderer/window/drawing/gl_objects.h"
 
 namespace foveola {
 

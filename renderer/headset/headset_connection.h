@@ -13,7 +13,7 @@
 #include "renderer/headset/headset_inputs.h"
 #include "renderer/headset/headset_motion.h"
 #include "renderer/headset/xr_session.h"
-#include "renderer/window/frame_painter.h"
+#include "renderer/window/drawing/frame_painter.h"
 #include "renderer/window/window.h"
 
 namespace foveola {

@@ -11,7 +11,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/headset/headset_connection.h"
 #include "renderer/headset/headset_motion.h"
-#include "renderer/window/presenter.h"
+#include "renderer/window/drawing/presenter.h"
 #include "renderer/window/window.h"
 
 namespace foveola {

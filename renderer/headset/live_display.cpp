@@ -4,8 +4,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/headset/headset_facts.h"
-#include "renderer/window/presenter.h"
-#include "renderer/window/window_gaze.h"
+#include "renderer/window/drawing/presenter.h"
+#include "renderer/window/live/window_gaze.h"
 
 namespace foveola {
 

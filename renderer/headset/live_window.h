@@ -5,7 +5,7 @@
 #include <functional>
 #include <stop_token>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/window/window.h"
 #include "renderer/window/window_event.h"

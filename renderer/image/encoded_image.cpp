@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/image/radiance_picture.h"
 
 namespace foveola {

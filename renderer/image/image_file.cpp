@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/encoded_image.h"
 #include "renderer/image/image_codec.h"
 #include "renderer/image/linear_color.h"

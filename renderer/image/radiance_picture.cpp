@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 namespace foveola {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/cache.h"
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/cache.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/random.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/progressive_render.h"

@@ -9,7 +9,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/image/image.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola {
 

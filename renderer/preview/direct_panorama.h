@@ -1,9 +1,9 @@
 // A scene all around without noise, for when people get to know it and do not judge it.
 #pragma once
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/trace/direct_shading.h"
+#include "renderer/trace/paths/direct_shading.h"
 
 namespace foveola {
 

@@ -14,7 +14,7 @@
 #include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/progressive/progressive_render.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -10,7 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/film/film_file.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/view/image_samplers.h"

@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
-#include "renderer/base/shard.h"
 #include "renderer/base/vec.h"
+#include "renderer/base/work/parallel.h"
+#include "renderer/base/work/shard.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/progressive/progressive_render.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola {
 

@@ -11,7 +11,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/progressive/standpoint.h"
 #include "renderer/progressive/surroundings.h"

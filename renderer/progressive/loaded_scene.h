@@ -15,14 +15,14 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/file_watch.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/files/file_watch.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/path_tracer.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/paths/path_tracer.h"
+#include "renderer/trace/rays/ray_scene.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -11,7 +11,7 @@
 #include "renderer/film/adaptive_sampling.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {

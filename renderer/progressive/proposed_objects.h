@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/progressive/loaded_scene.h"
 
 namespace foveola {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/trace/triangle.h"
+#include "renderer/trace/surfaces/triangle.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -7,7 +7,7 @@
 
 #include "renderer/progressive/standpoint.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 #include "renderer/scene/foreign_references.h"
 #include "renderer/scene/sanitised.h"
 

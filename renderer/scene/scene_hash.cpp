@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 
 namespace foveola {
 

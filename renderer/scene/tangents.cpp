@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 
 namespace foveola {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/parallel.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/parallel.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/textures/texture.h"
 #include "renderer/scene/warnings.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/base/work/parallel.h"
 
 namespace foveola {
 

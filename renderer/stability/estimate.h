@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/stability/checks.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola {
 

@@ -9,7 +9,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/random.h"
 #include "renderer/glb/glb_document.h"
 #include "renderer/scene/load_scene.h"

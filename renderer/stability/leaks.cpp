@@ -14,7 +14,7 @@
 #include "renderer/stability/estimate.h"
 #include "renderer/stability/furnished_room.h"
 #include "renderer/stability/shapes.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola {
 namespace {

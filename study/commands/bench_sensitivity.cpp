@@ -10,7 +10,7 @@
 
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"

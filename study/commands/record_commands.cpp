@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/gaze/recordings.h"

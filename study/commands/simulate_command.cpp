@@ -6,7 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/output_options.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"

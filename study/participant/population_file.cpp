@@ -13,10 +13,10 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "renderer/gaze/profiles.h"
 
 namespace fs = std::filesystem;

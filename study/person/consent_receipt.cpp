@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/toml_file.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/toml/toml_file.h"
 #include "study/record/amendment_note.h"
 
 namespace foveola::study {

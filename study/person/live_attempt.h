@@ -9,7 +9,7 @@
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
-#include "renderer/window/slow_drawing.h"
+#include "renderer/window/drawing/slow_drawing.h"
 #include "study/driver/ports.h"
 #include "study/person/person_tracker.h"
 #include "study/person/session_display.h"

@@ -7,7 +7,7 @@
 
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/window/screen_fonts.h"
+#include "renderer/window/screens/screen_fonts.h"
 
 namespace foveola::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/window/screen_fonts.h"
+#include "renderer/window/screens/screen_fonts.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/window/view_overlays.h"
+#include "renderer/window/drawing/view_overlays.h"
 #include "study/participant/participant.h"
 
 namespace foveola::study {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "renderer/window/view_geometry.h"
+#include "renderer/window/drawing/view_geometry.h"
 #include "study/person/confirmation.h"
 #include "study/person/form.h"
 #include "study/person/reaction_presses.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "renderer/window/screen.h"
+#include "renderer/window/screens/screen.h"
 #include "study/person/form_input.h"
 #include "study/protocol/questionnaire.h"
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "study/person/consent_receipt.h"

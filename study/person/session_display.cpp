@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/window/slow_drawing.h"
+#include "renderer/window/drawing/slow_drawing.h"
 
 namespace foveola::study {
 

@@ -13,11 +13,11 @@
 #include "renderer/gaze/profiles.h"
 #include "renderer/image/image.h"
 #include "renderer/preview/frame_budget.h"
-#include "renderer/window/display_pictures.h"
-#include "renderer/window/film_drawing.h"
-#include "renderer/window/presenter.h"
-#include "renderer/window/screen.h"
-#include "renderer/window/view_geometry.h"
+#include "renderer/window/drawing/display_pictures.h"
+#include "renderer/window/drawing/film_drawing.h"
+#include "renderer/window/drawing/presenter.h"
+#include "renderer/window/drawing/view_geometry.h"
+#include "renderer/window/screens/screen.h"
 
 namespace foveola::study {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "renderer/window/steering.h"
+#include "renderer/window/live/steering.h"
 
 namespace foveola::study {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/window/screen.h"
+#include "renderer/window/screens/screen.h"
 #include "study/person/form.h"
 #include "study/protocol/protocol.h"
 

@@ -14,7 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "study/prediction/aim_dependence.h"
 #include "study/prediction/noise_table.h"
 #include "study/prediction/pilot.h"

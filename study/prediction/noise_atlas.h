@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "renderer/base/shard.h"
+#include "renderer/base/work/shard.h"
 #include "study/prediction/noise_table.h"
 #include "study/stage/scene_stage.h"
 

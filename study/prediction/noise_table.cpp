@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/cache.h"
-#include "renderer/base/digest.h"
+#include "renderer/base/files/cache.h"
+#include "renderer/base/files/digest.h"
 
 namespace fs = std::filesystem;
 namespace foveola::study {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/film/shown_color.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 #include "study/prediction/judged_view.h"
 #include "study/prediction/noise_table.h"
 #include "study/prediction/sample_mask.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola::study {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "renderer/base/toml_file.h"
+#include "renderer/base/toml/toml_file.h"
 
 namespace foveola::study {
 namespace {

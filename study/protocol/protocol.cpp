@@ -11,12 +11,12 @@
 #include <fmt/ranges.h>
 #include <strings.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "renderer/base/utf8.h"
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/measure.h"

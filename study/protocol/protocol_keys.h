@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/toml_keys.h"
+#include "renderer/base/toml/toml_keys.h"
 
 namespace foveola::study {
 

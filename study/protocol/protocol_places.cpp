@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/toml_file.h"
+#include "renderer/base/toml/toml_file.h"
 
 namespace foveola::study {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {

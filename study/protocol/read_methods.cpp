@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/file_access.h"
 #include "study/protocol/measure.h"
 #include "study/protocol/read_settings.h"
 

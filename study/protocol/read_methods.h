@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {

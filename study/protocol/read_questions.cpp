@@ -12,10 +12,10 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/base/toml_file.h"
+#include "renderer/base/toml/toml_file.h"
 #include "renderer/gaze/profiles.h"
 
 namespace fs = std::filesystem;

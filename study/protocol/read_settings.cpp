@@ -12,7 +12,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 
 namespace fs = std::filesystem;
 

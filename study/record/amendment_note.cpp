@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/json_member.h"
 
 namespace foveola::study {

@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
 #include "study/record/temporary_database.h"

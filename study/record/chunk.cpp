@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/schema.h"
 
 namespace foveola::study {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 namespace foveola::study {
 namespace {

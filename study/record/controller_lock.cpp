@@ -15,7 +15,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "study/record/database.h"
 #include "study/record/kept_attempts.h"
 #include "study/record/routine_notes.h"

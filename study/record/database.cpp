@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "study/record/damage_remedy.h"
 #include "study/record/database_checks.h"
 #include "study/record/journal_check.h"

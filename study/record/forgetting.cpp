@@ -7,9 +7,9 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/database_checks.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/base/little_endian.h"
+#include "renderer/base/files/little_endian.h"
 #include "study/record/stored_number.h"
 
 namespace foveola::study {

@@ -1,6 +1,6 @@
 #include "study/record/gaze_encoding.h"
 
-#include "renderer/base/little_endian.h"
+#include "renderer/base/files/little_endian.h"
 #include "study/record/stored_number.h"
 
 namespace foveola::study {

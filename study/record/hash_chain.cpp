@@ -5,7 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/schema.h"
 
 namespace foveola::study {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/big_endian.h"
 
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 
 namespace foveola::study {
 namespace {

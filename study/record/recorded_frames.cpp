@@ -6,8 +6,8 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/chunk.h"
 #include "study/record/damage_remedy.h"
 #include "study/record/frame_encoding.h"

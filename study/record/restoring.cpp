@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"

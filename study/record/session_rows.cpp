@@ -12,8 +12,8 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/damage_remedy.h"
 #include "study/record/question_json.h"
 #include "study/record/session_devices.h"

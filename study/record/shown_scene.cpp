@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/json_member.h"
 
 namespace foveola::study {

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/chunk.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"

@@ -6,7 +6,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 
 namespace foveola::study {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

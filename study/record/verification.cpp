@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/ordered_jobs.h"
-#include "renderer/base/parallel.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/work/ordered_jobs.h"
+#include "renderer/base/work/parallel.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/database_checks.h"

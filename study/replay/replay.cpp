@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "study/record/recorded_session.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_programs.h"

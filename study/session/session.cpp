@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/protocol/texts.h"
 
 namespace foveola::study {

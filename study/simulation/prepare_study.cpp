@@ -5,7 +5,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/simulation_setup.h"
 

@@ -6,8 +6,8 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/work/work_scope.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_programs.h"
 #include "study/record/simulation_kind.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "renderer/base/scene_source.h"
-#include "renderer/base/shard.h"
+#include "renderer/base/work/shard.h"
 
 namespace foveola::study {
 

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "study/participant/answers.h"
 #include "study/participant/effect_on_protocol.h"
 #include "study/participant/make_observer.h"

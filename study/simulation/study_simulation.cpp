@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/ordered_jobs.h"
+#include "renderer/base/work/ordered_jobs.h"
 #include "study/design/participant_code.h"
 #include "study/record/store_recorder.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/base/build_info.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "study/participant/simulated_observer.h"
 #include "study/record/buffered_recorder.h"
 #include "study/record/study_store.h"

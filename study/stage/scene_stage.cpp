@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
-#include "renderer/base/cache.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/cache.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "study/record/shown_scene.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/image/image.h"
 #include "renderer/measure/reference.h"
 #include "renderer/progressive/loaded_scene.h"

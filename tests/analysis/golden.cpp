@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola::analysis {
 

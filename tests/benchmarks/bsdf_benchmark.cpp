@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "renderer/base/random.h"
-#include "renderer/trace/bsdf.h"
-#include "renderer/trace/surface.h"
+#include "renderer/trace/materials/bsdf.h"
+#include "renderer/trace/surfaces/surface.h"
 
 namespace foveola {
 namespace {

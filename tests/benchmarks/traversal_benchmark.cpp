@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "renderer/base/random.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 
 namespace foveola {
 namespace {

@@ -1,7 +1,7 @@
 // A study whose protocol is amended between two parts of a person's session.
 #include <filesystem>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/seated_participant.h"
 #include "tests/matchers.h"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/study_rows.h"

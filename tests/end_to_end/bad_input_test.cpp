@@ -6,7 +6,7 @@
 
 #include <sys/stat.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/glb/glb_document.h"
 #include "tests/end_to_end/program.h"
 #include "tests/matchers.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/program.h"
 #include "tests/matchers.h"
 

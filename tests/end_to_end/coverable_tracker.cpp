@@ -3,7 +3,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "renderer/gaze/tcp_connection.h"
+#include "renderer/gaze/open_gaze/tcp_connection.h"
 
 namespace foveola::test {
 namespace {

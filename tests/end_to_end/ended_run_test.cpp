@@ -2,7 +2,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/study_run.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/program.h"
 #include "tests/matchers.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/small_disk.h"
 #include "tests/end_to_end/study_of_a_hall.h"
 #include "tests/matchers.h"

@@ -1,6 +1,6 @@
 #include "tests/end_to_end/hall.h"
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/glb/glb_document.h"
 
 namespace foveola::test {

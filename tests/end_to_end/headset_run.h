@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/study_run.h"
 
 namespace foveola::test {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/named_columns.h"
 #include "tests/end_to_end/seated_participant.h"

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "renderer/base/csv.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/base/csv.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola::test {
 

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/rendered_room.h"
 #include "tests/end_to_end/study_run.h"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/end_to_end/running_program.h"

@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/matchers.h"
 
 namespace fs = std::filesystem;

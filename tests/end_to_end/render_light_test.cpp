@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/rendered_room.h"
 #include "tests/matchers.h"

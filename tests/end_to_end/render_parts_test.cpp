@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/rendered_room.h"
 #include "tests/end_to_end/running_program.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"
 #include "tests/end_to_end/rendered_room.h"

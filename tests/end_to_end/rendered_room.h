@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/program.h"
 

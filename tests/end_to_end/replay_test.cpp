@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/study_of_a_hall.h"
 #include "tests/end_to_end/study_rows.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/study_run.h"

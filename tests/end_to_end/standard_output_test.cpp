@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/program.h"
 #include "tests/matchers.h"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_rows.h"

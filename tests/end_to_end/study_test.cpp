@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/study_records.h"
 #include "tests/end_to_end/study_of_a_hall.h"
 #include "tests/end_to_end/study_rows.h"

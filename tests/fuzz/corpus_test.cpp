@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/fuzz/event_input.h"
 #include "tests/fuzz/film_input.h"
 #include "tests/fuzz/hid_input.h"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/film/film_file.h"
 #include "tests/fuzz/input_bytes.h"
 

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "renderer/base/error.h"
-#include "renderer/gaze/hid_eye_reports.h"
-#include "renderer/gaze/hid_eye_tracker.h"
-#include "renderer/gaze/hid_report_descriptor.h"
+#include "renderer/gaze/hid/hid_eye_reports.h"
+#include "renderer/gaze/hid/hid_eye_tracker.h"
+#include "renderer/gaze/hid/hid_report_descriptor.h"
 #include "tests/fuzz/input_bytes.h"
 
 namespace foveola::test {

@@ -18,9 +18,9 @@
 #include <zlib.h>
 
 #include "analysis/dataset/study_tables.h"
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "study/record/chunk.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/frame_encoding.h"

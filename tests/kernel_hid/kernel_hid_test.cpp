@@ -12,7 +12,7 @@
 
 #include <fmt/core.h>
 
-#include "renderer/gaze/hid_eye_tracker.h"
+#include "renderer/gaze/hid/hid_eye_tracker.h"
 #include "tests/kernel_hid/uhid_device.h"
 #include "tests/matchers.h"
 #include "tests/renderer/gaze/hid_reference.h"

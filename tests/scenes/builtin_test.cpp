@@ -13,9 +13,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 #include "scenes/descriptor_search.h"
 
 namespace foveola::scenes {

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "scenes/download.h"
 #include "scenes/file_search.h"
 #include "tests/renderer/gaze/tracker_server.h"

@@ -2,8 +2,8 @@
 
 #include <sys/stat.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor_search.h"
 #include "tests/error_of.h"

@@ -1,7 +1,7 @@
 // Scenes of a user's own: descriptors beside their files, in the user's folder and beside a
 // protocol.
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "scenes/builtin.h"
 #include "scenes/find_scene.h"
 #include "tests/error_of.h"

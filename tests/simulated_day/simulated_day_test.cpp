@@ -17,7 +17,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/named_columns.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 
 namespace foveola {
 namespace {

@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/gltf/buffers.h"
 #include "renderer/scene/gltf/container.h"

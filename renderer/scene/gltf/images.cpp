@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/foreign_references.h"
 #include "renderer/scene/gltf/fault.h"

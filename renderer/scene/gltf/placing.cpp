@@ -11,7 +11,7 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/rebase.h"
 #include "renderer/scene/sanitised.h"

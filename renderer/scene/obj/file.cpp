@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/work_scope.h"

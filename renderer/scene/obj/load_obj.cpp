@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/scene/foreign_references.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/obj/file.h"

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/obj/polygon.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola {
 namespace {

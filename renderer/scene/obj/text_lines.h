@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 
 namespace foveola {
 

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/file_access.h"
 #include "renderer/base/files.h"

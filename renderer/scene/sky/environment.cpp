@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/encoded_image.h"
 #include "renderer/image/linear_color.h"
 #include "renderer/scene/textures/decoded_memory.h"

@@ -4,7 +4,7 @@
 
 #include "analysis/convergence/convergence_files.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/analysis/convergence/made_up_measurement.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/matchers.h"
 

@@ -10,7 +10,7 @@
 
 #include "renderer/base/csv.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "analysis/publication/analyze_study.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"

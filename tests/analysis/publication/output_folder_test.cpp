@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 

@@ -4,7 +4,7 @@
 
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/csv.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/matchers.h"
 #include "tests/study/record/study_file.h"
 

@@ -1,6 +1,6 @@
 #include "renderer/base/clock.h"
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "tests/matchers.h"
 
 namespace foveola {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/random.h"
 #include "tests/matchers.h"
 #include "tests/renderer/film/film_samples.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/random.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"

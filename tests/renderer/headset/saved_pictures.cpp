@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/waiting.h"
 
 namespace foveola::test {

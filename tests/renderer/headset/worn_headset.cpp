@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "renderer/window/film_drawing.h"
+#include "renderer/window/drawing/film_drawing.h"
 #include "tests/renderer/window/patterned_film.h"
 #include "tests/waiting.h"
 

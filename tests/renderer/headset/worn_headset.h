@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/headset/headset_presenter.h"
-#include "renderer/window/film_drawing.h"
+#include "renderer/window/drawing/film_drawing.h"
 #include "renderer/window/window.h"
 
 namespace foveola::test {

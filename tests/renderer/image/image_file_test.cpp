@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/image/image_codec.h"
 #include "tests/encoded_image.h"
 #include "tests/matchers.h"

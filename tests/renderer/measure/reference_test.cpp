@@ -7,7 +7,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "renderer/view/equirect.h"
 #include "tests/matchers.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
-#include "renderer/base/shard.h"
+#include "renderer/base/work/shard.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/view_sampler.h"

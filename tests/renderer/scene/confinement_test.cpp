@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"

@@ -9,7 +9,7 @@
 
 #include "reference_bsdf.h"
 #include "renderer/base/random.h"
-#include "renderer/trace/bsdf.h"
+#include "renderer/trace/materials/bsdf.h"
 
 namespace foveola {
 

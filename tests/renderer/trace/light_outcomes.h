@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/base/random.h"
-#include "renderer/trace/lights.h"
+#include "renderer/trace/lights/lights.h"
 #include "scenes.h"
 #include "tests/renderer/trace/random_points.h"
 

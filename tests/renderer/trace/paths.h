@@ -7,7 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 #include "statistics.h"
 
 namespace foveola {

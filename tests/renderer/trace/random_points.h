@@ -3,7 +3,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/base/vec.h"
-#include "renderer/trace/light_sampling.h"
+#include "renderer/trace/lights/light_sampling.h"
 
 namespace foveola::test {
 

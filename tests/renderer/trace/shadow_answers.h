@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/rays/ray_scene.h"
 
 namespace foveola::test {
 

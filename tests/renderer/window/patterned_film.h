@@ -5,7 +5,7 @@
 
 #include "renderer/film/equirect_film.h"
 #include "renderer/image/image.h"
-#include "renderer/window/view_overlays.h"
+#include "renderer/window/drawing/view_overlays.h"
 
 namespace foveola::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/window/screen.h"
+#include "renderer/window/screens/screen.h"
 
 namespace foveola::test {
 

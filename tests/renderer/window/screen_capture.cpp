@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "renderer/base/parallel.h"
-#include "renderer/window/live_preview.h"
+#include "renderer/base/work/parallel.h"
+#include "renderer/window/live/live_preview.h"
 #include "tests/renderer/window/patterned_film.h"
 
 namespace foveola::test {

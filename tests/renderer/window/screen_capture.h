@@ -5,8 +5,8 @@
 #include <string>
 
 #include "renderer/film/equirect_film.h"
-#include "renderer/window/film_mirror.h"
-#include "renderer/window/presenter.h"
+#include "renderer/window/drawing/film_mirror.h"
+#include "renderer/window/drawing/presenter.h"
 #include "tests/x_server.h"
 
 namespace foveola::test {

@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
-#include "renderer/window/screen_fonts.h"
-#include "renderer/window/screen_layout.h"
+#include "renderer/window/screens/screen_fonts.h"
+#include "renderer/window/screens/screen_layout.h"
 
 namespace foveola::test {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "renderer/window/view_geometry.h"
+#include "renderer/window/drawing/view_geometry.h"
 #include "tests/matchers.h"
 
 namespace foveola {

@@ -2,7 +2,7 @@
 #include <cctype>
 #include <set>
 
-#include "renderer/window/screen_layout.h"
+#include "renderer/window/screens/screen_layout.h"
 #include "study/person/pages.h"
 #include "study/person/typed_answer.h"
 #include "tests/matchers.h"

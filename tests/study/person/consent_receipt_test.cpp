@@ -1,6 +1,6 @@
 #include "study/person/consent_receipt.h"
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/amendment_note.h"
 #include "tests/matchers.h"
 

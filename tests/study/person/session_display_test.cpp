@@ -5,7 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/image/image_file.h"
-#include "renderer/window/presenter.h"
+#include "renderer/window/drawing/presenter.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"
 #include "tests/x_server.h"

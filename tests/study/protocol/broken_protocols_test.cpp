@@ -1,7 +1,7 @@
 // Protocols as accidents leave them: whatever is in the file, it is read or refused in words.
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/random.h"
 #include "study/protocol/protocol.h"
 #include "tests/matchers.h"

@@ -1,8 +1,8 @@
 // The files that a protocol's methods read.
 #include <utility>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/matchers.h"
 #include "tests/study/protocol/protocol_folder.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/protocol/protocol_folder.h"

@@ -1,4 +1,4 @@
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/amendment_note.h"
 #include "study/record/maintenance.h"
 #include "study/record/study_records.h"

@@ -1,7 +1,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
 #include "tests/matchers.h"

@@ -11,7 +11,7 @@
 
 #include "power_loss_study.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
 #include "tests/matchers.h"

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/controller_lock.h"
 #include "study/record/study_records.h"
 #include "study_file.h"

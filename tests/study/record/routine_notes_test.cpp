@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/amendment_note.h"
 #include "study/record/clock_steps.h"
 #include "study/record/session_devices.h"

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/recorded_session.h"

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/hash_chain.h"
 #include "study/record/schema.h"
 #include "study/record/study_head.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "study/record/store_recorder.h"
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/virtual_session.h"

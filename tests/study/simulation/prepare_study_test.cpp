@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
 #include "study/simulation/prediction_agreement.h"
 #include "tests/matchers.h"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"

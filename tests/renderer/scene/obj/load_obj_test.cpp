@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/random.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/obj/obj_text.h"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"

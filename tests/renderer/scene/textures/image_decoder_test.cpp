@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/encoded_image.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"

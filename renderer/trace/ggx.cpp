@@ -1,9 +1,0 @@
-#include "renderer/trace/ggx.h"
-
-namespace foveola {
-
-Vec3 fine_half_vector(const Vec3& a, const Vec3& b) {
-  return Vec3(glm::normalize(glm::normalize(DVec3(a)) + glm::normalize(DVec3(b))));
-}
-
-}  // namespace foveola

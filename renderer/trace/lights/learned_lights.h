@@ -1,0 +1,165 @@
+// Which lights reach which part of a scene, learned from paths that were traced before: walls are
+// in no other way known to next-event estimation.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/random.h"
+#include "renderer/base/vec.h"
+#include "renderer/trace/lights/light_sampling.h"
+#include "renderer/trace/lights/light_tree.h"
+#include "renderer/trace/lights/surface_regions.h"
+
+namespace foveola {
+
+/// Unlike PiecewiseConstant2D it holds no memory elsewhere, since there is one for every region.
+class SquareWarp {
+ public:
+  static constexpr std::size_t width = 8;
+  static constexpr std::size_t squares = width * width;
+
+  /// The square that holds a point of the unit square, row by row.
+  static std::size_t square_of(const Vec2& point) { return width * step(point.y) + step(point.x); }
+
+  /// weights: of each square, positive and finite.
+  explicit SquareWarp(const std::array<double, squares>& weights) {
+    double total = 0.0;
+    std::array<double, width> rows{};
+    for (std::size_t i = 0; i < squares; ++i) {
+      total += weights[i];
+      rows[i / width] += weights[i];
+    }
+    double above = 0.0;
+    for (std::size_t row = 0; row < width; ++row) {
+      double left = 0.0;
+      for (std::size_t column = 0; column < width; ++column) {
+        const double weight = weights[row * width + column];
+        left += weight;
+        columns_[row][column] = static_cast<float>(left / rows[row]);
+        density_[row][column] = static_cast<float>(weight / total * squares);
+      }
+      above += rows[row];
+      rows_[row] = static_cast<float>(above / total);
+    }
+  }
+
+  struct Point {
+    Vec2 place;  ///< in the unit square
+    float density;
+  };
+  /// u: in the unit square. Neighbouring u give neighbouring points.
+  Point sample(const Vec2& u) const {
+    const Step row = find(rows_, u.y);
+    const Step column = find(columns_[row.index], u.x);
+    constexpr float side = 1.0F / static_cast<float>(width);
+    const auto place = [](const Step& step) {
+      return std::min((static_cast<float>(step.index) + step.within) * side, largest_below_one);
+    };
+    return {.place = {place(column), place(row)}, .density = density_[row.index][column.index]};
+  }
+
+  /// square: see square_of().
+  float density_in(std::size_t square) const { return density_[square / width][square % width]; }
+  float density(const Vec2& point) const { return density_[step(point.y)][step(point.x)]; }
+
+ private:
+  using Sums = std::array<float, width>;
+  struct Step {
+    std::size_t index;
+    float within;  ///< in [0, 1)
+  };
+
+  static std::size_t step(float x) {
+    return std::min(static_cast<std::size_t>(x * static_cast<float>(width)), width - 1);
+  }
+  static Step find(const Sums& sums, float u) {
+    std::size_t index = 0;
+    for (std::size_t i = 0; i + 1 < width; ++i) {
+      index += sums[i] <= u ? 1 : 0;
+    }
+    const float lower = index == 0 ? 0.0F : sums[index - 1];
+    return {index, std::clamp((u - lower) / (sums[index] - lower), 0.0F, largest_below_one)};
+  }
+
+  Sums rows_{};
+  std::array<Sums, width> columns_{};
+  std::array<Sums, width> density_{};
+};
+
+enum class LightKind : std::uint8_t { environment, suns, local, nothing };
+
+/// With which probability each kind is drawn; 0 for those that there are not.
+struct KindProbabilities {
+  float environment = 0.0F;
+  float suns = 0.0F;
+  float local = 0.0F;
+};
+
+/// How a light sample at a path's vertex turned out, before anything was learned.
+struct LightOutcome {
+  ShadingPoint shading_point;
+  LightKind kind;
+  /// Of the environment the square of SquareWarp that the direction was drawn from; of local lights
+  /// the one drawn, or `no_light`.
+  std::uint32_t light;
+  /// What arrived of it, in units of the radiance that the path scatters to where it comes from.
+  float gain = 0.0F;
+
+  static constexpr std::uint32_t no_light = ~0U;
+};
+
+/// Tables for the regions of the surfaces that paths have met; in parts of the scene that they have
+/// not, those of some region near them. Whatever was learned, every light keeps a part of the
+/// probability that it usually has, so that what is wrong costs samples and never makes a picture
+/// wrong.
+class LearnedLights {
+ public:
+  /// Nothing is learned: one region.
+  explicit LearnedLights(const KindProbabilities& usual) : kinds_(1, usual) {}
+
+  /// usual: that the outcomes were drawn with. tree: of the local lights, or null. knows_sky: the
+  /// environment was drawn by its brightness.
+  LearnedLights(std::span<const LightOutcome> outcomes, const KindProbabilities& usual,
+                const LightTree* tree, bool knows_sky);
+
+  /// The mean square of light samples drawn as learned, over that of those drawn as usual, as far
+  /// as these outcomes tell, from which nothing should have been learned; 1 where nothing arrived.
+  double relative_mean_square(std::span<const LightOutcome> outcomes,
+                              const KindProbabilities& usual, const LightTree* tree) const;
+
+  std::uint32_t region_of(const Vec3& position, const Vec3& normal) const {
+    return regions_.count() == 1 ? 0 : regions_.region_of({position, normal});
+  }
+  Uints regions_of(const Vec3s& position, const Vec3s& normal) const {
+    return regions_.count() == 1 ? Uints{} : regions_.regions_of(position, normal);
+  }
+
+  const KindProbabilities& kinds(std::uint32_t region) const { return kinds_[region]; }
+  /// The density of directions to the environment in the unit square of its numbers; null:
+  /// constant.
+  const SquareWarp* sky(std::uint32_t region) const {
+    return sky_.empty() ? nullptr : &sky_[region];
+  }
+  /// Null: none.
+  const LightTree::Preferences* preferences(std::uint32_t region) const {
+    return preferences_.empty() ? nullptr : &preferences_[region];
+  }
+
+ private:
+  /// With which probability the outcome's light was drawn, over that with which it is drawn now.
+  double relative_probability(const LightOutcome& outcome, const KindProbabilities& usual,
+                              const LightTree* tree) const;
+
+  SurfaceRegions regions_;
+  std::vector<KindProbabilities> kinds_;
+  std::vector<SquareWarp> sky_;
+  std::vector<LightTree::Preferences> preferences_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,144 @@
+// What reflects in the metallic-roughness model: metal, and a coat over a Lambertian layer.
+#pragma once
+
+#include <numbers>
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/vec.h"
+#include "renderer/trace/materials/bsdf_value.h"
+#include "renderer/trace/materials/ggx.h"
+#include "renderer/trace/materials/ggx_albedo.h"
+
+namespace foveola {
+
+/// Outgoing directions are raised to it.
+inline constexpr float smallest_cosine = 1e-4F;
+
+template <typename Vector>
+inline Vector raised_above_grazing(const Vector& w) {
+  const auto is_grazing = w.z < smallest_cosine;
+  if (!any_lane(is_grazing)) {
+    return w;
+  }
+  return chosen(is_grazing, normalized(Vector{w.x, w.y, decltype(w.z){} + smallest_cosine}), w);
+}
+
+/// A direction above the surface with density cosine / pi. u: in [0, 1].
+template <typename Number>
+inline Vec3Of<Number> sample_cosine_hemisphere(const SinesCosines<Number>& azimuth,
+                                               const Number& u) {
+  const Number r = square_root(u);
+  return {r * azimuth.cosine, r * azimuth.sine, square_root(1.0F - u)};
+}
+
+/// A material's values at one point, or at eight.
+template <typename Number>
+struct OpaqueValuesOf {
+  Vec3Of<Number> base_color;
+  Number metallic;
+  Vec3Of<Number> coat_normal;  ///< the coat's Schlick reflectance at normal incidence
+  Number coat_grazing;         ///< and at grazing incidence
+  Number coated;               ///< the share of the surface whose coat reflects
+  Number opaque;               ///< the share of the surface with a Lambertian layer under its coat
+};
+
+/// The layers, seen from one direction.
+template <typename Number>
+class OpaqueLayersOf {
+ public:
+  using Vector = Vec3Of<Number>;
+
+  /// To be assigned to.
+  OpaqueLayersOf() = default;
+
+  /// The Lambertian layer alone.
+  explicit OpaqueLayersOf(const Vector& base_color)
+      : diffuse_(white_diffuse * base_color),
+        diffuse_albedo_(
+            chosen((base_color.x == 0.0F) & (base_color.y == 0.0F) & (base_color.z == 0.0F),
+                   Number{}, Number{} + 1.0F)) {}
+
+  /// albedo: of the microfacets. cosine: of the outgoing direction.
+  OpaqueLayersOf(const OpaqueValuesOf<Number>& values, const GgxAlbedo::RowOf<Number>& albedo,
+                 const Number& cosine)
+      : albedo_(albedo), lobe_(albedo.at(cosine)) {
+    const Number base_luminance = luminance(values.base_color);
+    if (any_lane(values.metallic < 1.0F)) {
+      const Number coat_f0 = max_component(values.coat_normal);
+      coat_albedo_ = smaller(lobe_.with(coat_f0, values.coat_grazing), 1.0F);
+      const Number below_coat = 1.0F - albedo.mean().with(coat_f0, values.coat_grazing);
+      const auto is_seen = below_coat > darkest_below_coat;
+      layer_f0_ = chosen(is_seen, coat_f0, Number{});
+      layer_f90_ = chosen(is_seen, values.coat_grazing, Number{});
+      has_coat_ = any_lane((layer_f0_ > 0.0F) | (layer_f90_ > 0.0F));
+      const Number layer =
+          white_diffuse * (1.0F - coat_albedo_) / chosen(is_seen, below_coat, Number{} + 1.0F);
+      diffuse_ = (values.opaque * layer) * values.base_color;
+      diffuse_albedo_ = values.opaque * (1.0F - coat_albedo_) * base_luminance;
+      const Number grazing = values.coated * values.coat_grazing;
+      specular_normal_ = values.coated * values.coat_normal;
+      specular_grazing_ = {grazing, grazing, grazing};
+      specular_albedo_ = values.coated * coat_albedo_;
+    }
+    if (any_lane(values.metallic > 0.0F)) {
+      // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
+      const Number lost = (1.0F - lobe_.white) / lobe_.white;
+      const Vector white{Number{} + 1.0F, Number{} + 1.0F, Number{} + 1.0F};
+      const Vector metal = values.metallic * (white + lost * values.base_color);
+      specular_normal_ = specular_normal_ + metal * values.base_color;
+      specular_grazing_ = specular_grazing_ + metal;
+      const Number metal_albedo = base_luminance * (1.0F - lobe_.grazing) + lobe_.grazing;
+      specular_albedo_ = specular_albedo_ + values.metallic * metal_albedo;
+    }
+  }
+
+  /// Of the outgoing direction, the share of light that the coat reflects.
+  const Number& coat_albedo() const { return coat_albedo_; }
+  /// That of the microfacets if their Fresnel reflectance were 1.
+  const Number& white_albedo() const { return lobe_.white; }
+  /// Luminance of what metal and coat reflect together, and of what the Lambertian layer does.
+  const Number& specular_albedo() const { return specular_albedo_; }
+  const Number& diffuse_albedo() const { return diffuse_albedo_; }
+
+  /// The Fresnel reflectance of metal and coat together. cosine: see MicrofacetLobeOf::Facets.
+  Vector reflectance(const Number& cosine) const {
+    const Number weight = schlick_weight(cosine);
+    return (1.0F - weight) * specular_normal_ + weight * specular_grazing_;
+  }
+
+  /// What metal and coat reflect, with the microfacets' density.
+  BsdfValueOf<Number> specular(const typename MicrofacetLobeOf<Number>::Facets& facets) const {
+    return {.times_cosine = facets.times_cosine * reflectance(facets.cosine), .pdf = facets.pdf};
+  }
+
+  /// What the Lambertian layer reflects. cosine: of the incoming direction. probability: with which
+  /// it is sampled.
+  BsdfValueOf<Number> diffuse(const Number& cosine, const Number& probability) const {
+    Number received = cosine;
+    if (has_coat_) {
+      const Number coat_albedo = albedo_.at(cosine).with(layer_f0_, layer_f90_);
+      received = larger(1.0F - coat_albedo, 0.0F) * cosine;
+    }
+    return {.times_cosine = received * diffuse_, .pdf = probability * cosine * white_diffuse};
+  }
+
+ private:
+  /// The BSDF of a white Lambertian surface.
+  static constexpr float white_diffuse = std::numbers::inv_pi_v<float>;
+
+  /// A coat that lets less of a uniform sky through hides the layer below but at grazing angles.
+  /// There it is Lambertian: the table is too coarse for quotients of what so bright a coat does
+  /// not reflect.
+  static constexpr float darkest_below_coat = 0.02F;
+
+  bool has_coat_ = false;  ///< any lane has one
+  GgxAlbedo::RowOf<Number> albedo_;
+  SchlickAlbedoOf<Number> lobe_;
+  Number coat_albedo_{};
+  Vector specular_normal_{}, specular_grazing_{};
+  Number layer_f0_{}, layer_f90_{};  ///< the coat's strongest channel, over the Lambertian layer
+  Vector diffuse_{};                 ///< the Lambertian layer's BSDF but for (1 - E(incoming))
+  Number specular_albedo_{}, diffuse_albedo_{};
+};
+
+}  // namespace foveola
