@@ -45,35 +45,31 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
 }
 
 /// { duration_ms = 8.0, provenance = "assumed" }
-KnownDuration require_duration(TomlReader& table, const TomlKeyName& key) {
+KnownDuration require_duration(TomlReader& table, std::string_view key, std::string_view meaning) {
   constexpr std::array words{Word<Provenance>{"measured", Provenance::measured},
                              Word<Provenance>{"assumed", Provenance::assumed}};
-  TomlReader inner = table.table(required(key));
+  TomlReader inner = table.table(required(key), meaning);
   KnownDuration duration;
   double duration_ms = 0.0;
-  inner.read(required({"duration_ms", "Milliseconds."}), duration_ms, 0.0, 1000.0);
+  inner.read(required("duration_ms"), duration_ms, 0.0, 1000.0, "Milliseconds.");
   duration.duration_s = 1e-3 * duration_ms;
-  inner.read(required({"provenance", "Whether the duration was measured or is assumed."}),
-             duration.provenance, words);
+  inner.read(required("provenance"), duration.provenance, words,
+             "Whether the duration was measured or is assumed.");
   inner.reject_unknown_keys();
   return duration;
 }
 
 void read_headset(TomlReader& table, DisplayProfile& display) {
-  table.read(
-      required(
-          {"horizontal_fov_deg",
-           "A headset's horizontal field of view of one eye, in degrees. Required of a headset."}),
-      display.horizontal_fov_deg, 1.0, 179.0);
-  table.read(required({"vertical_fov_deg",
-                       "A headset's vertical field of view, in degrees. Required of a headset."}),
-             display.vertical_fov_deg, 1.0, 179.0);
+  table.read(required("horizontal_fov_deg"), display.horizontal_fov_deg, 1.0, 179.0,
+             "A headset's horizontal field of view of one eye, in degrees. Required of a headset.");
+  table.read(required("vertical_fov_deg"), display.vertical_fov_deg, 1.0, 179.0,
+             "A headset's vertical field of view, in degrees. Required of a headset.");
   if (display.width_px % 2 != 0) {
     table.fail(table.source("width_px"), "two views side by side need an even width",
                "give the width of both together");
   }
   TomlReader lens = table.table(
-      {"lens", "A headset's lens, of the left eye; the right eye's is its mirror image."});
+      "lens", "A headset's lens, of the left eye; the right eye's is its mirror image.");
   if (table.has("lens")) {
     lens.require("k1");
     lens.require("k2");
@@ -88,15 +84,12 @@ double fov_deg(double size_m, double distance_m) {
 
 void read_monitor(TomlReader& table, DisplayProfile& display) {
   constexpr double largest_stretch = 1.25;
-  table.read(
-      required({"width_m", "Width of a monitor's picture in metres. Required of a monitor."}),
-      display.width_m, 0.01, 20.0);
-  table.read(
-      required({"height_m", "Height of a monitor's picture in metres. Required of a monitor."}),
-      display.height_m, 0.01, 20.0);
-  table.read(required({"viewing_distance_m",
-                       "Distance from the eyes to a monitor in metres. Required of a monitor."}),
-             display.viewing_distance_m, 0.05, 50.0);
+  table.read(required("width_m"), display.width_m, 0.01, 20.0,
+             "Width of a monitor's picture in metres. Required of a monitor.");
+  table.read(required("height_m"), display.height_m, 0.01, 20.0,
+             "Height of a monitor's picture in metres. Required of a monitor.");
+  table.read(required("viewing_distance_m"), display.viewing_distance_m, 0.05, 50.0,
+             "Distance from the eyes to a monitor in metres. Required of a monitor.");
   const double stretch =
       (display.width_m / display.width_px) / (display.height_m / display.height_px);
   if (std::max(stretch, 1.0 / stretch) > largest_stretch) {
@@ -109,13 +102,13 @@ void read_monitor(TomlReader& table, DisplayProfile& display) {
 
 MeasuredDisplay read_measured(TomlReader table) {
   MeasuredDisplay measured;
-  measured.date = table.require_text({"date", "The date of the measurement."});
-  table.read({"instrument", "What it was measured with."}, measured.instrument);
-  table.read({"white_cd_m2", "Luminance of white in the middle, in cd/m²."}, measured.white_cd_m2,
-             0.001, 1e5);
-  table.read({"black_cd_m2", "Luminance of black, in cd/m²."}, measured.black_cd_m2, 0.0, 1e5);
-  table.read({"gamma", "The exponent from pixel values to luminance."}, measured.gamma, 0.1, 10.0);
-  table.read({"refresh_rate_hz", "Refreshes per second."}, measured.refresh_rate_hz, 1.0, 1000.0);
+  measured.date = table.require_text("date", "The date of the measurement.");
+  table.read("instrument", measured.instrument, "What it was measured with.");
+  table.read("white_cd_m2", measured.white_cd_m2, 0.001, 1e5,
+             "Luminance of white in the middle, in cd/m².");
+  table.read("black_cd_m2", measured.black_cd_m2, 0.0, 1e5, "Luminance of black, in cd/m².");
+  table.read("gamma", measured.gamma, 0.1, 10.0, "The exponent from pixel values to luminance.");
+  table.read("refresh_rate_hz", measured.refresh_rate_hz, 1.0, 1000.0, "Refreshes per second.");
   table.reject_unknown_keys();
   return measured;
 }
@@ -129,8 +122,8 @@ constexpr std::array corners{
 
 TimingPatch read_timing_patch(TomlReader table) {
   TimingPatch patch;
-  table.read(required({"corner", "The corner of the window."}), patch.corner, corners);
-  table.read({"size_px", "Its side in pixels."}, patch.size_px, 1, 4096);
+  table.read(required("corner"), patch.corner, corners, "The corner of the window.");
+  table.read("size_px", patch.size_px, 1, 4096, "Its side in pixels.");
   table.reject_unknown_keys();
   return patch;
 }
@@ -140,65 +133,59 @@ DisplayProfile display_from(TomlReader table) {
                              Word<DisplayKind>{"monitor", DisplayKind::monitor},
                              Word<DisplayKind>{"openxr", DisplayKind::openxr}};
   DisplayProfile display;
-  display.title = table.require_text({"title", "The display's name, for people."});
-  table.read(required({"kind",
-                       "headset: two views side by side in a window, each through a lens; "
-                       "monitor: one flat view; openxr: a headset by OpenXR, whose runtime "
-                       "tells the rest, so that no other key is allowed."}),
-             display.kind, words);
+  display.title = table.require_text("title", "The display's name, for people.");
+  table.read(required("kind"), display.kind, words,
+             "headset: two views side by side in a window, each through a lens; "
+             "monitor: one flat view; openxr: a headset by OpenXR, whose runtime "
+             "tells the rest, so that no other key is allowed.");
   if (display.kind == DisplayKind::openxr) {
     table.reject_unknown_keys();
     return display;
   }
-  table.read(required({"width_px",
-                       "Width of the whole display in pixels, in a headset of both views "
-                       "together. Required of a headset and a monitor."}),
-             display.width_px, 16, 65536);
-  table.read(
-      required({"height_px",
-                "Height of the whole display in pixels. Required of a headset and a monitor."}),
-      display.height_px, 16, 65536);
-  table.read(
-      required({"refresh_rate_hz", "Refreshes per second. Required of a headset and a monitor."}),
-      display.refresh_rate_hz, 1.0, 1000.0);
+  table.read(required("width_px"), display.width_px, 16, 65536,
+             "Width of the whole display in pixels, in a headset of both views "
+             "together. Required of a headset and a monitor.");
+  table.read(required("height_px"), display.height_px, 16, 65536,
+             "Height of the whole display in pixels. Required of a headset and a monitor.");
+  table.read(required("refresh_rate_hz"), display.refresh_rate_hz, 1.0, 1000.0,
+             "Refreshes per second. Required of a headset and a monitor.");
   if (display.kind == DisplayKind::headset) {
     read_headset(table, display);
   } else {
     read_monitor(table, display);
   }
-  display.scan_out = require_duration(table, {"scan_out",
-                                              "The time from a frame's presentation until all of "
-                                              "it is lit. Required of a headset and a monitor."});
-  table.read_table({"measured", "What was measured of the display with instruments."},
-                   display.measured, read_measured);
-  table.read_table({"timing_patch",
-                    "A square in a corner of the window that is white while a "
-                    "trial is shown and black otherwise, for a photodiode."},
-                   display.timing_patch, read_timing_patch);
+  display.scan_out = require_duration(table, "scan_out",
+                                      "The time from a frame's presentation until all of "
+                                      "it is lit. Required of a headset and a monitor.");
+  table.read_table("measured", display.measured, read_measured,
+                   "What was measured of the display with instruments.");
+  table.read_table("timing_patch", display.timing_patch, read_timing_patch,
+                   "A square in a corner of the window that is white while a "
+                   "trial is shown and black otherwise, for a photodiode.");
   table.reject_unknown_keys();
   return display;
 }
 
 void read_open_gaze(TomlReader table, OpenGazeAddress& address) {
   int port = address.port;
-  table.read({"host", "The computer."}, address.host);
+  table.read("host", address.host, "The computer.");
   if (address.host.empty()) {
     table.fail(table.source("host"), "open_gaze.host is empty", "name a computer, or leave it out");
   }
-  table.read({"port", "Its TCP port."}, port, 1, 65535);
+  table.read("port", port, 1, 65535, "Its TCP port.");
   address.port = static_cast<std::uint16_t>(port);
   table.reject_unknown_keys();
 }
 
 void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
-  table.read({"precision_deg", "Standard deviation of its noise along each axis, in degrees."},
-             settings.precision_deg, 0.0, 10.0);
-  table.read({"bias_right_deg", "What it adds to the eye's azimuth, in degrees."},
-             settings.bias_right_deg, -30.0, 30.0);
-  table.read({"bias_up_deg", "What it adds to the eye's elevation, in degrees."},
-             settings.bias_up_deg, -30.0, 30.0);
-  table.read({"data_loss", "The part of samples that come without a gaze."}, settings.data_loss,
-             0.0, 1.0);
+  table.read("precision_deg", settings.precision_deg, 0.0, 10.0,
+             "Standard deviation of its noise along each axis, in degrees.");
+  table.read("bias_right_deg", settings.bias_right_deg, -30.0, 30.0,
+             "What it adds to the eye's azimuth, in degrees.");
+  table.read("bias_up_deg", settings.bias_up_deg, -30.0, 30.0,
+             "What it adds to the eye's elevation, in degrees.");
+  table.read("data_loss", settings.data_loss, 0.0, 1.0,
+             "The part of samples that come without a gaze.");
   table.reject_unknown_keys();
 }
 
@@ -213,34 +200,31 @@ constexpr std::array sources{
 
 TrackerProfile tracker_from(TomlReader table) {
   TrackerProfile tracker;
-  tracker.title = table.require_text({"title", "The tracker's name, for people."});
-  table.read(
-      required({"source",
-                "hid: the HID standard for eye trackers; open-gaze: the Open Gaze API; openxr: "
-                "a headset by OpenXR; pointer: the mouse's pointer; recorded: the file of a "
-                "recording; simulated: a simulated tracker."}),
-      tracker.source, sources);
-  table.read(required({"rate_hz", "Samples per second."}), tracker.rate_hz, 1.0, 10000.0);
+  tracker.title = table.require_text("title", "The tracker's name, for people.");
+  table.read(required("source"), tracker.source, sources,
+             "hid: the HID standard for eye trackers; open-gaze: the Open Gaze API; openxr: "
+             "a headset by OpenXR; pointer: the mouse's pointer; recorded: the file of a "
+             "recording; simulated: a simulated tracker.");
+  table.read(required("rate_hz"), tracker.rate_hz, 1.0, 10000.0, "Samples per second.");
   tracker.exposure =
-      require_duration(table, {"exposure", "How long a sample's picture of the eye is exposed."});
+      require_duration(table, "exposure", "How long a sample's picture of the eye is exposed.");
   tracker.transfer =
-      require_duration(table, {"transfer", "How long a picture takes from the camera."});
+      require_duration(table, "transfer", "How long a picture takes from the camera.");
   tracker.processing =
-      require_duration(table, {"processing", "How long it takes to find the gaze in it."});
+      require_duration(table, "processing", "How long it takes to find the gaze in it.");
   if (tracker.source == TrackerSource::open_gaze) {
-    read_open_gaze(table.table({"open_gaze", "Where the server of an open-gaze source listens."}),
+    read_open_gaze(table.table("open_gaze", "Where the server of an open-gaze source listens."),
                    tracker.open_gaze);
   }
   if (tracker.source == TrackerSource::recorded) {
-    tracker.recording = table.require_text({"recording",
-                                            "The file that a recorded source replays, in the "
-                                            "profile's folder. Required of such a source."});
+    tracker.recording = table.require_text("recording",
+                                           "The file that a recorded source replays, in the "
+                                           "profile's folder. Required of such a source.");
   }
   if (tracker.source == TrackerSource::simulated) {
     read_simulated(
-        table.table(
-            {"simulated",
-             "What a simulated source does. Its latency follows from the durations above."}),
+        table.table("simulated",
+                    "What a simulated source does. Its latency follows from the durations above."),
         tracker.simulated);
   }
   tracker.simulated.rate_hz = tracker.rate_hz;
@@ -327,11 +311,11 @@ RadialLens read_lens(TomlReader& table, RadialLens lens) {
   constexpr double strongest = 100.0;
   double k1 = lens.k1;
   double k2 = lens.k2;
-  table.read({"axis", "Where the lens's axis meets the view, from the left and the top, 0 to 1."},
-             lens.axis, 0.0, 1.0);
-  table.read({"k1", "Distortion coefficient of the squared distance from the axis."}, k1,
-             -strongest, strongest);
-  table.read({"k2", "Distortion coefficient of its fourth power."}, k2, -strongest, strongest);
+  table.read("axis", lens.axis, 0.0, 1.0,
+             "Where the lens's axis meets the view, from the left and the top, 0 to 1.");
+  table.read("k1", k1, -strongest, strongest,
+             "Distortion coefficient of the squared distance from the axis.");
+  table.read("k2", k2, -strongest, strongest, "Distortion coefficient of its fourth power.");
   lens.k1 = static_cast<float>(k1);
   lens.k2 = static_cast<float>(k2);
   return lens;

@@ -33,21 +33,20 @@ namespace {
 
 void read_all_settings(TomlReader& reader, Protocol& protocol) {
   protocol.machine =
-      read_machine(reader.table({"machine",
-                                 "The machine whose speed simulated participants see, whatever "
-                                 "computer runs the simulation. People see the real one."}));
-  protocol.display = read_display(reader.table({"display", "The display."}), folder_of(protocol));
+      read_machine(reader.table("machine",
+                                "The machine whose speed simulated participants see, whatever "
+                                "computer runs the simulation. People see the real one."));
+  protocol.display = read_display(reader.table("display", "The display."), folder_of(protocol));
   protocol.film = read_film(
-      reader.table({"film", "The film: the 360-degree image that samples are summed in."}), {});
-  protocol.tracker =
-      read_tracker(reader.table({"tracker", "The eye tracker."}), folder_of(protocol));
-  protocol.timing = read_timing(reader.table({"timing", "Time-outs and times."}), {});
+      reader.table("film", "The film: the 360-degree image that samples are summed in."), {});
+  protocol.tracker = read_tracker(reader.table("tracker", "The eye tracker."), folder_of(protocol));
+  protocol.timing = read_timing(reader.table("timing", "Time-outs and times."), {});
   protocol.reference = read_reference(reader.table(
-      {"reference", "The quality of the reference images that simulated participants expect."}));
+      "reference", "The quality of the reference images that simulated participants expect."));
   protocol.preflight =
-      read_preflight(reader.table({"preflight",
-                                   "What has to hold before a person's session begins; what is "
-                                   "left out is measured and recorded, but not asked for."}));
+      read_preflight(reader.table("preflight",
+                                  "What has to hold before a person's session begins; what is "
+                                  "left out is measured and recorded, but not asked for."));
   read_overrides(reader, protocol);
 }
 
@@ -177,8 +176,8 @@ Protocol read_protocol(const std::string& text, const fs::path& path, TomlKeys* 
       parse_toml(path.string(), text, "see protocols/demo.toml for an example");
   TomlReader reader(path.string(), table, "", keys);
   refuse_old_tables(reader, table);
-  protocol.name = reader.require_text({"name", "The study's short name."});
-  protocol.title = reader.require_text({"title", "The study's title, for people."});
+  protocol.name = reader.require_text("name", "The study's short name.");
+  protocol.title = reader.require_text("title", "The study's title, for people.");
   protocol.scenes = read_scenes(reader);
   read_methods(reader, protocol);
   read_texts(reader, protocol);
@@ -187,9 +186,9 @@ Protocol read_protocol(const std::string& text, const fs::path& path, TomlKeys* 
   protocol.questionnaires =
       read_questionnaires(reader, questionnaire_files_in(folder_of(protocol)));
   read_phases(reader, protocol);
-  protocol.analysis = read_analysis(reader.table({"analysis",
-                                                  "The analysis that is planned before there are "
-                                                  "data; any other comparison is exploratory."}),
+  protocol.analysis = read_analysis(reader.table("analysis",
+                                                 "The analysis that is planned before there are "
+                                                 "data; any other comparison is exploratory."),
                                     protocol);
   require_computable(reader.table("analysis"), protocol.analysis);
   reader.reject_unknown_keys();
@@ -229,19 +228,12 @@ DisplaySettings read_recorded_display(const std::string& text, const std::string
 fs::path folder_of(const Protocol& protocol) { return fs::absolute(protocol.path).parent_path(); }
 
 std::string name_of(const PhaseEntry& phase) {
-  switch (phase.kind) {
-    case PhaseEntry::Kind::consent:
-      return "consent";
-    case PhaseEntry::Kind::questionnaire:
-      return phase.questionnaire;
-    case PhaseEntry::Kind::validation:
-      return "validation";
-    case PhaseEntry::Kind::reaction:
-      return "reaction";
-    case PhaseEntry::Kind::trials:
-      break;
-  }
-  return "trials";
+  using Kind = PhaseEntry::Kind;
+  constexpr auto kinds = std::to_array<Word<Kind>>({{"consent", Kind::consent},
+                                                    {"validation", Kind::validation},
+                                                    {"reaction", Kind::reaction},
+                                                    {"trials", Kind::trials}});
+  return phase.kind == Kind::questionnaire ? phase.questionnaire : word_for(kinds, phase.kind);
 }
 
 TrialSettings settings_of(const Protocol& protocol, const std::string& scene,

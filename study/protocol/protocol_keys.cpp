@@ -40,6 +40,15 @@ struct FileKind {
   std::vector<std::string> examples;
 };
 
+/// What a monitor and a headset have.
+constexpr const char* screen = R"(
+title = "A display"
+width_px = 1920
+height_px = 1080
+refresh_rate_hz = 60
+scan_out = { duration_ms = 16.7, provenance = "assumed" }
+)";
+
 constexpr const char* example_name = "example.toml";
 
 std::vector<FileKind> file_kinds() {
@@ -71,25 +80,17 @@ questionnaire = [{ id = "debrief", title = "Afterwards", question = )" +
                       "`[display]`; the program's own are in `data/displays`.",
            .read = [](const std::string& toml,
                       TomlKeys* keys) { display_profile_in(toml, example_name, keys); },
-           .examples = {"title = \"By OpenXR\"\nkind = \"openxr\"", R"(title = "Headset"
+           .examples = {"title = \"By OpenXR\"\nkind = \"openxr\"", std::string(screen) + R"(
 kind = "headset"
-width_px = 2560
-height_px = 1440
-refresh_rate_hz = 70
 horizontal_fov_deg = 100
 vertical_fov_deg = 100
 lens = { k1 = 0.1, k2 = 0.05 }
-scan_out = { duration_ms = 14, provenance = "assumed" }
 )",
-                        R"(title = "Monitor"
+                        std::string(screen) + R"(
 kind = "monitor"
-width_px = 1920
-height_px = 1080
-refresh_rate_hz = 60
 width_m = 0.5313
 height_m = 0.2989
 viewing_distance_m = 0.6
-scan_out = { duration_ms = 16.7, provenance = "assumed" }
 measured = { date = "2026-01-31" }
 timing_patch = { corner = "bottom left" }
 )"}},

@@ -46,7 +46,7 @@ double largest_margin(const Measure& measure) {
 
 std::string read_measure(TomlReader& reader, const std::vector<Measure>& measures) {
   const std::string id =
-      reader.require_text({"measure", "The id of a mark, or of a rating in numbers."});
+      reader.require_text("measure", "The id of a mark, or of a rating in numbers.");
   std::vector<std::string> known;
   for (const Measure& measure : measures) {
     known.push_back(measure.id());
@@ -63,9 +63,9 @@ PlannedComparison read_comparison(TomlReader reader, const Protocol& protocol,
                                   const std::vector<Measure>& measures) {
   PlannedComparison comparison{.measure = read_measure(reader, measures)};
   comparison.method =
-      read_method_name(reader, required({"method", "One of the protocol's methods."}), protocol);
-  comparison.baseline = read_method_name(
-      reader, {"baseline", "Another of the protocol's methods. Default: the first."}, protocol);
+      read_method_name(reader, required("method"), protocol, "One of the protocol's methods.");
+  comparison.baseline = read_method_name(reader, "baseline", protocol,
+                                         "Another of the protocol's methods. Default: the first.");
   if (!reader.has("baseline")) {
     comparison.baseline = protocol.methods.front();
   }
@@ -94,7 +94,7 @@ std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protoc
   const std::vector<Measure> measures = comparable_measures(protocol);
   std::vector<PlannedComparison> comparisons;
   for (const TomlReader& entry :
-       reader.tables({"primary", "The primary comparisons, for which the study is done."})) {
+       reader.tables("primary", "The primary comparisons, for which the study is done.")) {
     const PlannedComparison next = read_comparison(entry, protocol, measures);
     if (std::any_of(comparisons.begin(), comparisons.end(),
                     [&](const PlannedComparison& other) { return is_same(other, next); })) {
@@ -110,8 +110,8 @@ std::map<std::string, double> read_margins(TomlReader reader, const Protocol& pr
   for (const Measure& measure : comparable_measures(protocol)) {
     const double smallest = measure.kind == MeasureKind::time ? 1.001 : 0.001;
     std::optional<double> margin;
-    reader.read({measure.id(), "The margin of the mark or the rating of this id."}, margin,
-                smallest, largest_margin(measure));
+    reader.read(measure.id(), margin, smallest, largest_margin(measure),
+                "The margin of the mark or the rating of this id.");
     if (margin) {
       margins[measure.id()] = *margin;
     }
@@ -137,10 +137,10 @@ std::vector<std::string> read_background(TomlReader& reader, const Protocol& pro
   }
   std::vector<std::string> scale;
   for (const TomlReader::Text& id : reader.texts(
-           {"background",
-            "Questions in numbers of the questionnaire background. Their mean is a participant's "
-            "background, whose correlation with the speed-up in the first primary comparison of "
-            "times is the one that is tested. Default: none, and no correlation."})) {
+           "background",
+           "Questions in numbers of the questionnaire background. Their mean is a participant's "
+           "background, whose correlation with the speed-up in the first primary comparison of "
+           "times is the one that is tested. Default: none, and no correlation.")) {
     if (std::find(known.begin(), known.end(), id.value) == known.end()) {
       reader.fail(
           id.source,
@@ -226,10 +226,10 @@ std::string name_of(RatingAnalysis analysis) { return word_for(rating_analyses, 
 std::vector<SceneEntry> read_scenes(TomlReader& reader) {
   std::vector<SceneEntry> scenes;
   for (const TomlReader::Text& scene : reader.require_texts(
-           {"scenes",
-            "The scenes, without duplicates: by names of descriptors (NAME.toml) or scene files in "
-            "the protocol's folder, by names that `foveola scene list` shows, or by paths that "
-            "begin in the protocol's folder."})) {
+           "scenes",
+           "The scenes, without duplicates: by names of descriptors (NAME.toml) or scene files in "
+           "the protocol's folder, by names that `foveola scene list` shows, or by paths that "
+           "begin in the protocol's folder.")) {
     scenes.push_back({.name = scene.value,
                       .line = static_cast<int>(scene.source.begin.line),
                       .column = static_cast<int>(scene.source.begin.column)});
@@ -247,9 +247,9 @@ const MethodFile* find_method_file(const std::vector<MethodFile>& files, const s
 
 void read_methods(TomlReader& reader, Protocol& protocol) {
   const std::vector<TomlReader::Text> methods = reader.require_texts(
-      {"methods",
-       "The methods, as `foveola render --method` takes them: od, vp, fv, fv-paper, "
-       "fv:acuity=linear, mask:file=a.png, without duplicates. The first is the baseline."});
+      "methods",
+      "The methods, as `foveola render --method` takes them: od, vp, fv, fv-paper, "
+      "fv:acuity=linear, mask:file=a.png, without duplicates. The first is the baseline.");
   require_moderate_number(reader, protocol.scenes.size(), methods.size());
   for (const TomlReader::Text& method : methods) {
     require_moderate_length(reader, method);
@@ -264,26 +264,23 @@ void read_methods(TomlReader& reader, Protocol& protocol) {
 
 AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   AnalysisPlan plan;
-  reader.read({"alpha", "The significance level of the primary comparisons together."}, plan.alpha,
-              1e-6, 0.5);
-  reader.read({"participants", "The planned number of participants."}, plan.participants, 1,
-              100'000);
+  reader.read("alpha", plan.alpha, 1e-6, 0.5,
+              "The significance level of the primary comparisons together.");
+  reader.read("participants", plan.participants, 1, 100'000, "The planned number of participants.");
   reader.read(
-      {"scenes",
-       "Whether times are compared for scenes like these (random: a mixed model with participants "
-       "and scenes crossed) or for these scenes alone (fixed: a paired t test over participants)."},
-      plan.scenes, scene_effects);
-  reader.read({"ratings",
-               "The primary analysis of ratings: a cumulative link mixed model, which needs R, or "
-               "Wilcoxon's signed ranks of the participants' means."},
-              plan.ratings, rating_analyses);
+      "scenes", plan.scenes, scene_effects,
+      "Whether times are compared for scenes like these (random: a mixed model with participants "
+      "and scenes crossed) or for these scenes alone (fixed: a paired t test over participants).");
+  reader.read("ratings", plan.ratings, rating_analyses,
+              "The primary analysis of ratings: a cumulative link mixed model, which needs R, or "
+              "Wilcoxon's signed ranks of the participants' means.");
   plan.background = read_background(reader, protocol);
   plan.primary = read_comparisons(reader, protocol);
   plan.equivalence_margins = read_margins(
       reader.table_by_ids(
-          {"equivalence_margins",
-           "The margins of equivalence tests, the largest differences that do not matter: by a "
-           "mark's id, a ratio of times above 1; by a rating's id, points."}),
+          "equivalence_margins",
+          "The margins of equivalence tests, the largest differences that do not matter: by a "
+          "mark's id, a ratio of times above 1; by a rating's id, points."),
       protocol);
   reader.reject_unknown_keys();
   return plan;

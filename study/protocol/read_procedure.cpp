@@ -41,11 +41,11 @@ Texts read_words(TomlReader reader) {
   Texts texts;
   for (const std::string& id : known_text_ids()) {
     std::string text = text_of({}, id);
-    reader.read({id, id == "consent"
-                         ? "The text that the participant agrees to. There are no built-in words "
-                           "for it; with this key, a session begins by asking for consent."
-                         : ""},
-                text);
+    reader.read(id, text,
+                id == "consent"
+                    ? "The text that the participant agrees to. There are no built-in words "
+                      "for it; with this key, a session begins by asking for consent."
+                    : "");
     if (reader.has(id)) {
       require_known_names(reader, id, text);
       texts[id] = text;
@@ -71,12 +71,11 @@ bool is_language_tag(const std::string& text) {
 std::vector<PracticeEntry> read_practice(TomlReader& reader, const Protocol& protocol) {
   std::vector<PracticeEntry> practice;
   for (TomlReader& entry : reader.tables(
-           {"practice", "Practice trials before the first scene; they are never analysed."})) {
-    practice.push_back(
-        {.scene =
-             read_scene_name(entry, required({"scene", "One of the protocol's scenes."}), protocol),
-         .method = read_method_name(entry, required({"method", "One of the protocol's methods."}),
-                                    protocol)});
+           "practice", "Practice trials before the first scene; they are never analysed.")) {
+    practice.push_back({.scene = read_scene_name(entry, required("scene"), protocol,
+                                                 "One of the protocol's scenes."),
+                        .method = read_method_name(entry, required("method"), protocol,
+                                                   "One of the protocol's methods.")});
     entry.reject_unknown_keys();
   }
   return practice;
@@ -84,12 +83,11 @@ std::vector<PracticeEntry> read_practice(TomlReader& reader, const Protocol& pro
 
 CatchTrials read_catch_trials(TomlReader reader, int tests) {
   CatchTrials trials;
-  reader.read({"count",
-               "Number of catch trials in a session, at random positions: never the first, no two "
-               "in a row."},
-              trials.count, 0, 1000);
-  reader.read({"timeout_s", "Seconds after which each ends by itself."}, trials.timeout_s, 0.5,
-              3600.0);
+  reader.read("count", trials.count, 0, 1000,
+              "Number of catch trials in a session, at random positions: never the first, no two "
+              "in a row.");
+  reader.read("timeout_s", trials.timeout_s, 0.5, 3600.0,
+              "Seconds after which each ends by itself.");
   reader.reject_unknown_keys();
   if (trials.count > tests) {
     reader.fail(reader.source("count"),
@@ -102,12 +100,11 @@ CatchTrials read_catch_trials(TomlReader reader, int tests) {
 ReactionSettings read_reaction(TomlReader reader) {
   constexpr double longest_s = 60.0;
   ReactionSettings reaction;
-  reader.read({"presses", "Number of presses; early ones are repeated."}, reaction.presses, 1,
-              1000);
-  reader.read({"shortest_wait_s", "The shortest wait in seconds; waits are drawn uniformly."},
-              reaction.shortest_wait_s, 0.1, longest_s);
-  reader.read({"longest_wait_s", "The longest wait in seconds."}, reaction.longest_wait_s, 0.1,
-              longest_s);
+  reader.read("presses", reaction.presses, 1, 1000, "Number of presses; early ones are repeated.");
+  reader.read("shortest_wait_s", reaction.shortest_wait_s, 0.1, longest_s,
+              "The shortest wait in seconds; waits are drawn uniformly.");
+  reader.read("longest_wait_s", reaction.longest_wait_s, 0.1, longest_s,
+              "The longest wait in seconds.");
   reader.reject_unknown_keys();
   if (reaction.longest_wait_s < reaction.shortest_wait_s) {
     const bool has_longest = reader.has("longest_wait_s");
@@ -123,14 +120,11 @@ LookingSettings read_looking(TomlReader reader) {
   constexpr std::array remedies{Word<Remedy>{"flag", Remedy::flag},
                                 Word<Remedy>{"retime", Remedy::retime}};
   LookingSettings looking;
-  reader.read({"object_out_of_view",
-               "What follows when the view did not show the object at a mark; \"retime\" has the "
-               "trial timed again, up to two times."},
-              looking.object_out_of_view, remedies);
-  reader.read(
-      {"gaze_elsewhere",
-       "What follows when the gaze was elsewhere for most of the time until the last mark."},
-      looking.gaze_elsewhere, remedies);
+  reader.read("object_out_of_view", looking.object_out_of_view, remedies,
+              "What follows when the view did not show the object at a mark; \"retime\" has the "
+              "trial timed again, up to two times.");
+  reader.read("gaze_elsewhere", looking.gaze_elsewhere, remedies,
+              "What follows when the gaze was elsewhere for most of the time until the last mark.");
   reader.reject_unknown_keys();
   return looking;
 }
@@ -210,15 +204,14 @@ void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::
 
 MarkEntry read_mark(TomlReader& entry, const std::string& id) {
   const std::string instruction =
-      entry.require_text({"instruction", "The text that the participant reads before the trial."});
+      entry.require_text("instruction", "The text that the participant reads before the trial.");
   constexpr std::array judgements{Word<std::string_view>{"outline", "outline"},
                                   Word<std::string_view>{"material", "material"}};
   // A mark that is called as a published one means what that does, unless it says otherwise.
   std::string_view simulated = id == "outline" || id == "material" ? std::string_view(id) : "";
-  entry.read({"simulated",
-              "The judgement by which simulated participants make the mark. Default: that of its "
-              "id, if it is one of these; otherwise they refuse the protocol."},
-             simulated, judgements);
+  entry.read("simulated", simulated, judgements,
+             "The judgement by which simulated participants make the mark. Default: that of its "
+             "id, if it is one of these; otherwise they refuse the protocol.");
   return {.id = id, .instruction = instruction, .simulated = std::string(simulated)};
 }
 
@@ -227,18 +220,18 @@ MarkEntry read_mark(TomlReader& entry, const std::string& id) {
 std::string name_of(Order order) { return word_for(orders, order); }
 
 void read_texts(TomlReader& reader, Protocol& protocol) {
-  reader.read({"language", "The language of the texts, as a BCP 47 tag: en, fi, pt-BR.",
-               "^[A-Za-z0-9]+(-[A-Za-z0-9]+)*$"},
-              protocol.language);
+  reader.read("language", protocol.language,
+              "The language of the texts, as a BCP 47 tag: en, fi, pt-BR.",
+              "^[A-Za-z0-9]+(-[A-Za-z0-9]+)*$");
   if (!is_language_tag(protocol.language)) {
     reader.fail(reader.source("language"),
                 fmt::format("'{}' is not a language tag", protocol.language),
                 "write one like en, fi, pt-BR");
   }
   protocol.texts =
-      read_words(reader.table({"texts",
-                               "The words of the participant's screens, which replace the built-in "
-                               "English ones. Names in braces are filled in."}));
+      read_words(reader.table("texts",
+                              "The words of the participant's screens, which replace the built-in "
+                              "English ones. Names in braces are filled in."));
 }
 
 std::vector<MarkEntry> published_marks() {
@@ -263,9 +256,9 @@ std::vector<MarkEntry> read_marks(TomlReader& reader) {
   std::vector<MarkEntry> marks;
   std::vector<std::string> ids;
   for (TomlReader& entry :
-       reader.tables({"mark",
-                      "The moments that the participant marks while a trial is rendered, in this "
-                      "order. Default: outline, material, as published."})) {
+       reader.tables("mark",
+                     "The moments that the participant marks while a trial is rendered, in this "
+                     "order. Default: outline, material, as published.")) {
     ids.push_back(
         read_new_id(entry,
                     "The mark's name in records, tables and files: at most 64 letters, digits, - "
@@ -282,10 +275,9 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
   for (const MarkEntry& mark : marks) {
     taken.push_back(mark.id);
   }
-  std::vector<Question> ratings = read_questions(
-      reader,
-      {"rating", "Questions after the marks. Default: artifacts, from 1 to 5, as published."},
-      taken);
+  std::vector<Question> ratings =
+      read_questions(reader, "rating", taken,
+                     "Questions after the marks. Default: artifacts, from 1 to 5, as published.");
   if (!ratings.empty()) {
     return ratings;
   }
@@ -302,46 +294,42 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
 void read_procedure(TomlReader& reader, Protocol& protocol) {
   constexpr std::array choices{Word<ObjectChoice>{"per scene", ObjectChoice::per_scene},
                                Word<ObjectChoice>{"per method", ObjectChoice::per_method}};
-  reader.read({"scene_order",
-               "The order of scenes. fixed: as listed; random: drawn anew for every participant, "
-               "as published; latin: the rows of a cyclic Latin square; williams: those of a "
-               "Williams square, which is also balanced for carry-over."},
-              protocol.scene_order, orders);
-  reader.read({"method_order",
-               "The order of methods within each scene. fixed: as listed; random: drawn anew for "
-               "every participant, as published; latin: the rows of a cyclic Latin square; "
-               "williams: those of a Williams square, which is also balanced for carry-over."},
-              protocol.method_order, orders);
+  reader.read("scene_order", protocol.scene_order, orders,
+              "The order of scenes. fixed: as listed; random: drawn anew for every participant, "
+              "as published; latin: the rows of a cyclic Latin square; williams: those of a "
+              "Williams square, which is also balanced for carry-over.");
+  reader.read("method_order", protocol.method_order, orders,
+              "The order of methods within each scene. fixed: as listed; random: drawn anew for "
+              "every participant, as published; latin: the rows of a cyclic Latin square; "
+              "williams: those of a Williams square, which is also balanced for carry-over.");
   reader.read(
-      {"object",
-       "How long a participant's object is kept: for all trials of a scene, or for one trial."},
-      protocol.object_choice, choices);
+      "object", protocol.object_choice, choices,
+      "How long a participant's object is kept: for all trials of a scene, or for one trial.");
   protocol.marks = read_marks(reader);
   protocol.ratings = read_ratings(reader, protocol.marks);
   protocol.practice = read_practice(reader, protocol);
   protocol.catch_trials = read_catch_trials(
-      reader.table({"catch_trials",
-                    "Catch trials, in which nothing is rendered: a mark in one shows that the "
-                    "participant did not look. They are never analysed."}),
+      reader.table("catch_trials",
+                   "Catch trials, in which nothing is rendered: a mark in one shows that the "
+                   "participant did not look. They are never analysed."),
       static_cast<int>(protocol.scenes.size() * protocol.methods.size()));
-  reader.read_table({"reaction",
-                     "The reaction test: key presses at something that appears, which measure the "
-                     "participant's reaction time."},
-                    protocol.reaction, read_reaction);
+  reader.read_table("reaction", protocol.reaction, read_reaction,
+                    "The reaction test: key presses at something that appears, which measure the "
+                    "participant's reaction time.");
   protocol.looking =
-      read_looking(reader.table({"looking",
-                                 "What follows when a participant did not look at the trial's "
-                                 "object. In any case the record and the analysis say so."}));
+      read_looking(reader.table("looking",
+                                "What follows when a participant did not look at the trial's "
+                                "object. In any case the record and the analysis say so."));
 }
 
 void read_phases(TomlReader& reader, Protocol& protocol) {
   const std::vector<PhaseEntry> possible = possible_phases(protocol);
   const std::vector<TomlReader::Text> chosen = reader.texts(
-      {"phases",
-       "The phases of a session in their order: consent, validation, reaction, trials (with the "
-       "practice right before them), and questionnaires by their ids. Everything that the protocol "
-       "describes must occur. Default: consent if there is a text for it, the questionnaire "
-       "background, validation, reaction, trials, the questionnaire debrief, any others."});
+      "phases",
+      "The phases of a session in their order: consent, validation, reaction, trials (with the "
+      "practice right before them), and questionnaires by their ids. Everything that the protocol "
+      "describes must occur. Default: consent if there is a text for it, the questionnaire "
+      "background, validation, reaction, trials, the questionnaire debrief, any others.");
   for (const TomlReader::Text& name : chosen) {
     protocol.phases.push_back(chosen_phase(reader, name, possible));
   }

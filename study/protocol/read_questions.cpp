@@ -43,13 +43,11 @@ void forbid(const TomlReader& reader, std::initializer_list<std::string_view> ke
 }
 
 void read_range(TomlReader& reader, Question& question) {
-  reader.read(
-      {"minimum", "The first point of a scale (default 1), or the smallest number (required)."},
-      question.minimum, -largest_number, largest_number);
-  reader.read({"maximum",
-               "The last point of a scale (default 5; at most 101 points), or the largest number "
-               "(required)."},
-              question.maximum, -largest_number, largest_number);
+  reader.read("minimum", question.minimum, -largest_number, largest_number,
+              "The first point of a scale (default 1), or the smallest number (required).");
+  reader.read("maximum", question.maximum, -largest_number, largest_number,
+              "The last point of a scale (default 5; at most 101 points), or the largest number "
+              "(required).");
   if (question.maximum <= question.minimum) {
     reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
                 fmt::format("the range from {} to {} is empty", question.minimum, question.maximum),
@@ -76,9 +74,9 @@ void require_points(const TomlReader& reader, const Question& question) {
 void read_scale(TomlReader& reader, Question& question) {
   forbid(reader, {"options"}, "scale");
   read_range(reader, question);
-  for (const TomlReader::Text& label : reader.texts({"labels",
-                                                     "The labels of a scale: two for its ends, or "
-                                                     "one for each point, without duplicates."})) {
+  for (const TomlReader::Text& label : reader.texts("labels",
+                                                    "The labels of a scale: two for its ends, or "
+                                                    "one for each point, without duplicates.")) {
     question.labels.push_back(label.value);
   }
   require_points(reader, question);
@@ -93,9 +91,9 @@ void read_number(TomlReader& reader, Question& question) {
 
 Option read_option(TomlReader reader) {
   Option option{.label =
-                    reader.require_text({"label", "The option's words, unique in the question."})};
-  reader.read({"value", "The number that is recorded; without it, the label is recorded as text."},
-              option.value, -largest_number, largest_number);
+                    reader.require_text("label", "The option's words, unique in the question.")};
+  reader.read("value", option.value, -largest_number, largest_number,
+              "The number that is recorded; without it, the label is recorded as text.");
   reader.reject_unknown_keys();
   return option;
 }
@@ -103,7 +101,7 @@ Option read_option(TomlReader reader) {
 void read_options(TomlReader& reader, Question& question) {
   forbid(reader, {"minimum", "maximum", "labels"}, "choice");
   for (const TomlReader& entry :
-       reader.tables({"options", "The options of a choice, at least two."})) {
+       reader.tables("options", "The options of a choice, at least two.")) {
     const Option option = read_option(entry);
     if (std::any_of(question.options.begin(), question.options.end(), [&](const Option& other) {
           return other.label == option.label || (option.value && other.value == option.value);
@@ -126,10 +124,9 @@ void read_kind(TomlReader& reader, Question& question) {
       Word<QuestionKind>{"choice", QuestionKind::choice},
       Word<QuestionKind>{"text", QuestionKind::text},
   };
-  reader.read({"kind",
-               "likert: a scale of whole points; number: a number in a range; choice: one of "
-               "several options; text: free text."},
-              question.kind, kinds);
+  reader.read("kind", question.kind, kinds,
+              "likert: a scale of whole points; number: a number in a range; choice: one of "
+              "several options; text: free text.");
   switch (question.kind) {
     case QuestionKind::likert:
       read_scale(reader, question);
@@ -151,11 +148,10 @@ void read_judgement(TomlReader& reader, Question& rating) {
   constexpr std::array judgements{Word<std::string_view>{"artifacts", "artifacts"},
                                   Word<std::string_view>{"quality", "quality"}};
   std::string_view simulated = rating.id == "artifacts" ? "artifacts" : "";
-  reader.read({"simulated",
-               "Of scales only: the judgement by which simulated participants answer it. "
-               "artifacts: the lowest point is none of them; quality: the other way round. "
-               "Default: artifacts for a rating of this id; without one they refuse the protocol."},
-              simulated, judgements);
+  reader.read("simulated", simulated, judgements,
+              "Of scales only: the judgement by which simulated participants answer it. "
+              "artifacts: the lowest point is none of them; quality: the other way round. "
+              "Default: artifacts for a rating of this id; without one they refuse the protocol.");
   rating.simulated = simulated;
   if (reader.has("simulated") && rating.kind != QuestionKind::likert) {
     reader.fail(reader.source("simulated"), "simulated participants rate on scales only",
@@ -169,9 +165,9 @@ Question read_question(TomlReader reader, const std::vector<std::string>& taken,
                                       "The question's name in records and tables, unique in a "
                                       "form; of a rating in files too, as of a mark.",
                                       taken),
-                    .text = reader.require_text({"text", "The question's words."})};
+                    .text = reader.require_text("text", "The question's words.")};
   read_kind(reader, question);
-  reader.read({"required", "Whether the question must be answered."}, question.required);
+  reader.read("required", question.required, "Whether the question must be answered.");
   if (is_rating) {
     read_judgement(reader, question);
   }
@@ -181,12 +177,12 @@ Question read_question(TomlReader reader, const std::vector<std::string>& taken,
 
 /// Reads all of a questionnaire but its id over `questionnaire`, with its questions, if it has any.
 void read_content(TomlReader& reader, Questionnaire& questionnaire) {
-  reader.read({"title", "The heading of the form. A protocol may leave it to the file."},
-              questionnaire.title);
-  reader.read({"intro", "Text above the questions."}, questionnaire.intro);
-  reader.read({"source", "Where it was published."}, questionnaire.source);
+  reader.read("title", questionnaire.title,
+              "The heading of the form. A protocol may leave it to the file.");
+  reader.read("intro", questionnaire.intro, "Text above the questions.");
+  reader.read("source", questionnaire.source, "Where it was published.");
   if (std::vector<Question> questions = read_questions(
-          reader, {"question", "The questions. A protocol may leave them to the file."}, {});
+          reader, "question", {}, "The questions. A protocol may leave them to the file.");
       !questions.empty()) {
     questionnaire.questions = std::move(questions);
   }
@@ -261,12 +257,11 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
 /// The questionnaire of the file that the table names; an empty one if it names none.
 Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files) {
   std::string name;
-  reader.read({"file",
-               "A ready-made questionnaire, with the keys title, intro, source and question: the "
-               "name, without .toml, of one in the protocol's folder, in "
-               "~/.local/share/foveola/questionnaires or among those that come with Foveola (ssq, "
-               "nasa-tlx, sus), or the path of a file in the protocol's folder or below."},
-              name);
+  reader.read("file", name,
+              "A ready-made questionnaire, with the keys title, intro, source and question: the "
+              "name, without .toml, of one in the protocol's folder, in "
+              "~/.local/share/foveola/questionnaires or among those that come with Foveola (ssq, "
+              "nasa-tlx, sus), or the path of a file in the protocol's folder or below.");
   if (!reader.has("file")) {
     return {};
   }
@@ -286,7 +281,7 @@ Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files
 
 std::string read_new_id(TomlReader& reader, std::string_view meaning,
                         const std::vector<std::string>& taken) {
-  const std::string id = reader.require_text({"id", meaning, "^[A-Za-z0-9_-]+$"});
+  const std::string id = reader.require_text("id", meaning, "^[A-Za-z0-9_-]+$");
   if (!std::all_of(id.begin(), id.end(), is_id_character)) {
     reader.fail(reader.source("id"), fmt::format("'{}' is not an id", id),
                 "use letters, digits, - and _ only");
@@ -298,12 +293,13 @@ std::string read_new_id(TomlReader& reader, std::string_view meaning,
   return id;
 }
 
-std::vector<Question> read_questions(TomlReader& reader, const TomlKeyName& key,
-                                     const std::vector<std::string>& taken) {
+std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
+                                     const std::vector<std::string>& taken,
+                                     std::string_view meaning) {
   std::vector<Question> questions;
   std::vector<std::string> ids = taken;
-  for (const TomlReader& entry : reader.tables(key)) {
-    questions.push_back(read_question(entry, ids, key.name == "rating"));
+  for (const TomlReader& entry : reader.tables(key, meaning)) {
+    questions.push_back(read_question(entry, ids, key == "rating"));
     ids.push_back(questions.back().id);
   }
   return questions;
@@ -335,7 +331,7 @@ std::vector<Questionnaire> read_questionnaires(TomlReader& reader,
   constexpr std::size_t most_questionnaires = 100;  // Each may be a large file.
   std::vector<std::string> ids{"consent", "validation", "reaction", "trials"};
   std::vector<TomlReader> entries =
-      reader.tables({"questionnaire", "Forms that participants fill in."});
+      reader.tables("questionnaire", "Forms that participants fill in.");
   if (entries.size() > most_questionnaires) {
     reader.fail(reader.source("questionnaire"),
                 fmt::format("{} questionnaires, and a study has at most {}", entries.size(),

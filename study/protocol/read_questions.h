@@ -18,8 +18,9 @@ std::string read_new_id(TomlReader& reader, std::string_view meaning,
 
 /// The questions of the array of tables `key`, which may be absent. Their ids may be none of
 /// `taken`.
-std::vector<Question> read_questions(TomlReader& reader, const TomlKeyName& key,
-                                     const std::vector<std::string>& taken);
+std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
+                                     const std::vector<std::string>& taken,
+                                     std::string_view meaning);
 
 /// The questionnaire, without an id, of a file of this text; `name` is the file's. keys: see
 /// TomlReader. Throws Error.

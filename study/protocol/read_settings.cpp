@@ -29,10 +29,10 @@ constexpr int most_samples = std::numeric_limits<int>::max();
 
 /// The profile that the table names, by `read`; empty if it names none.
 template <typename Profile>
-std::optional<Profile> read_profile(TomlReader& reader, const TomlKeyName& key,
+std::optional<Profile> read_profile(TomlReader& reader, std::string_view meaning,
                                     const std::function<Profile(const std::string&)>& read) {
   std::string name;
-  reader.read(key, name);
+  reader.read("profile", name, meaning);
   if (!reader.has("profile")) {
     return std::nullopt;
   }
@@ -55,10 +55,9 @@ RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
   const RadialLens lens = read_lens(reader, profile);
   constexpr std::array eyes{Word<bool>{"left", false}, Word<bool>{"right", true}};
   bool is_right = false;
-  reader.read({"eye",
-               "The eye whose view is shown: the lens is given for the left eye, and mirrored for "
-               "the right one."},
-              is_right, eyes);
+  reader.read("eye", is_right, eyes,
+              "The eye whose view is shown: the lens is given for the left eye, and mirrored for "
+              "the right one.");
   reader.reject_unknown_keys();
   return is_right ? mirrored(lens) : lens;
 }
@@ -92,17 +91,17 @@ void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
     display.vertical_fov_deg = display.profile->vertical_fov_deg;
     return;
   }
-  const TomlKeyName fov{"fov_deg",
-                        "The view's field of view in degrees: one number for square pixels, or the "
-                        "horizontal and the vertical one. Default: the profile's, or 100."};
-  if (reader.is_array(fov)) {
+  constexpr const char* meaning =
+      "The view's field of view in degrees: one number for square pixels, or the "
+      "horizontal and the vertical one. Default: the profile's, or 100.";
+  if (reader.is_array("fov_deg")) {
     Vec2 both(0.0F);
-    reader.read(fov, both, narrowest_deg, widest_deg);
+    reader.read("fov_deg", both, narrowest_deg, widest_deg, meaning);
     display.horizontal_fov_deg = both.x;
     display.vertical_fov_deg = both.y;
     return;
   }
-  reader.read(fov, display.horizontal_fov_deg, narrowest_deg, widest_deg);
+  reader.read("fov_deg", display.horizontal_fov_deg, narrowest_deg, widest_deg, meaning);
   display.vertical_fov_deg = display.horizontal_fov_deg;
   if (display.view_width != display.view_height) {
     const double aspect = static_cast<double>(display.view_height) / display.view_width;
@@ -113,56 +112,49 @@ void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
 ValidationSettings read_validation(TomlReader reader) {
   constexpr double largest_deg = 45.0;
   ValidationSettings validation;
-  reader.read({"points", "The number of targets."}, validation.points, {5, 9});
-  reader.read({"max_accuracy_deg", "The largest mean angle between gaze and targets, in degrees."},
-              validation.gate.max_accuracy_deg, 0.0, largest_deg);
-  reader.read({"max_precision_deg",
-               "The largest root mean square angle between successive samples, in degrees."},
-              validation.gate.max_precision_deg, 0.0, largest_deg);
-  reader.read({"max_data_loss", "The largest fraction of samples without a gaze."},
-              validation.gate.max_data_loss, 0.0, 1.0);
-  reader.read({"correct", "Whether the gaze is calibrated first and corrected by the result."},
-              validation.correct);
-  reader.read({"attempts", "The largest number of attempts."}, validation.attempts, 1, 100);
+  reader.read("points", validation.points, {5, 9}, "The number of targets.");
+  reader.read("max_accuracy_deg", validation.gate.max_accuracy_deg, 0.0, largest_deg,
+              "The largest mean angle between gaze and targets, in degrees.");
+  reader.read("max_precision_deg", validation.gate.max_precision_deg, 0.0, largest_deg,
+              "The largest root mean square angle between successive samples, in degrees.");
+  reader.read("max_data_loss", validation.gate.max_data_loss, 0.0, 1.0,
+              "The largest fraction of samples without a gaze.");
+  reader.read("correct", validation.correct,
+              "Whether the gaze is calibrated first and corrected by the result.");
+  reader.read("attempts", validation.attempts, 1, 100, "The largest number of attempts.");
   reader.reject_unknown_keys();
   return validation;
 }
 
 /// Leaves `value`, which may be optional, alone where the key is absent.
 template <typename Value>
-void read_in(TomlReader& reader, const TomlKeyName& key, const SettingRange& range, Value& value) {
-  reader.read(key, value, range.least, range.most);
+void read_in(TomlReader& reader, const TomlKeyName& key, const SettingRange& range, Value& value,
+             std::string_view meaning) {
+  reader.read(key, value, range.least, range.most, meaning);
 }
 
 OneEuroSettings read_one_euro(TomlReader reader) {
   OneEuroSettings one_euro;
-  read_in(reader, {"min_cutoff_hz", "The cutoff frequency of the low pass for an eye at rest."},
-          cutoff_range_hz, one_euro.min_cutoff_hz);
-  read_in(
-      reader,
-      {"beta_per_deg", "By how many hertz the cutoff frequency rises for each degree per second."},
-      beta_range_per_deg, one_euro.beta_per_deg);
-  read_in(reader, {"derivative_cutoff_hz", "The cutoff frequency of the low pass of the velocity."},
-          cutoff_range_hz, one_euro.derivative_cutoff_hz);
+  read_in(reader, "min_cutoff_hz", cutoff_range_hz, one_euro.min_cutoff_hz,
+          "The cutoff frequency of the low pass for an eye at rest.");
+  read_in(reader, "beta_per_deg", beta_range_per_deg, one_euro.beta_per_deg,
+          "By how many hertz the cutoff frequency rises for each degree per second.");
+  read_in(reader, "derivative_cutoff_hz", cutoff_range_hz, one_euro.derivative_cutoff_hz,
+          "The cutoff frequency of the low pass of the velocity.");
   reader.reject_unknown_keys();
   return one_euro;
 }
 
 GazeFilterSettings read_filter(TomlReader reader) {
   GazeFilterSettings filter;
-  reader.read_table(
-      {"one_euro", "Smooth the gaze by the 1-Euro filter (Casiez, Roussel and Vogel 2012)."},
-      filter.one_euro, read_one_euro);
-  read_in(reader,
-          {"extrapolate_s",
-           "Between saccades, turn the gaze on by what the eye moves in so many seconds, to make "
-           "up for the age of the gaze."},
-          horizon_range_s, filter.extrapolate_s);
+  reader.read_table("one_euro", filter.one_euro, read_one_euro,
+                    "Smooth the gaze by the 1-Euro filter (Casiez, Roussel and Vogel 2012).");
+  read_in(reader, "extrapolate_s", horizon_range_s, filter.extrapolate_s,
+          "Between saccades, turn the gaze on by what the eye moves in so many seconds, to make "
+          "up for the age of the gaze.");
   read_in(
-      reader,
-      {"hold_s",
-       "While the eye is not seen, its last gaze counts as valid until it is so many seconds old."},
-      hold_range_s, filter.hold_s);
+      reader, "hold_s", hold_range_s, filter.hold_s,
+      "While the eye is not seen, its last gaze counts as valid until it is so many seconds old.");
   reader.reject_unknown_keys();
   if (filter == GazeFilterSettings{}) {
     reader.fail(reader.source(), "the filter does nothing",
@@ -186,9 +178,9 @@ struct Override {
 
 Override read_place(TomlReader reader, const Protocol& protocol) {
   const std::string scene =
-      read_scene_name(reader, {"scene", "One of the protocol's scenes."}, protocol);
+      read_scene_name(reader, "scene", protocol, "One of the protocol's scenes.");
   const std::string method =
-      read_method_name(reader, {"method", "One of the protocol's methods."}, protocol);
+      read_method_name(reader, "method", protocol, "One of the protocol's methods.");
   if (scene.empty() && method.empty()) {
     reader.fail(reader.source(), "the override names no scene and no method",
                 "give it a scene, a method or both");
@@ -199,9 +191,9 @@ Override read_place(TomlReader reader, const Protocol& protocol) {
 std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) {
   std::vector<Override> overrides;
   for (const TomlReader& entry : reader.tables(
-           {"override",
-            "Settings of one scene, of one method, or of both: a scene's override applies first, "
-            "then a method's, then that of both, each only for the keys that it has."})) {
+           "override",
+           "Settings of one scene, of one method, or of both: a scene's override applies first, "
+           "then a method's, then that of both, each only for the keys that it has.")) {
     Override next = read_place(entry, protocol);
     if (std::any_of(overrides.begin(), overrides.end(), [&](const Override& other) {
           return other.scene == next.scene && other.method == next.method;
@@ -217,14 +209,13 @@ std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) 
 
 /// The settings with the override's keys replaced.
 TrialSettings overridden(TomlReader& reader, TrialSettings settings) {
-  settings.film = read_film(
-      reader.table({"film", "The film: the 360-degree image that samples are summed in."}),
-      settings.film);
-  settings.timing = read_timing(reader.table({"timing", "Time-outs and times."}), settings.timing);
+  settings.film =
+      read_film(reader.table("film", "The film: the 360-degree image that samples are summed in."),
+                settings.film);
+  settings.timing = read_timing(reader.table("timing", "Time-outs and times."), settings.timing);
   reader.read(
-      {"fill_unsampled",
-       "Whether unsampled pixels are filled. If it is left out, what `[display]` says holds."},
-      settings.fill_unsampled);
+      "fill_unsampled", settings.fill_unsampled,
+      "Whether unsampled pixels are filled. If it is left out, what `[display]` says holds.");
   reader.reject_unknown_keys();
   return settings;
 }
@@ -233,9 +224,9 @@ TrialSettings overridden(TomlReader& reader, TrialSettings settings) {
 
 MachineModel read_machine(TomlReader reader) {
   MachineModel machine;
-  reader.read({"samples_per_second", "Samples (paths) that the machine traces per second."},
-              machine.samples_per_second, 1.0, 1e12);
-  reader.read({"frame_rate_hz", "Frames per second."}, machine.frame_rate_hz, 1.0, 1000.0);
+  reader.read("samples_per_second", machine.samples_per_second, 1.0, 1e12,
+              "Samples (paths) that the machine traces per second.");
+  reader.read("frame_rate_hz", machine.frame_rate_hz, 1.0, 1000.0, "Frames per second.");
   reader.reject_unknown_keys();
   return machine;
 }
@@ -249,22 +240,20 @@ DisplaySettings read_display(TomlReader reader, const fs::path& folder) {
 DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles) {
   DisplaySettings display;
   display.profile = read_profile(reader,
-                                 {"profile",
-                                  "The name of a profile in data/displays without .toml, or a file "
-                                  "in the protocol's folder or below. What it says takes the place "
-                                  "of the defaults; the protocol's own keys override it."},
+                                 "The name of a profile in data/displays without .toml, or a file "
+                                 "in the protocol's folder or below. What it says takes the place "
+                                 "of the defaults; the protocol's own keys override it.",
                                  profiles);
-  reader.read({"view_width", "Width of one eye's view in pixels."}, display.view_width, 8,
-              largest_view_side);
-  reader.read({"view_height", "Height of one eye's view in pixels."}, display.view_height, 8,
-              largest_view_side);
+  reader.read("view_width", display.view_width, 8, largest_view_side,
+              "Width of one eye's view in pixels.");
+  reader.read("view_height", display.view_height, 8, largest_view_side,
+              "Height of one eye's view in pixels.");
   read_fields_of_view(reader, display);
-  reader.read({"fill_unsampled",
-               "Whether unsampled pixels are filled from their surroundings; the published study "
-               "left them black."},
-              display.fill_unsampled);
+  reader.read("fill_unsampled", display.fill_unsampled,
+              "Whether unsampled pixels are filled from their surroundings; the published study "
+              "left them black.");
   display.lens =
-      read_eyes_lens(reader.table({"lens", "A headset's lens, which overrides the profile's."}),
+      read_eyes_lens(reader.table("lens", "A headset's lens, which overrides the profile's."),
                      display.profile ? display.profile->lens.value_or(RadialLens{}) : RadialLens{});
   require_view(reader, display);
   reader.reject_unknown_keys();
@@ -273,21 +262,17 @@ DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles)
 
 FilmSettings read_film(TomlReader reader, FilmSettings film) {
   reader.read(
-      {"width",
-       "The film's width in pixels, for 360 degrees; width times height is at most 268 million."},
-      film.width, 8, largest_film_side);
-  reader.read(
-      {"height", "The film's height in pixels, for 180 degrees; half the width for square pixels."},
-      film.height, 4, largest_film_side);
+      "width", film.width, 8, largest_film_side,
+      "The film's width in pixels, for 360 degrees; width times height is at most 268 million.");
+  reader.read("height", film.height, 4, largest_film_side,
+              "The film's height in pixels, for 180 degrees; half the width for square pixels.");
   require_moderate_film(reader, film);
-  reader.read({"max_depth", "The largest number of surfaces that a path meets."}, film.max_depth, 1,
-              1000);
-  reader.read(
-      reader.present_name({"adaptive_contrast",
-                           "Adaptive sampling: pixels whose noise, as a contrast, is below this "
-                           "get no more samples. At 0, as published, all pixels get them."},
-                          "spare_done_contrast"),
-      film.adaptive_contrast, 0.0, 0.99);
+  reader.read("max_depth", film.max_depth, 1, 1000,
+              "The largest number of surfaces that a path meets.");
+  reader.read(reader.present_name("adaptive_contrast", "spare_done_contrast"),
+              film.adaptive_contrast, 0.0, 0.99,
+              "Adaptive sampling: pixels whose noise, as a contrast, is below this "
+              "get no more samples. At 0, as published, all pixels get them.");
   reader.reject_unknown_keys();
   return film;
 }
@@ -296,32 +281,27 @@ TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
   TrackerSettings tracker;
   tracker.profile = read_profile<TrackerProfile>(
       reader,
-      {"profile",
-       "The name of a profile in data/trackers without .toml, or a file in the protocol's folder "
-       "or below. What it says takes the place of the defaults; the protocol's own keys override "
-       "it."},
+      "The name of a profile in data/trackers without .toml, or a file in the protocol's folder "
+      "or below. What it says takes the place of the defaults; the protocol's own keys override "
+      "it.",
       [&](const std::string& name) { return read_tracker_profile(name_beside(folder, name)); });
   if (tracker.profile) {
     tracker.simulated = tracker.profile->simulated;
   }
-  reader.read({"rate_hz", "Samples per second of the simulated participants' tracker."},
-              tracker.simulated.rate_hz, 1.0, 10000.0);
+  reader.read("rate_hz", tracker.simulated.rate_hz, 1.0, 10000.0,
+              "Samples per second of the simulated participants' tracker.");
   reader.read(
-      {"latency_s",
-       "Latency of the simulated tracker: seconds from an eye's position until it is reported."},
-      tracker.simulated.latency_s, 0.0, 1.0);
-  reader.read({"precision_deg",
-               "Precision of the simulated tracker: noise between successive samples, in degrees."},
-              tracker.simulated.precision_deg, 0.0, 10.0);
-  reader.read_table({"validation",
-                     "Validation of the gaze: participants look at targets; if the tracker misses "
-                     "one of these limits in every attempt, the session ends."},
-                    tracker.validation, read_validation);
-  reader.read_table({"filter",
-                     "What the gaze goes through before frames use it, of simulated participants "
-                     "too: smoothed, extrapolated, then held, each only if it is here. The record "
-                     "keeps the gaze as it came, too, and that is what is validated."},
-                    tracker.filter, read_filter);
+      "latency_s", tracker.simulated.latency_s, 0.0, 1.0,
+      "Latency of the simulated tracker: seconds from an eye's position until it is reported.");
+  reader.read("precision_deg", tracker.simulated.precision_deg, 0.0, 10.0,
+              "Precision of the simulated tracker: noise between successive samples, in degrees.");
+  reader.read_table("validation", tracker.validation, read_validation,
+                    "Validation of the gaze: participants look at targets; if the tracker misses "
+                    "one of these limits in every attempt, the session ends.");
+  reader.read_table("filter", tracker.filter, read_filter,
+                    "What the gaze goes through before frames use it, of simulated participants "
+                    "too: smoothed, extrapolated, then held, each only if it is here. The record "
+                    "keeps the gaze as it came, too, and that is what is validated.");
   reader.reject_unknown_keys();
   return tracker;
 }
@@ -330,74 +310,67 @@ Timing read_timing(TomlReader reader, Timing timing) {
   constexpr std::array pictures{Word<WhileRating>{"converges", WhileRating::converges},
                                 Word<WhileRating>{"held", WhileRating::held},
                                 Word<WhileRating>{"blank", WhileRating::blank}};
-  reader.read({"mark_timeout_s",
-               "The time-out of marks in seconds from the first frame; marks that have not come by "
-               "then are right-censored."},
-              timing.mark_timeout_s, 0.1, 3600.0);
-  reader.read({"rating_s", "The least time in seconds for looking around before rating."},
-              timing.rating_s, 0.1, 3600.0);
-  reader.read({"while_rating",
-               "What the picture does while the ratings are answered: it goes on converging, stays "
-               "as it was when the first question came, or is black."},
-              timing.while_rating, pictures);
+  reader.read("mark_timeout_s", timing.mark_timeout_s, 0.1, 3600.0,
+              "The time-out of marks in seconds from the first frame; marks that have not come by "
+              "then are right-censored.");
+  reader.read("rating_s", timing.rating_s, 0.1, 3600.0,
+              "The least time in seconds for looking around before rating.");
+  reader.read("while_rating", timing.while_rating, pictures,
+              "What the picture does while the ratings are answered: it goes on converging, stays "
+              "as it was when the first question came, or is black.");
   reader.reject_unknown_keys();
   return timing;
 }
 
 ReferenceQuality read_reference(TomlReader reader) {
   ReferenceQuality reference;
-  reader.read({"samples_per_pixel", "Samples per pixel of the whole image."},
-              reference.samples_per_pixel, 1, 1 << 20);
-  reader.read({"samples_per_object", "Additional samples on the chosen object."},
-              reference.samples_per_object, 0, most_samples);
+  reader.read("samples_per_pixel", reference.samples_per_pixel, 1, 1 << 20,
+              "Samples per pixel of the whole image.");
+  reader.read("samples_per_object", reference.samples_per_object, 0, most_samples,
+              "Additional samples on the chosen object.");
   reader.reject_unknown_keys();
   return reference;
 }
 
 PreflightGate read_preflight(TomlReader reader) {
   PreflightGate gate;
-  reader.read(
-      {"max_late_percent", "Per cent of the frames that may miss their refresh, in each scene."},
-      gate.max_late_percent, 0.0, 100.0);
-  reader.read({"min_samples_per_second", "Samples per second of the slowest method and scene."},
-              gate.min_samples_per_second, 1.0, 1e12);
-  reader.read({"min_gaze_rate_hz", "Samples per second of the eye tracker."}, gate.min_gaze_rate_hz,
-              1.0, 10000.0);
-  reader.read({"max_gaze_loss", "The part of the eye tracker's samples that may be invalid."},
-              gate.max_gaze_loss, 0.0, 1.0);
-  reader.read({"max_gaze_age_s",
-               "The median age in seconds of the newest sample when a frame looks at it."},
-              gate.max_gaze_age_s, 0.001, 10.0);
-  reader.read({"min_free_gb", "Free space in 10^9 bytes on the disk of the study's file."},
-              gate.min_free_gb, 0.0, 1e6);
-  reader.read({"tracked_eye",
-               "Whether the eye must be tracked: neither simulated, nor recorded, nor the mouse's "
-               "pointer."},
-              gate.tracked_eye);
-  reader.read({"stated_display", "Whether the display must be as its profile states."},
-              gate.stated_display);
-  reader.read(
-      {"fov_deg", "The horizontal and the vertical angle in degrees that the window must show."},
-      gate.fov_deg, narrowest_deg, widest_deg);
-  reader.read({"fov_tolerance_deg", "By how many degrees either may be off."},
-              gate.fov_tolerance_deg, 0.01, 45.0);
-  reader.read({"full_screen", "Whether the window must fill its monitor."}, gate.full_screen);
-  reader.read({"same_machine",
-               "Whether processor, graphics, threads, instructions and speed must be those of the "
-               "study's other people, the speed within a factor of 2."},
-              gate.same_machine);
-  reader.read({"same_display",
-               "Whether the display's profile, pixels, size in millimetres, viewing distance and "
-               "angles must be those of the study's other people."},
-              gate.same_display);
-  reader.read({"set_clock", "Whether the system's clock must be synchronised."}, gate.set_clock);
+  reader.read("max_late_percent", gate.max_late_percent, 0.0, 100.0,
+              "Per cent of the frames that may miss their refresh, in each scene.");
+  reader.read("min_samples_per_second", gate.min_samples_per_second, 1.0, 1e12,
+              "Samples per second of the slowest method and scene.");
+  reader.read("min_gaze_rate_hz", gate.min_gaze_rate_hz, 1.0, 10000.0,
+              "Samples per second of the eye tracker.");
+  reader.read("max_gaze_loss", gate.max_gaze_loss, 0.0, 1.0,
+              "The part of the eye tracker's samples that may be invalid.");
+  reader.read("max_gaze_age_s", gate.max_gaze_age_s, 0.001, 10.0,
+              "The median age in seconds of the newest sample when a frame looks at it.");
+  reader.read("min_free_gb", gate.min_free_gb, 0.0, 1e6,
+              "Free space in 10^9 bytes on the disk of the study's file.");
+  reader.read("tracked_eye", gate.tracked_eye,
+              "Whether the eye must be tracked: neither simulated, nor recorded, nor the mouse's "
+              "pointer.");
+  reader.read("stated_display", gate.stated_display,
+              "Whether the display must be as its profile states.");
+  reader.read("fov_deg", gate.fov_deg, narrowest_deg, widest_deg,
+              "The horizontal and the vertical angle in degrees that the window must show.");
+  reader.read("fov_tolerance_deg", gate.fov_tolerance_deg, 0.01, 45.0,
+              "By how many degrees either may be off.");
+  reader.read("full_screen", gate.full_screen, "Whether the window must fill its monitor.");
+  reader.read("same_machine", gate.same_machine,
+              "Whether processor, graphics, threads, instructions and speed must be those of the "
+              "study's other people, the speed within a factor of 2.");
+  reader.read("same_display", gate.same_display,
+              "Whether the display's profile, pixels, size in millimetres, viewing distance and "
+              "angles must be those of the study's other people.");
+  reader.read("set_clock", gate.set_clock, "Whether the system's clock must be synchronised.");
   reader.reject_unknown_keys();
   return gate;
 }
 
-std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol) {
+std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
+                            std::string_view meaning) {
   std::string name;
-  reader.read(key, name);
+  reader.read(key, name, meaning);
   const bool is_known = std::any_of(protocol.scenes.begin(), protocol.scenes.end(),
                                     [&](const SceneEntry& scene) { return scene.name == name; });
   if (reader.has(key) && !is_known) {
@@ -408,9 +381,10 @@ std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Pr
   return name;
 }
 
-std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol) {
+std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
+                             std::string_view meaning) {
   std::string name;
-  reader.read(key, name);
+  reader.read(key, name, meaning);
   const std::vector<std::string>& methods = protocol.methods;
   if (reader.has(key) && std::find(methods.begin(), methods.end(), name) == methods.end()) {
     reader.fail(reader.source(key),

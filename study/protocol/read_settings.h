@@ -28,10 +28,12 @@ using DisplayProfiles = std::function<DisplayProfile(const std::string& name)>;
 DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles);
 
 /// One of the protocol's scenes; empty if the key is absent.
-std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol);
+std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
+                            std::string_view meaning);
 
 /// One of the protocol's methods; empty if the key is absent.
-std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol);
+std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
+                             std::string_view meaning);
 
 /// Fills the protocol's cells. All its other settings must have been read.
 void read_overrides(TomlReader& reader, Protocol& protocol);

@@ -1,6 +1,6 @@
 #include "study/tables/protocol_json.h"
 
-#include <algorithm>
+#include <functional>
 
 #include <nlohmann/json.hpp>
 
@@ -22,60 +22,40 @@ Json json_profiles(const Protocol& protocol) {
   return names;
 }
 
-Json json_files(const Protocol& protocol) {
-  Json files = Json::array();
-  for (const MethodFile& file : protocol.method_files) {
-    files.push_back({{"method", file.method}, {"file", file.file}, {"sha256", file.sha256}});
-  }
-  return files;
-}
-
-/// The ids of marks, questions or questionnaires.
-template <typename Things>
-Json ids_of(const Things& things) {
-  Json ids = Json::array();
+/// What `projection` makes of each.
+template <typename Things, typename Projection>
+Json list_of(const Things& things, const Projection& projection) {
+  Json list = Json::array();
   for (const auto& thing : things) {
-    ids.push_back(thing.id);
+    list.push_back(std::invoke(projection, thing));
   }
-  return ids;
+  return list;
 }
 
-Json json_scenes(const Protocol& protocol) {
-  Json names = Json::array();
-  for (const SceneEntry& scene : protocol.scenes) {
-    names.push_back(scene.name);
-  }
-  return names;
+Json json_file(const MethodFile& file) {
+  return {{"method", file.method}, {"file", file.file}, {"sha256", file.sha256}};
 }
 
-Json json_phases(const Protocol& protocol) {
-  Json names = Json::array();
-  for (const PhaseEntry& phase : protocol.phases) {
-    names.push_back(name_of(phase));
-  }
-  return names;
+Json json_comparison(const PlannedComparison& comparison) {
+  return {{"measure", comparison.measure},
+          {"method", comparison.method},
+          {"baseline", comparison.baseline}};
 }
 
 Json json_questionnaires(const Protocol& protocol) {
   Json questionnaires = Json::object();
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
-    questionnaires[questionnaire.id] = ids_of(questionnaire.questions);
+    questionnaires[questionnaire.id] = list_of(questionnaire.questions, &Question::id);
   }
   return questionnaires;
 }
 
 Json json_analysis(const AnalysisPlan& plan) {
-  Json primary = Json::array();
-  for (const PlannedComparison& comparison : plan.primary) {
-    primary.push_back({{"measure", comparison.measure},
-                       {"method", comparison.method},
-                       {"baseline", comparison.baseline}});
-  }
   return {{"participants", plan.participants ? Json(*plan.participants) : Json()},
           {"alpha", plan.alpha},
           {"scenes", name_of(plan.scenes)},
           {"ratings", name_of(plan.ratings)},
-          {"primary", primary},
+          {"primary", list_of(plan.primary, json_comparison)},
           {"equivalence_margins", plan.equivalence_margins}};
 }
 
@@ -86,29 +66,30 @@ Json json_of(const Duration& duration) {
 }  // namespace
 
 Json json_of(const Protocol& protocol) {
-  return {{"protocol", protocol.path.string()},
-          {"name", protocol.name},
-          {"title", protocol.title},
-          {"language", protocol.language},
-          {"untranslated", untranslated_texts(protocol).keys},
-          {"film_bytes", memory_of(protocol.film)},
-          {"sha256", protocol.sha256},
-          {"scenes", json_scenes(protocol)},
-          {"methods", protocol.methods},
-          {"scene_order", name_of(protocol.scene_order)},
-          {"method_order", name_of(protocol.method_order)},
-          {"design_rows", design_rows(protocol)},
-          {"method_files", json_files(protocol)},
-          {"profiles", json_profiles(protocol)},
-          {"gaze_filter", json_of(protocol.tracker.filter)},
-          {"phases", json_phases(protocol)},
-          {"marks", ids_of(protocol.marks)},
-          {"ratings", ids_of(protocol.ratings)},
-          {"questionnaires", json_questionnaires(protocol)},
-          {"trials_per_participant", protocol.scenes.size() * protocol.methods.size()},
-          {"practice_trials", protocol.practice.size()},
-          {"catch_trials", protocol.catch_trials.count},
-          {"analysis", json_analysis(protocol.analysis)}};
+  return {
+      {"protocol", protocol.path.string()},
+      {"name", protocol.name},
+      {"title", protocol.title},
+      {"language", protocol.language},
+      {"untranslated", untranslated_texts(protocol).keys},
+      {"film_bytes", memory_of(protocol.film)},
+      {"sha256", protocol.sha256},
+      {"scenes", list_of(protocol.scenes, &SceneEntry::name)},
+      {"methods", protocol.methods},
+      {"scene_order", name_of(protocol.scene_order)},
+      {"method_order", name_of(protocol.method_order)},
+      {"design_rows", design_rows(protocol)},
+      {"method_files", list_of(protocol.method_files, json_file)},
+      {"profiles", json_profiles(protocol)},
+      {"gaze_filter", json_of(protocol.tracker.filter)},
+      {"phases", list_of(protocol.phases, [](const PhaseEntry& phase) { return name_of(phase); })},
+      {"marks", list_of(protocol.marks, &MarkEntry::id)},
+      {"ratings", list_of(protocol.ratings, &Question::id)},
+      {"questionnaires", json_questionnaires(protocol)},
+      {"trials_per_participant", protocol.scenes.size() * protocol.methods.size()},
+      {"practice_trials", protocol.practice.size()},
+      {"catch_trials", protocol.catch_trials.count},
+      {"analysis", json_analysis(protocol.analysis)}};
 }
 
 Json json_of(const Protocol& protocol, const Balance& balance) {
@@ -129,25 +110,20 @@ Json json_of(const Protocol& protocol, const Balance& balance) {
 }
 
 Json json_of(const std::vector<SessionPart>& parts) {
-  Json list = Json::array();
-  for (const SessionPart& part : parts) {
+  Json all = json_of(total_of(parts));
+  all["parts"] = list_of(parts, [](const SessionPart& part) {
     Json json = json_of(part.duration);
     json["part"] = part.name;
     json["count"] = part.count;
-    list.push_back(json);
-  }
-  Json all = json_of(total_of(parts));
-  all["parts"] = list;
+    return json;
+  });
   return all;
 }
 
 Json json_of(const Plan& plan) {
-  Json trials = Json::array();
-  for (const PlannedTrial& trial : plan) {
-    trials.push_back(
-        {{"scene", trial.scene}, {"method", trial.method}, {"kind", name_of(trial.kind)}});
-  }
-  return trials;
+  return list_of(plan, [](const PlannedTrial& trial) {
+    return Json{{"scene", trial.scene}, {"method", trial.method}, {"kind", name_of(trial.kind)}};
+  });
 }
 
 }  // namespace foveola::study

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,12 +64,8 @@ TextRow minutes(const std::string& name, const std::string& count, const Duratio
 }
 
 std::string objects_of(const SceneSource& source) {
-  std::vector<std::string> names;
-  names.reserve(source.objects.size());
-  for (const ObjectOfInterest& object : source.objects) {
-    names.push_back(object.name);
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format(
+      "{}", fmt::join(source.objects | std::views::transform(&ObjectOfInterest::name), ", "));
 }
 
 /// " (NAME)" of a profile; empty if there is none.
@@ -136,11 +133,8 @@ std::string text_of(const Question& question) {
 /// The texts of all things, with commas between them.
 template <typename Things>
 std::string texts_of(const Things& things) {
-  std::vector<std::string> texts;
-  for (const auto& thing : things) {
-    texts.push_back(text_of(thing));
-  }
-  return fmt::format("{}", fmt::join(texts, ", "));
+  const auto text = [](const auto& thing) { return text_of(thing); };
+  return fmt::format("{}", fmt::join(things | std::views::transform(text), ", "));
 }
 
 std::string text_of(const FilmSettings& film) {

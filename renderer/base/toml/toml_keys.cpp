@@ -26,11 +26,11 @@ std::vector<TomlKey> TomlKeys::keys() const {
   return keys;
 }
 
-void TomlKeys::asked(const std::string& table, const TomlKeyName& key, const TomlKeyRule& rule) {
+void TomlKeys::asked(const std::string& table, std::string_view key, const TomlKeyRule& rule) {
   Account& account = account_of(table, key);
-  if (!key.meaning.empty()) {
-    account.key.meaning = key.meaning;
-    account.key.pattern = key.pattern;
+  if (!rule.meaning.empty()) {
+    account.key.meaning = rule.meaning;
+    account.key.pattern = rule.pattern;
   }
   ++account.asked;
   if (!std::exchange(account.is_awaited, false)) {

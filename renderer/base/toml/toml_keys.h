@@ -14,25 +14,20 @@
 
 namespace foveola {
 
-/// A key as the code that reads it declares it.
+/// A key as the code that reads it names it.
 struct TomlKeyName {
-  // Implicit, so that a key about which nothing needs to be said is its name.
+  // Implicit, so that a key that may be absent is its name.
   template <std::convertible_to<std::string_view> Text>
-  TomlKeyName(const Text& key, std::string_view key_meaning = {},
-              std::string_view text_pattern = {})
-      : name(key), meaning(key_meaning), pattern(text_pattern) {}
+  TomlKeyName(const Text& key, bool must_be_there = false)
+      : name(key), is_required(must_be_there) {}
   operator std::string_view() const { return name; }
 
   std::string_view name;
-  std::string_view meaning;  ///< for people; empty: none stated
-  std::string_view pattern;  ///< a regular expression of ECMA-262 that a text must match; or empty
-  bool is_required = false;  ///< it is an error if the key is absent
+  bool is_required;  ///< it is an error if the key is absent
 };
 
-inline TomlKeyName required(TomlKeyName key) {
-  key.is_required = true;
-  return key;
-}
+/// The name of a key that must be there.
+inline TomlKeyName required(std::string_view key) { return {key, true}; }
 
 /// What a reader asks of a key's value.
 struct TomlKeyRule {
@@ -41,7 +36,9 @@ struct TomlKeyRule {
   std::optional<double> maximum;
   std::vector<std::string> words;  ///< the only texts or numbers that it takes; empty: any
   std::optional<std::string>
-      default_text;  ///< what counts if the key is absent; empty: nothing does
+      default_text;          ///< what counts if the key is absent; empty: nothing does
+  std::string_view meaning;  ///< for people; empty: none stated
+  std::string_view pattern;  ///< a regular expression of ECMA-262 that a text must match; or empty
 };
 
 /// A key that readers asked for.
@@ -67,7 +64,7 @@ class TomlKeys {
   /// In the order in which they were first asked for.
   std::vector<TomlKey> keys() const;
 
-  void asked(const std::string& table, const TomlKeyName& key, const TomlKeyRule& rule);
+  void asked(const std::string& table, std::string_view key, const TomlKeyRule& rule);
   /// All of a table was read, for which the reader asked for these keys.
   void finished(const std::string& table, const std::set<std::string, std::less<>>& asked);
   void required(const std::string& table, std::string_view key);

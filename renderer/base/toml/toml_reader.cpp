@@ -25,16 +25,17 @@ std::optional<std::string> text_of(const std::optional<Value>& value) {
 
 template <typename Value>
 TomlKeyRule rule_of(const char* type, const std::optional<Value>& value, Value minimum,
-                    Value maximum) {
+                    Value maximum, std::string_view meaning) {
   return {.type = type,
           .minimum = static_cast<double>(minimum),
           .maximum = static_cast<double>(maximum),
           .words = {},
-          .default_text = text_of(value)};
+          .default_text = text_of(value),
+          .meaning = meaning};
 }
 
-TomlKeyRule rule_of(std::string type) {
-  return {.type = std::move(type), .minimum = {}, .maximum = {}, .words = {}, .default_text = {}};
+TomlKeyRule rule_of(std::string type, std::string_view meaning, std::string_view pattern = {}) {
+  return {.type = std::move(type), .meaning = meaning, .pattern = pattern};
 }
 
 }  // namespace
@@ -58,8 +59,9 @@ TomlKeyName TomlReader::present_name(const TomlKeyName& key, std::string_view fo
   return former;
 }
 
-void TomlReader::read(const TomlKeyName& key, std::string& value) {
-  TomlKeyRule rule = rule_of("text");
+void TomlReader::read(const TomlKeyName& key, std::string& value, std::string_view meaning,
+                      std::string_view pattern) {
+  TomlKeyRule rule = rule_of("text", meaning, pattern);
   if (!value.empty()) {
     rule.default_text = value;
   }
@@ -76,8 +78,8 @@ std::string TomlReader::text_in(const toml::node& node, std::string_view key) co
   return *text;
 }
 
-void TomlReader::read(const TomlKeyName& key, bool& value) {
-  TomlKeyRule rule = rule_of("true or false");
+void TomlReader::read(const TomlKeyName& key, bool& value, std::string_view meaning) {
+  TomlKeyRule rule = rule_of("true or false", meaning);
   rule.default_text = fmt::format("{}", value);
   if (const toml::node* node = find(key, rule)) {
     const auto flag = node->value_exact<bool>();
@@ -88,28 +90,33 @@ void TomlReader::read(const TomlKeyName& key, bool& value) {
   }
 }
 
-void TomlReader::read(const TomlKeyName& key, int& value, int minimum, int maximum) {
+void TomlReader::read(const TomlKeyName& key, int& value, int minimum, int maximum,
+                      std::string_view meaning) {
   std::int64_t number = value;
-  read(key, number, minimum, maximum);
+  read(key, number, minimum, maximum, meaning);
   value = static_cast<int>(number);
 }
 
-void TomlReader::read(const TomlKeyName& key, std::optional<int>& value, int minimum, int maximum) {
+void TomlReader::read(const TomlKeyName& key, std::optional<int>& value, int minimum, int maximum,
+                      std::string_view meaning) {
   std::int64_t number = value.value_or(0);
-  read_whole(key, number, rule_of(whole_number, value, minimum, maximum), minimum, maximum);
+  read_whole(key, number, rule_of(whole_number, value, minimum, maximum, meaning), minimum,
+             maximum);
   if (has(key)) {
     value = static_cast<int>(number);
   }
 }
 
 void TomlReader::read(const TomlKeyName& key, std::int64_t& value, std::int64_t minimum,
-                      std::int64_t maximum) {
-  read_whole(key, value, rule_of(whole_number, std::optional(value), minimum, maximum), minimum,
-             maximum);
+                      std::int64_t maximum, std::string_view meaning) {
+  read_whole(key, value, rule_of(whole_number, std::optional(value), minimum, maximum, meaning),
+             minimum, maximum);
 }
 
-void TomlReader::read(const TomlKeyName& key, int& value, const std::vector<int>& choices) {
-  TomlKeyRule rule = rule_of(whole_number, std::optional(value), choices.front(), choices.back());
+void TomlReader::read(const TomlKeyName& key, int& value, const std::vector<int>& choices,
+                      std::string_view meaning) {
+  TomlKeyRule rule =
+      rule_of(whole_number, std::optional(value), choices.front(), choices.back(), meaning);
   for (const int choice : choices) {
     rule.words.push_back(fmt::format("{}", choice));
   }
@@ -134,14 +141,15 @@ void TomlReader::read_whole(const TomlKeyName& key, std::int64_t& value, const T
   }
 }
 
-void TomlReader::read(const TomlKeyName& key, double& value, double minimum, double maximum) {
-  read_number(key, value, rule_of("number", std::optional(value), minimum, maximum));
+void TomlReader::read(const TomlKeyName& key, double& value, double minimum, double maximum,
+                      std::string_view meaning) {
+  read_number(key, value, rule_of("number", std::optional(value), minimum, maximum, meaning));
 }
 
 void TomlReader::read(const TomlKeyName& key, std::optional<double>& value, double minimum,
-                      double maximum) {
+                      double maximum, std::string_view meaning) {
   double number = 0.0;
-  read_number(key, number, rule_of("number", value, minimum, maximum));
+  read_number(key, number, rule_of("number", value, minimum, maximum, meaning));
   if (has(key)) {
     value = number;
   }
@@ -160,8 +168,9 @@ void TomlReader::read_number(const TomlKeyName& key, double& value, const TomlKe
 
 template <typename Vector>
 void TomlReader::read_vector(const TomlKeyName& key, Vector& value, double minimum, double maximum,
-                             const std::optional<std::string>& default_text) {
-  TomlKeyRule rule = rule_of(fmt::format("list of {} numbers", Vector::length()));
+                             const std::optional<std::string>& default_text,
+                             std::string_view meaning) {
+  TomlKeyRule rule = rule_of(fmt::format("list of {} numbers", Vector::length()), meaning);
   rule.minimum = minimum;
   rule.maximum = maximum;
   rule.default_text = default_text;
@@ -185,27 +194,31 @@ void TomlReader::read_vector(const TomlKeyName& key, Vector& value, double minim
   }
 }
 
-void TomlReader::read(const TomlKeyName& key, Vec2& value, double minimum, double maximum) {
-  read_vector(key, value, minimum, maximum, fmt::format("[{}, {}]", value.x, value.y));
+void TomlReader::read(const TomlKeyName& key, Vec2& value, double minimum, double maximum,
+                      std::string_view meaning) {
+  read_vector(key, value, minimum, maximum, fmt::format("[{}, {}]", value.x, value.y), meaning);
 }
 
 void TomlReader::read(const TomlKeyName& key, std::optional<Vec2>& value, double minimum,
-                      double maximum) {
+                      double maximum, std::string_view meaning) {
   Vec2 both(0.0F);
-  read_vector(key, both, minimum, maximum, std::nullopt);
+  read_vector(key, both, minimum, maximum, std::nullopt, meaning);
   if (has(key)) {
     value = both;
   }
 }
 
-void TomlReader::read(const TomlKeyName& key, Vec3& value, double minimum, double maximum) {
-  read_vector(key, value, minimum, maximum, fmt::format("[{}, {}, {}]", value.x, value.y, value.z));
+void TomlReader::read(const TomlKeyName& key, Vec3& value, double minimum, double maximum,
+                      std::string_view meaning) {
+  read_vector(key, value, minimum, maximum, fmt::format("[{}, {}, {}]", value.x, value.y, value.z),
+              meaning);
 }
 
 std::size_t TomlReader::find_word(const TomlKeyName& key,
                                   const std::vector<std::string_view>& known,
-                                  const std::optional<std::string>& default_text) {
-  TomlKeyRule rule = rule_of("text");
+                                  const std::optional<std::string>& default_text,
+                                  std::string_view meaning) {
+  TomlKeyRule rule = rule_of("text", meaning);
   rule.words.assign(known.begin(), known.end());
   rule.default_text = default_text;
   const toml::node* node = find(key, rule);
@@ -229,8 +242,8 @@ void TomlReader::require(std::string_view key) const {
   }
 }
 
-std::vector<TomlReader::Text> TomlReader::texts(const TomlKeyName& key) {
-  const toml::node* node = find(key, rule_of("list of texts"));
+std::vector<TomlReader::Text> TomlReader::texts(const TomlKeyName& key, std::string_view meaning) {
+  const toml::node* node = find(key, rule_of("list of texts", meaning));
   if (node == nullptr) {
     return {};
   }
@@ -252,31 +265,38 @@ std::vector<TomlReader::Text> TomlReader::texts(const TomlKeyName& key) {
   return texts;
 }
 
-std::vector<TomlReader::Text> TomlReader::require_texts(const TomlKeyName& key) {
+std::vector<TomlReader::Text> TomlReader::require_texts(const TomlKeyName& key,
+                                                        std::string_view meaning) {
   note_required(key);
   if (!has(key)) {
     fail(source(), full_name(key) + " is missing", "give a list of names");
   }
-  return texts(key);
+  return texts(key, meaning);
 }
 
-std::string TomlReader::require_text(const TomlKeyName& key) {
+std::string TomlReader::require_text(const TomlKeyName& key, std::string_view meaning,
+                                     std::string_view pattern) {
   note_required(key);
   std::string value;
-  read(key, value);
+  read(key, value, meaning, pattern);
   if (value.empty()) {
     fail(source(), full_name(key) + " is missing or empty", "give a text");
   }
   return value;
 }
 
-TomlReader TomlReader::table(const TomlKeyName& key) { return table(key, "table"); }
+TomlReader TomlReader::table(const TomlKeyName& key, std::string_view meaning) {
+  return table_of("table", key, meaning);
+}
 
-TomlReader TomlReader::table_by_ids(const TomlKeyName& key) { return table(key, "table by ids"); }
+TomlReader TomlReader::table_by_ids(const TomlKeyName& key, std::string_view meaning) {
+  return table_of("table by ids", key, meaning);
+}
 
-TomlReader TomlReader::table(const TomlKeyName& key, const char* type) {
+TomlReader TomlReader::table_of(const char* type, const TomlKeyName& key,
+                                std::string_view meaning) {
   static const toml::table absent;
-  const toml::node* node = find(key, rule_of(type));
+  const toml::node* node = find(key, rule_of(type, meaning));
   if (node != nullptr && !node->is_table()) {
     fail(node->source(), full_name(key) + " must be a table",
          fmt::format("write [{}] on a line of its own", full_name(key)));
@@ -284,8 +304,8 @@ TomlReader TomlReader::table(const TomlKeyName& key, const char* type) {
   return inner(node != nullptr ? *node->as_table() : absent, key);
 }
 
-std::vector<TomlReader> TomlReader::tables(const TomlKeyName& key) {
-  const toml::node* node = find(key, rule_of("list of tables"));
+std::vector<TomlReader> TomlReader::tables(const TomlKeyName& key, std::string_view meaning) {
+  const toml::node* node = find(key, rule_of("list of tables", meaning));
   if (node == nullptr) {
     return {};
   }

@@ -29,25 +29,36 @@ class TomlReader {
   TomlReader(std::string file, const toml::table& table, std::string name,
              TomlKeys* keys = nullptr);
 
-  void read(const TomlKeyName& key, std::string& value);
-  void read(const TomlKeyName& key, bool& value);
+  /// pattern: a regular expression of ECMA-262 for editors; the caller checks the text.
+  void read(const TomlKeyName& key, std::string& value, std::string_view meaning = {},
+            std::string_view pattern = {});
+  void read(const TomlKeyName& key, bool& value, std::string_view meaning = {});
   /// Within [minimum, maximum].
-  void read(const TomlKeyName& key, int& value, int minimum, int maximum);
-  void read(const TomlKeyName& key, std::optional<int>& value, int minimum, int maximum);
-  void read(const TomlKeyName& key, std::int64_t& value, std::int64_t minimum,
-            std::int64_t maximum);
+  void read(const TomlKeyName& key, int& value, int minimum, int maximum,
+            std::string_view meaning = {});
+  void read(const TomlKeyName& key, std::optional<int>& value, int minimum, int maximum,
+            std::string_view meaning = {});
+  void read(const TomlKeyName& key, std::int64_t& value, std::int64_t minimum, std::int64_t maximum,
+            std::string_view meaning = {});
   /// Finite and within [minimum, maximum]; a whole number will do.
-  void read(const TomlKeyName& key, double& value, double minimum, double maximum);
-  void read(const TomlKeyName& key, std::optional<double>& value, double minimum, double maximum);
+  void read(const TomlKeyName& key, double& value, double minimum, double maximum,
+            std::string_view meaning = {});
+  void read(const TomlKeyName& key, std::optional<double>& value, double minimum, double maximum,
+            std::string_view meaning = {});
   /// Arrays of as many numbers as the vector has components, each of them as above.
-  void read(const TomlKeyName& key, Vec2& value, double minimum, double maximum);
-  void read(const TomlKeyName& key, std::optional<Vec2>& value, double minimum, double maximum);
-  void read(const TomlKeyName& key, Vec3& value, double minimum, double maximum);
+  void read(const TomlKeyName& key, Vec2& value, double minimum, double maximum,
+            std::string_view meaning = {});
+  void read(const TomlKeyName& key, std::optional<Vec2>& value, double minimum, double maximum,
+            std::string_view meaning = {});
+  void read(const TomlKeyName& key, Vec3& value, double minimum, double maximum,
+            std::string_view meaning = {});
   /// One of `choices`, which are in ascending order.
-  void read(const TomlKeyName& key, int& value, const std::vector<int>& choices);
+  void read(const TomlKeyName& key, int& value, const std::vector<int>& choices,
+            std::string_view meaning = {});
   /// One of `words`.
   template <typename Value, std::size_t count>
-  void read(const TomlKeyName& key, Value& value, const std::array<Word<Value>, count>& words) {
+  void read(const TomlKeyName& key, Value& value, const std::array<Word<Value>, count>& words,
+            std::string_view meaning = {}) {
     std::vector<std::string_view> known;
     std::optional<std::string> default_text;
     known.reserve(count);
@@ -57,7 +68,7 @@ class TomlReader {
         default_text = word.text;
       }
     }
-    if (const std::size_t found = find_word(key, known, default_text); found < count) {
+    if (const std::size_t found = find_word(key, known, default_text, meaning); found < count) {
       value = words[found].value;
     }
   }
@@ -81,26 +92,28 @@ class TomlReader {
     toml::source_region source;
   };
   /// A non-empty array of at most 1000 strings, none twice; no strings if the key is absent.
-  std::vector<Text> texts(const TomlKeyName& key);
+  std::vector<Text> texts(const TomlKeyName& key, std::string_view meaning = {});
   /// The same strings of a key that must be there: throws Error if it is absent.
-  std::vector<Text> require_texts(const TomlKeyName& key);
+  std::vector<Text> require_texts(const TomlKeyName& key, std::string_view meaning = {});
   /// Throws Error if the key is absent or empty.
-  std::string require_text(const TomlKeyName& key);
+  std::string require_text(const TomlKeyName& key, std::string_view meaning = {},
+                           std::string_view pattern = {});
 
   /// The table `key`, or an empty one.
-  TomlReader table(const TomlKeyName& key);
+  TomlReader table(const TomlKeyName& key, std::string_view meaning = {});
   /// Likewise, of a table whose keys are ids that the file chooses.
-  TomlReader table_by_ids(const TomlKeyName& key);
+  TomlReader table_by_ids(const TomlKeyName& key, std::string_view meaning = {});
   /// Leaves `value` alone where the table `key` is absent, else reads it by `read`.
   template <typename Value, typename Read>
-  void read_table(const TomlKeyName& key, Value& value, const Read& read) {
-    TomlReader inner = table(key);
+  void read_table(const TomlKeyName& key, Value& value, const Read& read,
+                  std::string_view meaning = {}) {
+    TomlReader inner = table(key, meaning);
     if (has(key)) {
       value = read(std::move(inner));
     }
   }
   /// The array of at most 1000 tables `key`, or none.
-  std::vector<TomlReader> tables(const TomlKeyName& key);
+  std::vector<TomlReader> tables(const TomlKeyName& key, std::string_view meaning = {});
 
   /// To be called after everything was read: throws Error for the first key that nothing asked for.
   void reject_unknown_keys() const;
@@ -114,7 +127,7 @@ class TomlReader {
   const toml::source_region& source() const { return table_->source(); }
 
  private:
-  TomlReader table(const TomlKeyName& key, const char* type);
+  TomlReader table_of(const char* type, const TomlKeyName& key, std::string_view meaning);
   TomlReader inner(const toml::table& table, std::string_view key) const;
   /// Null if the key is absent.
   const toml::node* find(const TomlKeyName& key, const TomlKeyRule& rule);
@@ -127,10 +140,10 @@ class TomlReader {
   std::string full_name(std::string_view key) const;
   /// The index in `known` of the text under `key`; known.size() if the key is absent.
   std::size_t find_word(const TomlKeyName& key, const std::vector<std::string_view>& known,
-                        const std::optional<std::string>& default_text);
+                        const std::optional<std::string>& default_text, std::string_view meaning);
   template <typename Vector>
   void read_vector(const TomlKeyName& key, Vector& value, double minimum, double maximum,
-                   const std::optional<std::string>& default_text);
+                   const std::optional<std::string>& default_text, std::string_view meaning);
 
   std::string file_;
   const toml::table* table_;
