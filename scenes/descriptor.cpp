@@ -11,10 +11,10 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
+#include "renderer/base/files/file_access.h"
 #include "renderer/base/light_unit_words.h"
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 #include "scenes/builtin.h"
 #include "scenes/file_search.h"
 

@@ -12,7 +12,7 @@
 #include "analysis/replication/bench_ratios.h"
 #include "analysis/tables/table.h"
 #include "analysis/tables/table_formats.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 
 namespace foveola::analysis {

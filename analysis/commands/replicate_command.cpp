@@ -31,13 +31,13 @@
 #include "analysis/tables/html.h"
 #include "analysis/tables/printed_table.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
-#include "renderer/base/programs.h"
+#include "renderer/base/work/programs.h"
 #include "renderer/base/similar_word.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/commands/bench_facts.h"
 
 namespace fs = std::filesystem;

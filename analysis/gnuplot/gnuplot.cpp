@@ -7,7 +7,7 @@
 #include <qpdf/qpdf-c.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/programs.h"
+#include "renderer/base/work/programs.h"
 
 // By its interface in C: the headers of that in C++ do not compile with Clang in C++20.
 namespace foveola::analysis {

@@ -30,7 +30,7 @@
 #include "analysis/tables/row_file.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/record/damage_remedy.h"
 
 namespace fs = std::filesystem;

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/toml_file.h"
-#include "renderer/base/toml_reader.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/toml/toml_file.h"
+#include "renderer/base/toml/toml_reader.h"
 
 namespace fs = std::filesystem;
 

@@ -4,7 +4,7 @@
 
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 
 namespace foveola::analysis {
 

@@ -12,7 +12,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"

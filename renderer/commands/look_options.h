@@ -11,7 +11,7 @@
 #include "renderer/image/tone_mapping.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/trace/paths/path_tracer.h"
 
 namespace CLI {
 class App;

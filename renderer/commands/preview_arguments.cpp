@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/base/words.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"

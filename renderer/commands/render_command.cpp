@@ -7,7 +7,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/film_parts.h"
 #include "renderer/commands/render_arguments.h"

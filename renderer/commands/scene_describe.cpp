@@ -14,7 +14,7 @@
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"

@@ -8,7 +8,7 @@
 
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/environment.h"
 #include "renderer/scene/far_geometry.h"
 #include "renderer/scene/foreign_format.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/base/parallel.h"
+#include "renderer/base/work/parallel.h"
 #include "renderer/image/image.h"
 #include "renderer/vision/vdp_sensitivity.h"
 

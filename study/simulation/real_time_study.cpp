@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/headset/live_window.h"
-#include "renderer/window/presenter.h"
+#include "renderer/window/drawing/presenter.h"
 #include "study/driver/session_so_far.h"
 #include "study/person/person_session.h"
 #include "study/person/session_window.h"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/end_to_end/program.h"
 #include "tests/matchers.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/mesh_edit.h"

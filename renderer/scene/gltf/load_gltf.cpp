@@ -8,7 +8,7 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/animation.h"
 #include "renderer/scene/gltf/deformation.h"

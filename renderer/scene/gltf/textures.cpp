@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "renderer/base/digest.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/gltf/values.h"
 #include "renderer/scene/textures/decoded_memory.h"

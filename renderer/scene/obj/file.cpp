@@ -11,8 +11,8 @@
 #include <tiny_obj_loader.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/work_scope.h"
+#include "renderer/base/files/files.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/obj/colors.h"
 #include "renderer/scene/obj/numbers.h"
 #include "renderer/scene/obj/smoothing.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/obj/polygon.h"
 #include "renderer/scene/obj/text_lines.h"
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/file_access.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/textures/decoded_memory.h"
 #include "renderer/scene/textures/image_channels.h"
 #include "renderer/scene/textures/image_decoder.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/textures/decoded_memory.h"
 #include "renderer/scene/textures/srgb.h"
 

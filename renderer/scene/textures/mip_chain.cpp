@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "renderer/base/work_scope.h"
+#include "renderer/base/work/work_scope.h"
 #include "renderer/scene/textures/srgb.h"
 
 namespace foveola {

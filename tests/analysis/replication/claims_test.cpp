@@ -4,7 +4,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/protocol/protocol.h"
 #include "tests/matchers.h"
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "study/protocol/protocol_schema.h"
 #include "tests/matchers.h"
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/obj/text_lines.h"
 #include "tests/renderer/scene/glb_builder.h"
 

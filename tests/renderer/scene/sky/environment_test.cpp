@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/files.h"
 #include "tests/encoded_image.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
