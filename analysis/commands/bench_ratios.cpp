@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 14> identities = {
     "level", "unit", "method", "option", "threads",       "what",   "claim"};
 
 bool is_identity(std::string_view key) {
-  return std::find(identities.begin(), identities.end(), key) != identities.end();
+  return std::ranges::find(identities, key) != identities.end();
 }
 
 struct BenchFigure {
@@ -241,8 +241,7 @@ void pair_figures(const BenchJson& before, const BenchJson& after, const std::st
                   std::vector<BenchPair>& pairs, std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);
   for (BenchFigure& figure : figures_of(before)) {
-    const auto other = std::find_if(others.begin(), others.end(),
-                                    [&](const BenchFigure& o) { return o.place == figure.place; });
+    const auto other = std::ranges::find(others, figure.place, &BenchFigure::place);
     figure.place.insert(0, prefix);
     if (other == others.end()) {
       unmatched.push_back(figure.place);
@@ -259,9 +258,8 @@ void pair_figures(const BenchJson& before, const BenchJson& after, const std::st
 constexpr double level = 0.95;
 
 void judge(const std::vector<BenchPair>& pairs, BenchComparison& comparison) {
-  const auto count = std::count_if(pairs.begin(), pairs.end(), [](const BenchPair& pair) {
-    return pair.kind() == BenchFigureKind::with_interval;
-  });
+  const auto count = std::ranges::count_if(
+      pairs, [](const BenchPair& pair) { return pair.kind() == BenchFigureKind::with_interval; });
   comparison.level_of_each = std::pow(level, 1.0 / static_cast<double>(std::max(count, 1L)));
   const double widening =
       normal_two_sided_quantile(comparison.level_of_each) / normal_two_sided_quantile(level);
@@ -286,7 +284,7 @@ std::vector<std::string> outputs_in(const fs::path& folder) {
       names.push_back(entry.path().filename().string());
     }
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -301,9 +299,7 @@ std::vector<std::string> names_missing(const std::vector<std::string>& names,
 void add_differences(const std::vector<BenchDifference>& found, const std::string& file,
                      std::vector<BenchDifference>& all) {
   for (const BenchDifference& difference : found) {
-    auto known = std::find_if(all.begin(), all.end(), [&](const BenchDifference& other) {
-      return other.text == difference.text;
-    });
+    auto known = std::ranges::find(all, difference.text, &BenchDifference::text);
     if (known == all.end()) {
       known = all.insert(all.end(), difference);
     }
@@ -332,8 +328,8 @@ BenchComparison compare_folders(const fs::path& before, const fs::path& after) {
 }  // namespace
 
 std::size_t BenchComparison::count(BenchFigureKind kind) const {
-  return static_cast<std::size_t>(std::count_if(
-      ratios.begin(), ratios.end(), [kind](const BenchRatio& row) { return row.kind == kind; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(ratios, [kind](const BenchRatio& row) { return row.kind == kind; }));
 }
 
 std::vector<BenchRatio> BenchComparison::moved(BenchMove move) const {
