@@ -61,10 +61,10 @@ std::string dependence_in_words(const ExpectedStudy& expected) {
 
 bool has_planned_rating(const ExpectedStudy& expected) {
   const auto& planned = expected.protocol.analysis.primary;
-  return std::any_of(planned.begin(), planned.end(), [&](const study::PlannedComparison& row) {
+  return std::ranges::any_of(planned, [&](const study::PlannedComparison& row) {
     const auto& marks = expected.protocol.marks;
-    return std::none_of(marks.begin(), marks.end(),
-                        [&](const study::MarkEntry& mark) { return mark.id == row.measure; });
+    return std::ranges::none_of(
+        marks, [&](const study::MarkEntry& mark) { return mark.id == row.measure; });
   });
 }
 

@@ -42,8 +42,7 @@ struct Line {
 
 /// None where the region was not measured.
 std::vector<Line> lines_of(const GazeMeasurement& measurement, const FigureKind& kind) {
-  const auto region =
-      std::find(measurement.regions.begin(), measurement.regions.end(), kind.region);
+  const auto region = std::ranges::find(measurement.regions, kind.region);
   if (region == measurement.regions.end()) {
     return {};
   }
@@ -126,7 +125,7 @@ std::vector<Figure> draw_convergence(const std::vector<GazeMeasurement>& measure
     for (const FigureKind& kind : kinds) {
       const std::vector<Line> lines = lines_of(measurements[i], kind);
       const bool has_points =
-          std::any_of(lines.begin(), lines.end(), [](const Line& l) { return !l.curve.empty(); });
+          std::ranges::any_of(lines, [](const Line& l) { return !l.curve.empty(); });
       if (has_points) {
         figures.push_back({fmt::format("error-{}-{}", i + 1, kind.file),
                            run_gnuplot(script(lines, measurements[i], kind))});

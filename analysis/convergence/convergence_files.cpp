@@ -34,29 +34,29 @@ ColumnsOf<Item> columns_of_gaze() {
           {"configuration", "", "The configuration", &Item::configuration}};
 }
 
-/// The columns that speed-ups at one gaze and over all have in common.
-template <typename Item>
-void add_speed_up(ColumnsOf<Item>& columns) {
-  columns.push_back({"region", "", "Where the error is measured", &Item::region});
-  columns.push_back({"metric", "", "The measure of the error", &Item::metric});
-  columns.push_back({"level", "", "At the error of all samples, or of a quarter", &Item::level});
-  add_estimate("samples", "The baseline's samples over this one's, at equal error", &Item::samples,
-               columns);
-  add_estimate("time", "The speed-up in seconds", &Item::time, columns);
-  columns.push_back({"predicted", "", "The speed-up predicted by density alone", &Item::predicted});
+ColumnsOf<SpeedUp> speed_up_columns() {
+  ColumnsOf<SpeedUp> columns = columns_of_gaze<SpeedUp>();
+  columns.push_back({"region", "", "Where the error is measured", &SpeedUp::region});
+  columns.push_back({"metric", "", "The measure of the error", &SpeedUp::metric});
+  columns.push_back({"level", "", "At the error of all samples, or of a quarter", &SpeedUp::level});
+  add_estimate("samples", "The baseline's samples over this one's, at equal error",
+               &SpeedUp::samples, columns);
+  add_estimate("time", "The speed-up in seconds", &SpeedUp::time, columns);
+  columns.push_back(
+      {"predicted", "", "The speed-up predicted by density alone", &SpeedUp::predicted});
+  return columns;
 }
 
 Table speed_ups_table(const ConvergenceTables& tables) {
-  ColumnsOf<SpeedUp> columns = columns_of_gaze<SpeedUp>();
-  add_speed_up(columns);
-  return tabulate("speed_ups", "scene, gaze, configuration, region, metric and level", columns,
-                  tables.speed_ups);
+  return tabulate("speed_ups", "scene, gaze, configuration, region, metric and level",
+                  speed_up_columns(), tables.speed_ups);
 }
 
 Table overall_table(const ConvergenceTables& tables) {
-  ColumnsOf<OverallSpeedUp> columns = {
-      {"configuration", "", "The configuration", &OverallSpeedUp::configuration}};
-  add_speed_up(columns);
+  ColumnsOf<SpeedUp> columns = speed_up_columns();
+  std::erase_if(columns, [](const ColumnOf<SpeedUp>& column) {
+    return column.column.name == "scene" || column.column.name == "gaze_deg";
+  });
   return tabulate("overall", "configuration, region, metric and level", columns, tables.overall);
 }
 
@@ -247,13 +247,12 @@ std::string convergence_summary(const ConvergenceTables& tables) {
   constexpr const char* columns = "{:<24} {:<9} {:>9}  {:<25} {:<25} {:<25}\n";
   std::string text = fmt::format(columns, "speed-up to equal MSE", "within", "predicted",
                                  "in samples", "at a quarter of them", "in time");
-  for (const OverallSpeedUp& row : tables.overall) {
+  for (const SpeedUp& row : tables.overall) {
     if (row.metric == Metric::mse && row.level == Level::all) {
-      const auto quarter =
-          std::find_if(tables.overall.begin(), tables.overall.end(), [&](const auto& other) {
-            return other.configuration == row.configuration && other.region == row.region &&
-                   other.metric == row.metric && other.level == Level::quarter;
-          });
+      const auto quarter = std::ranges::find_if(tables.overall, [&](const auto& other) {
+        return other.configuration == row.configuration && other.region == row.region &&
+               other.metric == row.metric && other.level == Level::quarter;
+      });
       text += fmt::format(columns, row.configuration, row.region, in_words(row.predicted),
                           in_words(row.samples), in_words(quarter->samples), in_words(row.time));
     }

@@ -13,8 +13,7 @@ namespace {
 
 const OptionRow& find_option(const std::string& name) {
   const std::vector<OptionRow>& rows = option_rows();
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+  const auto found = std::ranges::find_if(rows, [&](const auto& row) { return row.name == name; });
   if (found == rows.end()) {
     std::vector<std::string> names;
     for (const OptionRow& row : rows) {
@@ -192,9 +191,7 @@ const PathTracer* Subject::tracer_for(const LightSampling& light_sampling) const
   if (light_sampling == LightSampling{}) {
     return &loaded.tracer;
   }
-  const auto found = std::find_if(
-      other_tracers.begin(), other_tracers.end(),
-      [&](const OtherTracer& other) { return other.light_sampling == light_sampling; });
+  const auto found = std::ranges::find(other_tracers, light_sampling, &OtherTracer::light_sampling);
   return found != other_tracers.end() ? &found->tracer : nullptr;
 }
 

@@ -23,9 +23,8 @@ std::optional<CurvePoint> point_of(Level level, const ErrorCurve& curve,
       measurement.repetitions.front()[baseline_configuration].checkpoints.back().samples);
   const double wanted = all_samples * (level == Level::all ? 1.0 : quarter);
   // Checkpoints are whole samples.
-  const auto found = std::find_if(curve.begin(), curve.end(), [wanted](const CurvePoint& point) {
-    return std::abs(point.samples - wanted) <= 1.0;
-  });
+  const auto found = std::ranges::find_if(
+      curve, [wanted](const CurvePoint& point) { return std::abs(point.samples - wanted) <= 1.0; });
   return found != curve.end() ? std::optional(*found) : std::nullopt;
 }
 
@@ -185,8 +184,8 @@ bool is_same_kind(const SpeedUp& a, const SpeedUp& b) {
          a.level == b.level;
 }
 
-std::vector<OverallSpeedUp> overall_speed_ups(const std::vector<SpeedUp>& rows) {
-  std::vector<OverallSpeedUp> overall;
+std::vector<SpeedUp> overall_speed_ups(const std::vector<SpeedUp>& rows) {
+  std::vector<SpeedUp> overall;
   for (auto first = rows.begin(); first != rows.end(); ++first) {
     if (std::any_of(rows.begin(), first, [&](const auto& r) { return is_same_kind(r, *first); })) {
       continue;

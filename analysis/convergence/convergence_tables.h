@@ -53,22 +53,13 @@ struct Convergence {
   std::optional<Estimate> efficiency_ratio;  ///< relative to the baseline's
 };
 
-/// Geometric means over all scenes and gazes, their intervals from these (Student's t).
-struct OverallSpeedUp {
-  std::string configuration;
-  std::string region;
-  Metric metric = Metric::mse;
-  Level level = Level::all;
-  std::optional<Estimate> samples;
-  std::optional<Estimate> time;
-  std::optional<double> predicted;
-};
-
 struct ConvergenceTables {
   std::vector<SpeedUp> speed_ups;  ///< one for each configuration but the baseline
   std::vector<PathCost> costs;
   std::vector<Convergence> convergence;
-  std::vector<OverallSpeedUp> overall;
+  /// Geometric means over all scenes and gazes, which are not named, with intervals from these
+  /// (Student's t).
+  std::vector<SpeedUp> overall;
 };
 
 /// Every measurement has at least one repetition, and all have the same configurations and regions.

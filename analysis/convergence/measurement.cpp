@@ -94,7 +94,7 @@ RgbImage side_by_side(const std::vector<RgbImage>& images) {
   constexpr int gap = 8;
   const int pitch = images.front().width + gap;
   RgbImage strip(static_cast<int>(images.size()) * pitch - gap, images.front().height);
-  std::fill(strip.pixels.begin(), strip.pixels.end(), Rgb(1.0F));
+  std::ranges::fill(strip.pixels, Rgb(1.0F));
   for (std::size_t i = 0; i < images.size(); ++i) {
     for (int y = 0; y < images[i].height; ++y) {
       for (int x = 0; x < images[i].width; ++x) {

@@ -147,7 +147,7 @@ Analysed analysed_by(AnalysisKind kind, const PairedTrials& trials) {
   for (std::size_t i = 0; i < means.size(); ++i) {
     const auto& row = trials.differences[i];
     if (kind != AnalysisKind::crossed_model ||
-        std::all_of(row.begin(), row.end(), [](const auto& value) { return value.has_value(); })) {
+        std::ranges::all_of(row, [](const auto& value) { return value.has_value(); })) {
       analysed.who.push_back(trials.who[i]);
       analysed.means.push_back(means[i]);
     }
@@ -309,8 +309,8 @@ std::vector<OrderTest> carry_over_tests(const Dataset& set, std::size_t measure)
         continue;
       }
       const std::vector<OrderedValue> values = values_by_previous(set, measure, method, previous);
-      if (std::none_of(values.begin(), values.end(),
-                       [](const OrderedValue& value) { return value.position > 0.0; })) {
+      if (std::ranges::none_of(values,
+                               [](const OrderedValue& value) { return value.position > 0.0; })) {
         return {};
       }
       if (methods > 3 || !is_known) {

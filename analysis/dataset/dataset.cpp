@@ -37,9 +37,9 @@ void check_protocol(const StudyRecords& records) {
 /// The kind of sessions to analyse: people's, else pilots', else simulated ones.
 std::string kind_to_analyse(const StudyRecords& records) {
   for (const char* kind : {"human", "pilot", "simulated"}) {
-    const bool exists = std::any_of(
-        records.sessions.begin(), records.sessions.end(),
-        [&](const SessionRow& row) { return row.kind == kind && row.state == "completed"; });
+    const bool exists = std::ranges::any_of(records.sessions, [&](const SessionRow& row) {
+      return row.kind == kind && row.state == "completed";
+    });
     if (exists) {
       return kind;
     }
@@ -274,14 +274,14 @@ std::string reason_not_analysed(const SessionRow& session, const std::string& ki
 
 void exclude(const std::vector<Exclusion>& exclusions, Dataset& set) {
   set.exclusions.insert(set.exclusions.end(), exclusions.begin(), exclusions.end());
-  std::stable_sort(
-      set.exclusions.begin(), set.exclusions.end(),
-      [](const Exclusion& a, const Exclusion& b) { return a.participant < b.participant; });
+  std::ranges::stable_sort(set.exclusions, [](const Exclusion& a, const Exclusion& b) {
+    return a.participant < b.participant;
+  });
 }
 
 std::optional<std::size_t> position_of(const std::vector<std::string>& names,
                                        const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   return found != names.end() ? std::optional<std::size_t>(found - names.begin()) : std::nullopt;
 }
 

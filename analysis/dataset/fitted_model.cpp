@@ -7,7 +7,7 @@ namespace foveola::analysis {
 const FittedModel* FittedModels::find(const std::string& model, const std::string& measure,
                                       const std::string& method,
                                       const std::string& reference) const {
-  const auto found = std::find_if(models.begin(), models.end(), [&](const FittedModel& row) {
+  const auto found = std::ranges::find_if(models, [&](const FittedModel& row) {
     return row.model == model && row.measure == measure && row.method == method &&
            row.reference == reference;
   });

@@ -103,8 +103,8 @@ ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& me
     }
     const std::string& id = measure.id();
     const auto at_mark = [id](const Figures& figures) {
-      const auto found = std::find_if(figures.marks.begin(), figures.marks.end(),
-                                      [&](const auto& known) { return known.mark == id; });
+      const auto found =
+          std::ranges::find_if(figures.marks, [&](const auto& known) { return known.mark == id; });
       return found == figures.marks.end() ? std::nullopt : std::optional(*found);
     };
     columns.push_back(
@@ -157,8 +157,8 @@ std::vector<MethodGaze> gaze_by_method(const study::StudyRecords& records, const
       values[records.trials[trial].method].add(row->figures);
     }
   }
-  const bool is_known = std::any_of(values.begin(), values.end(),
-                                    [](const MethodValues& of) { return of.trials > 0; });
+  const bool is_known =
+      std::ranges::any_of(values, [](const MethodValues& of) { return of.trials > 0; });
   std::vector<MethodGaze> methods;
   for (std::size_t i = 0; is_known && i < values.size(); ++i) {
     methods.push_back({.method = set.methods[i],

@@ -37,7 +37,7 @@ std::vector<ComparedPair> unplanned_pairs(const Dataset& set, const study::Analy
   std::vector<ComparedPair> pairs;
   for (std::size_t reference = 0; reference < set.methods.size(); ++reference) {
     for (std::size_t method = reference + 1; method < set.methods.size(); ++method) {
-      if (std::none_of(plan.primary.begin(), plan.primary.end(), [&](const auto& planned) {
+      if (std::ranges::none_of(plan.primary, [&](const auto& planned) {
             return is_of_pair(planned, set.measures[measure].id(), set.methods[method],
                               set.methods[reference]);
           })) {
@@ -122,7 +122,7 @@ PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t 
       row.push_back(difference(participant, scene));
     }
     const auto present = static_cast<std::size_t>(
-        std::count_if(row.begin(), row.end(), [](const auto& value) { return value.has_value(); }));
+        std::ranges::count_if(row, [](const auto& value) { return value.has_value(); }));
     if (present > 0) {
       trials.pairs += present;
       trials.differences.push_back(std::move(row));

@@ -58,13 +58,12 @@ constexpr std::array instruments = {
 
 bool has_item(const study::Questionnaire& questionnaire, const Instrument& instrument,
               std::string_view id) {
-  return std::any_of(questionnaire.questions.begin(), questionnaire.questions.end(),
-                     [&](const study::Question& question) {
-                       return question.id == id && question.minimum == instrument.minimum &&
-                              question.maximum == instrument.maximum &&
-                              (question.kind == study::QuestionKind::likert ||
-                               question.kind == study::QuestionKind::number);
-                     });
+  return std::ranges::any_of(questionnaire.questions, [&](const study::Question& question) {
+    return question.id == id && question.minimum == instrument.minimum &&
+           question.maximum == instrument.maximum &&
+           (question.kind == study::QuestionKind::likert ||
+            question.kind == study::QuestionKind::number);
+  });
 }
 
 const Instrument* find_instrument(const study::Questionnaire& questionnaire) {

@@ -111,8 +111,8 @@ std::vector<AmendedSession> list_amended(const study::StudyRecords& records, con
   std::vector<AmendedSession> amended;
   for (const auto& [participant, amendment] : records.amended) {
     const auto kind = set.kinds.find(participant);
-    const bool is_analysed = std::find(set.participants.begin(), set.participants.end(),
-                                       participant) != set.participants.end();
+    const bool is_analysed =
+        std::ranges::find(set.participants, participant) != set.participants.end();
     amended.push_back({participant, kind == set.kinds.end() ? "" : kind->second, is_analysed,
                        amendment.sha256, amendment.changed});
   }

@@ -29,7 +29,7 @@ std::map<std::string, Labels> labels_in(const std::string& protocol_text) {
 }
 
 void count(const AmendedLabels& other, std::vector<AmendedLabels>& amended) {
-  const auto known = std::find_if(amended.begin(), amended.end(), [&](const AmendedLabels& entry) {
+  const auto known = std::ranges::find_if(amended, [&](const AmendedLabels& entry) {
     return entry.measure == other.measure && entry.labels == other.labels;
   });
   if (known != amended.end()) {

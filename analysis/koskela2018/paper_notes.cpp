@@ -40,8 +40,7 @@ std::string artifacts_in_order(const StudyTables& tables) {
     }
     order.emplace_back(means.at(method), method);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(order, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> words;
   for (const auto& [mean, method] : order) {
     words.push_back(fmt::format("{} {:.2f}", method_label(method), mean));

@@ -19,8 +19,7 @@ constexpr const char* over_scenes = "Table 2, all scenes";
 
 /// Of the analysed participants to a question of Table 1.
 Description answers_to(const std::vector<QuestionAnswers>& own, const std::string& question) {
-  const auto found = std::find_if(
-      own.begin(), own.end(), [&](const QuestionAnswers& row) { return row.question == question; });
+  const auto found = std::ranges::find(own, question, &QuestionAnswers::question);
   return found == own.end() ? Description{} : found->answers;
 }
 
@@ -203,10 +202,8 @@ void compare_claims(const StudyTables& tables, const PublishedStudy& published,
 std::optional<Estimate> number_who_answered(const std::vector<double>& answers, double wanted) {
   return answers.empty()
              ? std::nullopt
-             : std::optional(
-                   Estimate{answers.size(),
-                            static_cast<double>(std::count(answers.begin(), answers.end(), wanted)),
-                            {}});
+             : std::optional(Estimate{
+                   answers.size(), static_cast<double>(std::ranges::count(answers, wanted)), {}});
 }
 
 void compare_participants(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,

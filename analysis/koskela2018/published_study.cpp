@@ -84,8 +84,7 @@ std::optional<PublishedStudy> published_beside(const Dataset& set) {
 }
 
 const PublishedFigure& published_figure(const PublishedStudy& published, const std::string& id) {
-  const auto found = std::find_if(published.text.begin(), published.text.end(),
-                                  [&](const PublishedFigure& figure) { return figure.id == id; });
+  const auto found = std::ranges::find(published.text, id, &PublishedFigure::id);
   if (found == published.text.end()) {
     throw Error("data/koskela2018/text.csv", fmt::format("does not have the figure \"{}\"", id),
                 "restore the file");
@@ -95,18 +94,15 @@ const PublishedFigure& published_figure(const PublishedStudy& published, const s
 
 const PublishedAnswers* published_answers(const PublishedStudy& published,
                                           const std::string& question) {
-  const auto found =
-      std::find_if(published.background.begin(), published.background.end(),
-                   [&](const PublishedAnswers& row) { return row.question == question; });
+  const auto found = std::ranges::find(published.background, question, &PublishedAnswers::question);
   return found == published.background.end() ? nullptr : &*found;
 }
 
 const PublishedTime* published_time(const PublishedStudy& published, const std::string& scene,
                                     const std::string& mark, const std::string& method) {
-  const auto found =
-      std::find_if(published.times.begin(), published.times.end(), [&](const PublishedTime& time) {
-        return time.scene == scene && time.mark == mark && time.method == method;
-      });
+  const auto found = std::ranges::find_if(published.times, [&](const PublishedTime& time) {
+    return time.scene == scene && time.mark == mark && time.method == method;
+  });
   return found == published.times.end() ? nullptr : &*found;
 }
 

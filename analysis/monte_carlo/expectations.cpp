@@ -34,7 +34,7 @@ std::optional<double> number_in(std::string_view text) {
 template <typename Names>
 std::size_t index_among(const Names& names, const std::string& name, const std::string& where,
                         const char* what) {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
     throw Error(where, fmt::format("no {} '{}'", what, name),
                 fmt::format("choose one of {}", fmt::join(names, ", ")));
@@ -192,8 +192,8 @@ void take_pilot(const study::StudyRecords& pilot, bool with_times, ExpectedStudy
       set, set.ratings(),
       [&](std::size_t rating) { return study::span_of(set.measures[rating].question).width(); },
       expected.ratings_spread);
-  const auto withdrawn = std::count_if(
-      pilot.sessions.begin(), pilot.sessions.end(), [&](const study::SessionRow& session) {
+  const auto withdrawn =
+      std::ranges::count_if(pilot.sessions, [&](const study::SessionRow& session) {
         return session.kind == set.kind && session.state == "withdrawn";
       });
   expected.withdrawals =

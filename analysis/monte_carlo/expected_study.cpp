@@ -43,8 +43,7 @@ std::vector<DrawnEffects> draw_scenes(const ExpectedSpread& spread, std::size_t 
 
 template <typename Entries, typename Name>
 std::size_t index_in(const Entries& entries, const Name& is_it) {
-  return static_cast<std::size_t>(std::find_if(entries.begin(), entries.end(), is_it) -
-                                  entries.begin());
+  return static_cast<std::size_t>(std::ranges::find_if(entries, is_it) - entries.begin());
 }
 
 struct Place {
@@ -60,9 +59,8 @@ double nearest_answer(const study::Measure& rating, double value) {
   if (points.empty()) {
     return std::clamp(std::round(value), rating.question.minimum, rating.question.maximum);
   }
-  return *std::min_element(points.begin(), points.end(), [&](double a, double b) {
-    return std::abs(a - value) < std::abs(b - value);
-  });
+  return *std::ranges::min_element(
+      points, [&](double a, double b) { return std::abs(a - value) < std::abs(b - value); });
 }
 
 /// What all participants of a study have in common.
@@ -135,7 +133,7 @@ class DrawnParticipant {
     }
     const ExpectedSpread& spread = expected_.ratings_spread;
     const std::vector<double>& shifts = expected_.shifts[rating];
-    const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
+    const auto [least, most] = std::ranges::minmax_element(shifts);
     const DrawnEffects& person = ratings_[rating];
     const DrawnEffects& scene = scenes_.ratings[rating][place.scene];
     const study::Span answers = study::span_of(measure.question);

@@ -27,8 +27,8 @@ namespace foveola::analysis {
 namespace {
 
 bool has_data(const study::StudyRecords& records) {
-  return std::any_of(records.sessions.begin(), records.sessions.end(),
-                     [](const study::SessionRow& row) { return row.state == "completed"; });
+  return std::ranges::any_of(records.sessions,
+                             [](const study::SessionRow& row) { return row.state == "completed"; });
 }
 
 void write_study(const study::StudyRecords& records, const fs::path& folder) {

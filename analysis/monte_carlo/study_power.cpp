@@ -55,8 +55,8 @@ bool is_significant(const MethodComparison& comparison, double alpha) {
 
 void count_study(const study::StudyRecords& records, const FittedModels& models, Tally& tally) {
   ++tally.power.studies;
-  if (std::none_of(records.sessions.begin(), records.sessions.end(),
-                   [](const study::SessionRow& row) { return row.state == "completed"; })) {
+  if (std::ranges::none_of(records.sessions,
+                           [](const study::SessionRow& row) { return row.state == "completed"; })) {
     return;  // Everybody withdrew: nothing can be analysed, or be significant.
   }
   const Dataset set = select_for_analysis(records);
@@ -73,8 +73,8 @@ void count_study(const study::StudyRecords& records, const FittedModels& models,
     }
   }
   tally.power.all_significant +=
-      std::all_of(found.begin(), found.end(),
-                  [&](const MethodComparison& row) { return is_significant(row, plan.alpha); })
+      std::ranges::all_of(
+          found, [&](const MethodComparison& row) { return is_significant(row, plan.alpha); })
           ? 1
           : 0;
 }

@@ -14,8 +14,8 @@ namespace {
 /// With so few scenes, what is said of others like them is less certain than its interval: see
 /// data/golden/README.md. Empty if there are enough, or if nothing planned is said of others.
 std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
-  const bool is_of_others = std::any_of(
-      comparisons.methods.begin(), comparisons.methods.end(), [](const MethodComparison& row) {
+  const bool is_of_others =
+      std::ranges::any_of(comparisons.methods, [](const MethodComparison& row) {
         return row.planned && row.primary && row.primary->kind == AnalysisKind::crossed_model;
       });
   return is_of_others && scenes < study::fewest_random_scenes

@@ -142,8 +142,8 @@ void write_output(const fs::path& folder, const std::string& name, const std::st
 bool is_withdrawn(const study::SessionRow& session) { return session.state == "withdrawn"; }
 
 std::string withdrawn_in_words(const study::StudyRecords& records) {
-  const auto count = static_cast<std::size_t>(
-      std::count_if(records.sessions.begin(), records.sessions.end(), is_withdrawn));
+  const auto count =
+      static_cast<std::size_t>(std::ranges::count_if(records.sessions, is_withdrawn));
   return fmt::format(
       "trials_long.csv, trials_timed_again.csv and answers_long.csv have the data of {} that a "
       "participant withdrew from (--withdrawn); no result uses them, and psych-ds/ and bids/ leave "

@@ -128,8 +128,8 @@ std::vector<EyeEvent> events_of(const study::AttemptGaze& attempt, const std::st
   if (!is_mouse(tracker)) {
     add_movements(attempt.samples, events);
   }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const EyeEvent& a, const EyeEvent& b) { return a.onset < b.onset; });
+  std::ranges::stable_sort(events,
+                           [](const EyeEvent& a, const EyeEvent& b) { return a.onset < b.onset; });
   return events;
 }
 

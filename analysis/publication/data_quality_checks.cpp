@@ -39,7 +39,7 @@ std::vector<std::size_t> positions_of_methods(std::span<const Trial> block) {
     positions.push_back(static_cast<std::size_t>(trial.method_position));
   }
   std::vector<std::size_t> sorted = positions;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   for (std::size_t position = 0; position < sorted.size(); ++position) {
     if (sorted[position] != position) {
       return {};

@@ -57,7 +57,7 @@ std::optional<Interval> reach_of(const std::vector<double>& values,
   if (values.empty()) {
     return std::nullopt;
   }
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto [low, high] = std::ranges::minmax_element(values);
   Interval reach{*low, *high};
   for (const Interval& interval : intervals) {
     reach.low = std::min(reach.low, std::max(interval.low, *low / farthest));

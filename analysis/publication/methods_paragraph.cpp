@@ -195,8 +195,8 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
                         ? std::string("One comparison was")
                         : fmt::format("{} comparisons were", comparisons.plan.primary.size()),
                     comparisons.plan.alpha);
-  const auto missing = static_cast<std::size_t>(std::count_if(
-      comparisons.methods.begin(), comparisons.methods.end(),
+  const auto missing = static_cast<std::size_t>(std::ranges::count_if(
+      comparisons.methods,
       [](const MethodComparison& row) { return row.planned && !row.missing.empty(); }));
   if (missing > 0) {
     text += fmt::format(
@@ -265,12 +265,8 @@ std::string gaps_in_words(const Dataset& set) {
 
 /// What else was computed of the comparisons, beside the primary analyses.
 std::string other_analyses_in_words(const Comparisons& comparisons) {
-  const auto any = [&](auto has) {
-    return std::any_of(comparisons.methods.begin(), comparisons.methods.end(), has);
-  };
-  const auto any_omnibus = [&](auto has) {
-    return std::any_of(comparisons.omnibus.begin(), comparisons.omnibus.end(), has);
-  };
+  const auto any = [&](auto has) { return std::ranges::any_of(comparisons.methods, has); };
+  const auto any_omnibus = [&](auto has) { return std::ranges::any_of(comparisons.omnibus, has); };
   std::string text;
   if (any([](const MethodComparison& row) { return row.equivalent.has_value(); })) {
     text += fmt::format(
@@ -295,8 +291,8 @@ std::string other_analyses_in_words(const Comparisons& comparisons) {
       "repeated-measures analyses of variance of log times (Greenhouse and Geisser’s correction)");
   add(any_omnibus([](const OmnibusTest& row) { return row.ranks.has_value(); }),
       "Friedman’s tests");
-  add(std::any_of(comparisons.order.begin(), comparisons.order.end(),
-                  [](const OrderTest& row) { return row.change_per_step.has_value(); }),
+  add(std::ranges::any_of(comparisons.order,
+                          [](const OrderTest& row) { return row.change_per_step.has_value(); }),
       "trends over trials and over the order of methods");
   add(any([](const MethodComparison& row) { return row.planned && row.influence.has_value(); }),
       "the planned estimates without each participant in turn");

@@ -21,8 +21,8 @@ std::string baseline_name(const StudyTables& tables) {
 
 /// One number if it is the same for every method, else one for each, in the methods' order.
 std::string count_per_method(const std::vector<std::size_t>& counts) {
-  const bool same = std::all_of(counts.begin(), counts.end(),
-                                [&](std::size_t count) { return count == counts.front(); });
+  const bool same =
+      std::ranges::all_of(counts, [&](std::size_t count) { return count == counts.front(); });
   return same ? std::to_string(counts.front()) : fmt::format("{}", fmt::join(counts, " / "));
 }
 
@@ -207,8 +207,8 @@ PrintedTable printed_scores(const Table& scores) {
       continue;
     }
     const std::vector<std::string> key = {*name, fill("{instrument}", scores, row).value_or("")};
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& known) { return known.first == key; });
+    auto group =
+        std::ranges::find_if(groups, [&](const auto& known) { return known.first == key; });
     if (group == groups.end()) {
       group = groups.insert(groups.end(), {key, {}});
     }

@@ -42,7 +42,7 @@ std::string mean_and_deviation(const PublishedTime* time) {
 PrintedTable without_empty_columns(PrintedTable table) {
   for (std::size_t column = table.columns.size() - 1; column > 0; --column) {
     const auto is_empty = [&](const std::vector<std::string>& row) { return row[column] == "–"; };
-    if (std::all_of(table.rows.begin(), table.rows.end(), is_empty)) {
+    if (std::ranges::all_of(table.rows, is_empty)) {
       const auto at = static_cast<std::ptrdiff_t>(column);
       table.columns.erase(table.columns.begin() + at);
       for (std::vector<std::string>& row : table.rows) {
@@ -254,10 +254,10 @@ std::optional<std::vector<std::string>> published_row(
 
 std::string published_rows_explained(const StudyTables& tables,
                                      const std::optional<PublishedStudy>& published) {
-  const bool has_any =
-      published && is_relative_to_od(tables.set) &&
-      std::any_of(tables.set.scenes.begin(), tables.set.scenes.end(),
-                  [&](const auto& scene) { return published_scene_of(*published, scene); });
+  const bool has_any = published && is_relative_to_od(tables.set) &&
+                       std::ranges::any_of(tables.set.scenes, [&](const auto& scene) {
+                         return published_scene_of(*published, scene).has_value();
+                       });
   return has_any ? " Published: Table 2 of Koskela et al. 2018, section 5.2. A counterpart is "
                    "Foveola’s own scene in a published one’s place."
                  : "";

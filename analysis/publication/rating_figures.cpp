@@ -229,7 +229,7 @@ Interval axis_of(const Measure& measure, const std::vector<MeanRow>& rows) {
       drawn.insert(drawn.end(), {interval->low, interval->high});
     }
   }
-  const auto [low, high] = std::minmax_element(drawn.begin(), drawn.end());
+  const auto [low, high] = std::ranges::minmax_element(drawn);
   const double margin = *high > *low ? 0.05 * (*high - *low) : 1.0;
   return {*low - margin, *high + margin};
 }

@@ -134,8 +134,7 @@ std::string table_html(const StudyTables& tables, const PrintedTable& table) {
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,
                         std::string_view explanation) {
-  const auto figure = std::find_if(figures.begin(), figures.end(),
-                                   [&](const Figure& candidate) { return candidate.name == name; });
+  const auto figure = std::ranges::find(figures, name, &Figure::name);
   if (figure == figures.end()) {
     return "";
   }

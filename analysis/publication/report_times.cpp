@@ -124,7 +124,7 @@ std::string undrawn_marks(const StudyTables& tables, const std::vector<std::size
                           std::string_view reason) {
   std::vector<std::string> undrawn;
   for (const std::size_t mark : tables.set.times()) {
-    if (std::find(drawn.begin(), drawn.end(), mark) == drawn.end()) {
+    if (std::ranges::find(drawn, mark) == drawn.end()) {
       undrawn.push_back(tables.set.measures[mark].id());
     }
   }
@@ -180,9 +180,9 @@ std::string meanings_of_marks(const StudyTables& tables) {
 }
 
 std::string curve_explained(const StudyTables& tables, const Measure& mark) {
-  const bool has_crosses = std::any_of(
-      tables.survival.begin(), tables.survival.end(),
-      [&](const MarkSurvival& row) { return row.mark == mark.id() && row.curve.censored > 0; });
+  const bool has_crosses = std::ranges::any_of(tables.survival, [&](const MarkSurvival& row) {
+    return row.mark == mark.id() && row.curve.censored > 0;
+  });
   return joined("Kaplan and Meier’s curve of each method, over all trials, on a logarithmic axis.",
                 has_crosses ? "Crosses are right-censored trials." : "");
 }

@@ -76,8 +76,7 @@ std::vector<Table> result_tables(const study::StudyRecords& records, const Study
 }
 
 const Table& table_named(const std::vector<Table>& tables, std::string_view id) {
-  return *std::find_if(tables.begin(), tables.end(),
-                       [&](const Table& table) { return table.id == id; });
+  return *std::ranges::find(tables, id, &Table::id);
 }
 
 Table with_method_labels(Table table) {

@@ -127,10 +127,9 @@ std::string rules_above_all_scenes(const SceneRows& drawn) {
 std::vector<std::size_t> marks_in_scenes(const StudyTables& tables) {
   std::vector<std::size_t> marks;
   for (const std::size_t mark : tables.set.times()) {
-    if (std::any_of(
-            tables.scene_times.begin(), tables.scene_times.end(), [&](const SceneTimes& times) {
-              return times.mark == tables.set.measures[mark].id() && times.geometric_percent;
-            })) {
+    if (std::ranges::any_of(tables.scene_times, [&](const SceneTimes& times) {
+          return times.mark == tables.set.measures[mark].id() && times.geometric_percent;
+        })) {
       marks.push_back(mark);
     }
   }
@@ -139,12 +138,11 @@ std::vector<std::size_t> marks_in_scenes(const StudyTables& tables) {
 
 bool lacks_censored_times(const StudyTables& tables) {
   const std::vector<std::size_t> marks = marks_in_scenes(tables);
-  return std::any_of(
-      tables.scene_times.begin(), tables.scene_times.end(), [&](const SceneTimes& times) {
-        return times.censored > 0 && std::any_of(marks.begin(), marks.end(), [&](std::size_t mark) {
-                 return tables.set.measures[mark].id() == times.mark;
-               });
-      });
+  return std::ranges::any_of(tables.scene_times, [&](const SceneTimes& times) {
+    return times.censored > 0 && std::ranges::any_of(marks, [&](std::size_t mark) {
+             return tables.set.measures[mark].id() == times.mark;
+           });
+  });
 }
 
 std::optional<Figure> relative_scene_figure(const StudyTables& tables) {

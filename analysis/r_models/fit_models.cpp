@@ -203,8 +203,8 @@ std::string missing_for(const FittedModels& models) {
   }
   std::vector<std::string> packages;
   for (const std::string package : {"lme4", "lmerTest", "survival", "ordinal"}) {
-    if (std::none_of(models.versions.begin(), models.versions.end(),
-                     [&](const auto& version) { return version.first == package; })) {
+    if (std::ranges::none_of(models.versions,
+                             [&](const auto& version) { return version.first == package; })) {
       packages.push_back(package);
     }
   }

@@ -222,9 +222,8 @@ void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<B
 constexpr double level = 0.95;
 
 void judge(const std::vector<BenchPair>& pairs, BenchComparison& comparison) {
-  const auto count = std::count_if(pairs.begin(), pairs.end(), [](const BenchPair& pair) {
-    return pair.kind() == BenchFigureKind::with_interval;
-  });
+  const auto count = std::ranges::count_if(
+      pairs, [](const BenchPair& pair) { return pair.kind() == BenchFigureKind::with_interval; });
   comparison.level_of_each = std::pow(level, 1.0 / static_cast<double>(std::max(count, 1L)));
   const double widening =
       normal_two_sided_quantile(comparison.level_of_each) / normal_two_sided_quantile(level);
@@ -261,8 +260,8 @@ void collect_figures(const BenchJson& node, const std::string& place, IsIdentity
 }
 
 std::size_t BenchComparison::count(BenchFigureKind kind) const {
-  return static_cast<std::size_t>(std::count_if(
-      ratios.begin(), ratios.end(), [kind](const BenchRatio& row) { return row.kind == kind; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(ratios, [kind](const BenchRatio& row) { return row.kind == kind; }));
 }
 
 std::vector<BenchRatio> BenchComparison::moved(BenchMove move) const {

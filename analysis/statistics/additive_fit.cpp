@@ -49,7 +49,7 @@ void AdditiveFit::Effects::count(std::size_t index, double change) {
 
 double AdditiveFit::Effects::present() const {
   return static_cast<double>(
-      std::count_if(counts.begin(), counts.end(), [](double count) { return count > 0.0; }));
+      std::ranges::count_if(counts, [](double count) { return count > 0.0; }));
 }
 
 AdditiveFit::AdditiveFit(std::vector<TrialValue> values)

@@ -78,12 +78,12 @@ std::vector<double> means_without_each(std::span<const double> values) {
 
 std::optional<Interval> bca_from_replicates(double observed, std::vector<double> replicates,
                                             std::span<const double> jackknife, double confidence) {
-  const auto below = std::count_if(replicates.begin(), replicates.end(),
-                                   [&](double value) { return value < observed; });
+  const auto below =
+      std::ranges::count_if(replicates, [&](double value) { return value < observed; });
   if (below == 0 || below == static_cast<std::ptrdiff_t>(replicates.size())) {
     return std::nullopt;
   }
-  std::sort(replicates.begin(), replicates.end());
+  std::ranges::sort(replicates);
   const double bias =
       normal_quantile(static_cast<double>(below) / static_cast<double>(replicates.size()));
   const double skew = acceleration(jackknife);

@@ -12,7 +12,7 @@ namespace foveola::analysis {
 namespace {
 
 bool is_constant(std::span<const double> values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto [low, high] = std::ranges::minmax_element(values);
   return *low == *high;
 }
 
@@ -50,7 +50,7 @@ double exact_spearman_p(std::span<const double> x, std::span<const double> y) {
     return std::inner_product(x_ranks.begin(), x_ranks.end(), y_ranks.begin(), 0);
   };
   const int observed = products();
-  std::sort(y_ranks.begin(), y_ranks.end());
+  std::ranges::sort(y_ranks);
   std::uint64_t orders = 0;
   std::uint64_t at_most = 0;
   std::uint64_t at_least = 0;
@@ -92,8 +92,7 @@ std::vector<double> without_rounding(std::vector<double> values) {
 Ranks rank(std::span<const double> values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   Ranks result{std::vector<double>(values.size()), 0.0};
   for (std::size_t first = 0; first < order.size();) {
     std::size_t end = first + 1;

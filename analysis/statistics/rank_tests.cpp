@@ -116,7 +116,7 @@ std::vector<std::size_t> doubled(const SignedRanks& ranks) {
       doubled_ranks.push_back(static_cast<std::size_t>(std::lround(2.0 * rank)));
     }
   }
-  std::sort(doubled_ranks.begin(), doubled_ranks.end());
+  std::ranges::sort(doubled_ranks);
   return doubled_ranks;
 }
 
@@ -227,7 +227,7 @@ std::optional<PseudoMedian> pseudo_median(std::span<const double> values, double
     return std::nullopt;
   }
   std::vector<double> sorted(values.begin(), values.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   const std::uint64_t averages =
       static_cast<std::uint64_t>(sorted.size()) * (sorted.size() + 1) / 2;
   PseudoMedian result;

@@ -108,7 +108,7 @@ RepeatedMeasures complete_participants(
   data.conditions = rows.empty() ? 0 : rows.front().size();
   for (const auto& row : rows) {
     assert(row.size() == data.conditions);
-    if (std::all_of(row.begin(), row.end(), [](const auto& value) { return value.has_value(); })) {
+    if (std::ranges::all_of(row, [](const auto& value) { return value.has_value(); })) {
       ++data.participants;
       for (const std::optional<double>& value : row) {
         data.values.push_back(*value);

@@ -22,8 +22,8 @@ long double greenwood_term(const SurvivalStep& step) {
 
 std::vector<SurvivalStep> count_steps(std::span<const TimeToMark> times) {
   std::vector<TimeToMark> sorted(times.begin(), times.end());
-  std::sort(sorted.begin(), sorted.end(),
-            [](const TimeToMark& a, const TimeToMark& b) { return a.time < b.time; });
+  std::ranges::sort(sorted,
+                    [](const TimeToMark& a, const TimeToMark& b) { return a.time < b.time; });
   std::vector<SurvivalStep> steps;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (steps.empty() || steps.back().time != sorted[i].time) {
@@ -55,7 +55,7 @@ std::optional<double> time_of_half(const std::vector<SurvivalStep>& steps, const
       return own && *own < level;
     };
   };
-  const auto half = std::find_if(steps.begin(), steps.end(), reaches(0.5 + tolerance));
+  const auto half = std::ranges::find_if(steps, reaches(0.5 + tolerance));
   if (half == steps.end()) {
     return std::nullopt;
   }
@@ -114,8 +114,8 @@ std::optional<RestrictedMean> restricted_mean(const SurvivalCurve& curve, double
   if (curve.steps.empty()) {
     return std::nullopt;
   }
-  const auto past = std::find_if(curve.steps.begin(), curve.steps.end(),
-                                 [&](const SurvivalStep& step) { return step.time > horizon; });
+  const auto past = std::ranges::find_if(
+      curve.steps, [&](const SurvivalStep& step) { return step.time > horizon; });
   // From the horizon backwards: the area behind each step is what the variance weighs it with.
   long double area = 0.0L;
   long double variance = 0.0L;

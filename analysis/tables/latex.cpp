@@ -133,9 +133,8 @@ constexpr Symbol symbols[] = {{"\\", "\\textbackslash{}"},
 
 /// The symbol that a text begins with; null if with none.
 const Symbol* symbol_before(std::string_view rest) {
-  const Symbol* found =
-      std::find_if(std::begin(symbols), std::end(symbols),
-                   [&](const Symbol& symbol) { return rest.starts_with(symbol.text); });
+  const Symbol* found = std::ranges::find_if(
+      symbols, [&](const Symbol& symbol) { return rest.starts_with(symbol.text); });
   return found == std::end(symbols) ? nullptr : found;
 }
 
@@ -194,8 +193,8 @@ std::string latex_text(std::string_view text) {
 
 std::string latex_needs(std::string_view table) {
   // In UTF-8, U+0180 and above begin with a byte from 0xC6 on, and what goes on is below 0xC0.
-  const auto highest = static_cast<unsigned char>(*std::max_element(
-      table.begin(), table.end(), [](unsigned char a, unsigned char b) { return a < b; }));
+  const auto highest = static_cast<unsigned char>(
+      *std::ranges::max_element(table, [](unsigned char a, unsigned char b) { return a < b; }));
   std::string needs = "% Needs \\usepackage{array,booktabs,graphicx}.\n";
   if (highest >= 0xC6) {
     needs +=

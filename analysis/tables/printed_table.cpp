@@ -52,7 +52,7 @@ std::string latex_row(const std::vector<std::string>& cells) {
 /// Whether a column has texts that are better broken into lines, and can be.
 bool has_long_texts(const PrintedTable& table, std::size_t column) {
   constexpr std::size_t longest_in_one_line = 30;
-  return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+  return std::ranges::any_of(table.rows, [&](const auto& row) {
     return count_characters(row.at(column)) > longest_in_one_line &&
            row.at(column).find_first_of(" -_/") != std::string::npos;
   });

@@ -87,8 +87,7 @@ std::string cell_text(const PrintedColumn& column, const Table& table, const Row
 }  // namespace
 
 const Field& field_in(const Table& table, const Row& row, std::string_view column) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& known) { return known.name == column; });
+  const auto found = std::ranges::find(table.columns, column, &Column::name);
   if (found == table.columns.end()) {
     throw std::out_of_range(fmt::format("{} has no column {}", table.id, column));
   }

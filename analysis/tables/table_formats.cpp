@@ -94,9 +94,8 @@ std::string guarded(const std::string& text) {
   // As keyboards have them, and in the full width of East Asian ones.
   constexpr std::array<std::string_view, 12> beginnings{
       "'", "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
-  const bool is_risky =
-      std::any_of(beginnings.begin(), beginnings.end(),
-                  [&](std::string_view beginning) { return text.starts_with(beginning); });
+  const bool is_risky = std::ranges::any_of(
+      beginnings, [&](std::string_view beginning) { return text.starts_with(beginning); });
   return is_risky ? "'" + text : text;
 }
 

@@ -1,5 +1,5 @@
 
-#include "analysis/publication/figure_drawing.h"
+#include "analysis/gnuplot/gnuplot.h"
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
 

@@ -1,6 +1,7 @@
+#include "analysis/gnuplot/gnuplot.h"
+
 #include <cstdlib>
 
-#include "analysis/publication/figure_drawing.h"
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
 
