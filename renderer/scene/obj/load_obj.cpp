@@ -10,7 +10,6 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/obj/file.h"
 #include "renderer/scene/obj/meshes.h"
@@ -20,6 +19,7 @@
 #include "renderer/scene/obj/text_lines.h"
 #include "renderer/scene/obj/textures.h"
 #include "renderer/scene/rebase.h"
+#include "renderer/scene/references.h"
 #include "renderer/scene/sanitised.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/tangents.h"
