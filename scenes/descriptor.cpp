@@ -304,7 +304,7 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
 }
 
 toml::table parse_descriptor(const fs::path& file, const std::string& text) {
-  return parse_toml(file.string(), text, "see scenes/arcade.toml for an example");
+  return parse_toml(file.string(), text, "see scenes/arcade/arcade.toml for an example");
 }
 
 }  // namespace

@@ -10,14 +10,13 @@
 namespace foveola::scenes {
 
 /// Finds the scene `name_or_path`. A name is that of a descriptor NAME.toml, the user's own (see
-/// fetched_folder) before the program's, or else of a scene file in the user's folder. Of the
-/// program's, a built-in scene is made now unless it lies in the cache; a real one is looked for in
-/// the folders of $FOVEOLA_SCENE_PATH (separated by ':', searched with one level of subfolders).
-/// The file of any other descriptor lies in the descriptor's own folder and nowhere else. A path is
-/// one of a descriptor, or of a .glb, .gltf or .obj file. Such a file takes its viewpoint from the
-/// descriptor beside it of the same name, which must name it; else from the program's descriptor of
-/// a real scene that names this file, or of the built-in scene that it is a copy of or, by its
-/// name, a variant of. Loading another file than the described one gives a warning
+/// fetched_folder) before the program's, or else of a scene file in the user's folder. The file of
+/// one of the program's real scenes is looked for in the folders of $FOVEOLA_SCENE_PATH (separated
+/// by ':', searched with one level of subfolders). The file of any other descriptor lies in the
+/// descriptor's own folder and nowhere else. A path is one of a descriptor, or of a .glb, .gltf or
+/// .obj file. Such a file takes its viewpoint from the descriptor beside it of the same name, which
+/// must name it; else from the program's descriptor of a real scene that names this file, or of the
+/// built-in scene that it is a copy of. Loading another file than the described one gives a warning
 /// (SceneSource::described_sha256). Throws Error if nothing fits, naming the built-in scenes or one
 /// that may be meant, and for a bad descriptor.
 SceneSource find_scene(const std::string& name_or_path);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "renderer/scene/scene.h"
-#include "renderer/scene/textures/texels.h"
+#include "renderer/scene/textures/texture.h"
 
 namespace foveola {
 

@@ -1,5 +1,7 @@
 #include "renderer/scene/made_up_names.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace foveola {
@@ -12,18 +14,27 @@ std::string made_up_name(std::string_view kind, std::size_t number, std::set<std
   return name;
 }
 
-std::vector<std::string> camera_names(const std::vector<CameraView>& cameras) {
+std::vector<std::string> distinct_names(std::vector<std::string> names, std::string_view kind) {
   std::set<std::string> taken{""};
-  std::vector<std::string> names;
-  for (const CameraView& camera : cameras) {
-    names.push_back(taken.insert(camera.name).second ? camera.name : "");
+  for (std::string& name : names) {
+    if (!taken.insert(name).second) {
+      name.clear();
+    }
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i].empty()) {
-      names[i] = made_up_name("camera", i + 1, taken);
+      names[i] = made_up_name(kind, i + 1, taken);
     }
   }
   return names;
+}
+
+std::vector<std::string> camera_names(const std::vector<CameraView>& cameras) {
+  std::vector<std::string> names;
+  for (const CameraView& camera : cameras) {
+    names.push_back(camera.name);
+  }
+  return distinct_names(std::move(names), "camera");
 }
 
 }  // namespace foveola

@@ -15,8 +15,11 @@ namespace foveola {
 /// is added.
 std::string made_up_name(std::string_view kind, std::size_t number, std::set<std::string>& taken);
 
-/// A name for each camera, no two of them equal: its own, if it has one that no camera before it
-/// has, else one made up of "camera" and its number, counted from 1.
+/// `names` without two that are equal: one that is empty, or that stands before, becomes one made
+/// up of `kind` and its number, counted from 1.
+std::vector<std::string> distinct_names(std::vector<std::string> names, std::string_view kind);
+
+/// A name for each camera, no two of them equal: its own where it can be, else one of "camera".
 std::vector<std::string> camera_names(const std::vector<CameraView>& cameras);
 
 }  // namespace foveola

@@ -48,6 +48,16 @@ std::vector<std::size_t> farthest(const std::vector<Bounds>& boxes) {
 
 }  // namespace
 
+std::size_t array_bytes(const Mesh& mesh) {
+  const auto bytes_of = [](const auto& list) { return list.size() * sizeof list[0]; };
+  std::size_t bytes = bytes_of(mesh.positions) + bytes_of(mesh.normals) + bytes_of(mesh.tangents) +
+                      bytes_of(mesh.colors) + bytes_of(mesh.triangles);
+  for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
+    bytes += bytes_of(uvs);
+  }
+  return bytes;
+}
+
 std::vector<Bounds> boxes_of_instances(const Scene& scene) {
   std::vector<Bounds> prototypes(scene.prototypes.size(), nowhere);
   for (std::size_t i = 0; i < prototypes.size(); ++i) {

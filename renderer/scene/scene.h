@@ -105,6 +105,9 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// What the lists of `mesh` hold, in bytes.
+std::size_t array_bytes(const Mesh& mesh);
+
 /// A further appearance of a mesh that stands in more than one place.
 struct Instance {
   std::string name;

@@ -7,20 +7,6 @@
 namespace foveola {
 namespace {
 
-template <typename T>
-std::size_t bytes_of(const std::vector<T>& values) {
-  return values.size() * sizeof(T);
-}
-
-std::size_t bytes_of_arrays(const Mesh& mesh) {
-  std::size_t bytes = bytes_of(mesh.positions) + bytes_of(mesh.normals) + bytes_of(mesh.tangents) +
-                      bytes_of(mesh.colors) + bytes_of(mesh.triangles);
-  for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
-    bytes += bytes_of(uvs);
-  }
-  return bytes;
-}
-
 bool has_texture(const Material& material) {
   const auto uses = texture_uses(material);
   return std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->exists(); });
@@ -78,7 +64,7 @@ class FactFinder {
     for (const std::vector<Mesh>* meshes : {&scene_.meshes, &scene_.prototypes}) {
       for (const Mesh& mesh : *meshes) {
         facts_.stored_triangles += mesh.triangles.size();
-        facts_.geometry_bytes += bytes_of_arrays(mesh);
+        facts_.geometry_bytes += array_bytes(mesh);
       }
     }
     std::set<const Texels*> counted;
@@ -88,7 +74,8 @@ class FactFinder {
         facts_.texture_bytes += texture.texels().memory_bytes();
       }
     }
-    facts_.environment_bytes = scene_.environment ? bytes_of(scene_.environment->map) : 0;
+    facts_.environment_bytes =
+        scene_.environment ? scene_.environment->map.size() * sizeof(Rgb) : 0;
   }
 
   void add_features() {

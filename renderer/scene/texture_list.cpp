@@ -1,7 +1,11 @@
 #include "renderer/scene/texture_list.h"
 
-namespace foveola {
+#include <set>
 
+namespace foveola {
+namespace {
+
+/// Lets `materials` count the textures as they are in `decoded`, without those that are lost.
 void renumber_textures(std::vector<Material>& materials, const DecodedTextures& decoded) {
   for (Material& material : materials) {
     for (TextureUse* use : texture_uses(material)) {
@@ -12,12 +16,29 @@ void renumber_textures(std::vector<Material>& materials, const DecodedTextures& 
   }
 }
 
-void rethrow_fault(const std::vector<std::exception_ptr>& faults) {
-  for (const std::exception_ptr& fault : faults) {
-    if (fault) {
-      std::rethrow_exception(fault);
+}  // namespace
+
+std::vector<Texture> take_textures(DecodedTextures decoded, std::vector<Material>& materials,
+                                   bool is_strict,
+                                   std::string (*text_of)(const std::runtime_error& fault),
+                                   Warnings& warnings) {
+  std::set<std::string> lost;
+  for (const std::exception_ptr& thrown : decoded.faults) {
+    try {
+      if (thrown) {
+        std::rethrow_exception(thrown);
+      }
+    } catch (const std::runtime_error& fault) {
+      if (is_strict) {
+        throw;
+      }
+      if (const std::string text = text_of(fault); lost.insert(text).second) {
+        warn_of_lost_texture(text, {}, warnings);
+      }
     }
   }
+  renumber_textures(materials, decoded);
+  return std::move(decoded.textures);
 }
 
 void warn_of_lost_texture(const std::string& what, const std::string& place, Warnings& warnings) {

@@ -27,11 +27,12 @@ struct DecodedTextures {
   std::vector<std::exception_ptr> faults;  ///< of each content; null if there is nothing wrong
 };
 
-/// Lets `materials` count the textures as they are in `decoded`, without those that are lost.
-void renumber_textures(std::vector<Material>& materials, const DecodedTextures& decoded);
-
-/// Throws the first of the faults, if there is one.
-void rethrow_fault(const std::vector<std::exception_ptr>& faults);
+/// The textures that could be made. `materials` then count these, and use no others. Throws the
+/// first fault if `is_strict`, else warns of each that text_of() tells from those before it.
+std::vector<Texture> take_textures(DecodedTextures decoded, std::vector<Material>& materials,
+                                   bool is_strict,
+                                   std::string (*text_of)(const std::runtime_error& fault),
+                                   Warnings& warnings);
 
 /// Warns of a texture that is left out. what: what it is and what is wrong with it.
 void warn_of_lost_texture(const std::string& what, const std::string& place, Warnings& warnings);

@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include "renderer/scene/gltf/fault.h"
 
@@ -25,76 +24,56 @@ T load(const unsigned char* bytes) {
   return value;
 }
 
-std::uint32_t load_index(const unsigned char* bytes, int component_type) {
-  switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return *bytes;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return load<std::uint16_t>(bytes);
-    default:
-      return load<std::uint32_t>(bytes);
-  }
+std::uint32_t load_index(const unsigned char* bytes, GltfComponent component) {
+  return with_type_of(component, [&](auto example) {
+    return static_cast<std::uint32_t>(load<decltype(example)>(bytes));
+  });
 }
 
-std::size_t component_size(int component_type) {
-  return static_cast<std::size_t>(
-      tinygltf::GetComponentSizeInBytes(static_cast<unsigned>(component_type)));
-}
-
-std::size_t element_size(const tinygltf::Accessor& accessor) {
-  return component_size(accessor.componentType) *
-         static_cast<std::size_t>(
-             tinygltf::GetNumComponentsInType(static_cast<unsigned>(accessor.type)));
-}
-
-const tinygltf::Accessor& accessor_at(const tinygltf::Model& model, int index) {
+const GltfAccessor& accessor_at(const GltfModel& model, int index) {
   return model.accessors.at(static_cast<std::size_t>(index));
 }
 
 /// `count` elements of `size` bytes, at `stride` bytes from each other, `offset` bytes into a
 /// buffer view: a pointer to the first of them, all of which lie inside the view. Counts and
 /// offsets are at most 2^32 and strides below 2^10, so 64 bits hold every product.
-const unsigned char* bytes_in_view(const tinygltf::Model& model, int view_index, std::size_t offset,
+const unsigned char* bytes_in_view(const GltfModel& model, int view_index, std::size_t offset,
                                    std::size_t count, std::size_t stride, std::size_t size,
                                    const std::string& what, const std::string& place) {
-  const auto& view = model.bufferViews.at(static_cast<std::size_t>(view_index));
-  const auto& buffer = model.buffers.at(static_cast<std::size_t>(view.buffer));
+  const GltfBufferView& view = model.views.at(static_cast<std::size_t>(view_index));
+  const GltfBytes& buffer = model.buffers.at(view.buffer);
   const std::size_t end = offset + (count - 1) * stride + size;
-  if (end > view.byteLength || view.byteOffset + end > buffer.data.size()) {
+  if (end > view.length || view.offset + end > buffer.size()) {
     throw GltfFault(place, fmt::format("{} ends at byte {}, but bufferViews[{}] has {} bytes", what,
-                                       end, view_index, view.byteLength));
+                                       end, view_index, view.length));
   }
-  return buffer.data.data() + view.byteOffset + offset;
+  return buffer.data() + view.offset + offset;
 }
 
 /// The elements of an accessor that replace others (specification, section 3.6.2.3).
 class SparseElements {
  public:
-  SparseElements(const tinygltf::Model& model, int accessor_index, const std::string& place)
-      : count_(static_cast<std::size_t>(accessor_at(model, accessor_index).sparse.count)),
-        index_type_(accessor_at(model, accessor_index).sparse.indices.componentType),
-        index_size_(component_size(index_type_)),
-        value_size_(element_size(accessor_at(model, accessor_index))) {
-    const auto& sparse = accessor_at(model, accessor_index).sparse;
-    indices_ = bytes_in_view(model, sparse.indices.bufferView,
-                             static_cast<std::size_t>(sparse.indices.byteOffset), count_,
-                             index_size_, index_size_,
-                             fmt::format("accessors[{}].sparse.indices", accessor_index), place);
-    values_ = bytes_in_view(model, sparse.values.bufferView,
-                            static_cast<std::size_t>(sparse.values.byteOffset), count_, value_size_,
-                            value_size_, fmt::format("accessors[{}].sparse.values", accessor_index),
-                            place);
-  }
+  /// accessor_index: of a sparse accessor.
+  SparseElements(const GltfModel& model, int accessor_index, const std::string& place)
+      : sparse_(*accessor_at(model, accessor_index).sparse),
+        index_size_(size_of(sparse_.index_component)),
+        value_size_(accessor_at(model, accessor_index).element_size()),
+        indices_(bytes_in_view(model, sparse_.index_view, sparse_.index_offset, count(),
+                               index_size_, index_size_,
+                               fmt::format("accessors[{}].sparse.indices", accessor_index), place)),
+        values_(bytes_in_view(model, sparse_.value_view, sparse_.value_offset, count(), value_size_,
+                              value_size_,
+                              fmt::format("accessors[{}].sparse.values", accessor_index), place)) {}
 
-  std::size_t count() const { return count_; }
+  std::size_t count() const { return sparse_.count; }
   std::uint32_t index(std::size_t i) const {
-    return load_index(indices_ + i * index_size_, index_type_);
+    return load_index(indices_ + i * index_size_, sparse_.index_component);
   }
 
   /// The bytes that replace element `element`, or null.
   const unsigned char* find(std::uint32_t element) const {
     std::size_t begin = 0;
-    std::size_t end = count_;
+    std::size_t end = count();
     while (begin < end) {
       const std::size_t middle = begin + (end - begin) / 2;
       if (index(middle) < element) {
@@ -103,33 +82,32 @@ class SparseElements {
         end = middle;
       }
     }
-    return begin < count_ && index(begin) == element ? values_ + begin * value_size_ : nullptr;
+    return begin < count() && index(begin) == element ? values_ + begin * value_size_ : nullptr;
   }
 
  private:
-  std::size_t count_;
-  int index_type_;
+  const GltfAccessor::Sparse& sparse_;
   std::size_t index_size_;
   std::size_t value_size_;
-  const unsigned char* indices_ = nullptr;
-  const unsigned char* values_ = nullptr;
+  const unsigned char* indices_;
+  const unsigned char* values_;
 };
 
 /// The elements of an accessor in memory.
 class Elements {
  public:
-  Elements(const tinygltf::Model& model, int index, const std::string& place)
+  Elements(const GltfModel& model, int index, const std::string& place)
       : count_(accessor_at(model, index).count) {
     constexpr std::size_t most_zeros = std::size_t{1} << 22;
-    const tinygltf::Accessor& accessor = accessor_at(model, index);
-    if (accessor.sparse.isSparse) {
+    const GltfAccessor& accessor = accessor_at(model, index);
+    if (accessor.sparse) {
       sparse_.emplace(model, index, place);
     }
-    if (accessor.bufferView >= 0) {
-      const auto& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
-      const std::size_t size = element_size(accessor);
-      stride_ = view.byteStride != 0 ? view.byteStride : size;
-      first_ = bytes_in_view(model, accessor.bufferView, accessor.byteOffset, count_, stride_, size,
+    if (accessor.view >= 0) {
+      const GltfBufferView& view = model.views.at(static_cast<std::size_t>(accessor.view));
+      const std::size_t size = accessor.element_size();
+      stride_ = view.stride != 0 ? view.stride : size;
+      first_ = bytes_in_view(model, accessor.view, accessor.offset, count_, stride_, size,
                              fmt::format("accessors[{}]", index), place);
     } else if (count_ > most_zeros) {
       throw GltfFault(place, fmt::format("accessors[{}] has {} elements without data; up to {} are "
@@ -156,30 +134,19 @@ class Elements {
   std::optional<SparseElements> sparse_;
 };
 
-std::string type_name(const tinygltf::Accessor& accessor) {
-  static const auto component_name = [](int component) {
-    switch (component) {
-      case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return "8-bit signed";
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return "8-bit unsigned";
-      case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return "16-bit signed";
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return "16-bit unsigned";
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return "32-bit unsigned";
-      default:
-        return "float";
-    }
-  };
-  return fmt::format(
-      "{} x {}{}", tinygltf::GetNumComponentsInType(static_cast<unsigned>(accessor.type)),
-      component_name(accessor.componentType), accessor.normalized ? " (normalised)" : "");
+std::string type_name(const GltfAccessor& accessor) {
+  const std::string component = with_type_of(accessor.component, [](auto example) {
+    return std::is_floating_point_v<decltype(example)>
+               ? std::string("float")
+               : fmt::format("{}-bit {}", 8 * sizeof example,
+                             std::is_signed_v<decltype(example)> ? "signed" : "unsigned");
+  });
+  return fmt::format("{} x {}{}", accessor.components, component,
+                     accessor.is_normalized ? " (normalised)" : "");
 }
 
-[[noreturn]] void refuse_type(const tinygltf::Accessor& accessor, int index,
-                              const std::string& place, const std::string& wanted) {
+[[noreturn]] void refuse_type(const GltfAccessor& accessor, int index, const std::string& place,
+                              const std::string& wanted) {
   throw GltfFault(place, fmt::format("accessors[{}] holds {}, but {} is needed", index,
                                      type_name(accessor), wanted));
 }
@@ -192,21 +159,6 @@ float to_float(Component value, bool normalized) {
     constexpr auto one = static_cast<float>(std::numeric_limits<Component>::max());
     const auto number = static_cast<float>(value);
     return normalized ? std::max(number / one, -1.0F) : number;
-  }
-}
-
-float number_at(const unsigned char* bytes, int component_type, bool normalized) {
-  switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return to_float(load<std::int8_t>(bytes), normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return to_float(load<std::uint8_t>(bytes), normalized);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return to_float(load<std::int16_t>(bytes), normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return to_float(load<std::uint16_t>(bytes), normalized);
-    default:
-      return load<float>(bytes);
   }
 }
 
@@ -228,41 +180,31 @@ std::vector<glm::vec<size, float>> convert(const Elements& source, ElementList e
 }
 
 template <int size>
-std::vector<glm::vec<size, float>> read(const tinygltf::Model& model, int index,
-                                        ElementList elements, const std::string& place) {
+std::vector<glm::vec<size, float>> read(const GltfModel& model, int index, ElementList elements,
+                                        const std::string& place) {
   const Elements source(model, index, place);
-  const tinygltf::Accessor& accessor = accessor_at(model, index);
+  const GltfAccessor& accessor = accessor_at(model, index);
   if (!elements.empty() && elements.back() >= source.count()) {
     throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but an index names the {}.",
                                        index, source.count(), std::size_t{elements.back()} + 1));
   }
-  if (accessor.type == size) {  // tinygltf's values of VEC2, VEC3 and VEC4
-    switch (accessor.componentType) {
-      case TINYGLTF_COMPONENT_TYPE_FLOAT:
-        return convert<size, float>(source, elements, false);
-      case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return convert<size, std::int8_t>(source, elements, accessor.normalized);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return convert<size, std::uint8_t>(source, elements, accessor.normalized);
-      case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return convert<size, std::int16_t>(source, elements, accessor.normalized);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return convert<size, std::uint16_t>(source, elements, accessor.normalized);
-      default:
-        break;
-    }
+  if (accessor.components != size || accessor.is_matrix ||
+      accessor.component == GltfComponent::uint32) {
+    refuse_type(accessor, index, place, fmt::format("{} x float or integer of 8 or 16 bits", size));
   }
-  refuse_type(accessor, index, place, fmt::format("{} x float or integer of 8 or 16 bits", size));
+  return with_type_of(accessor.component, [&](auto example) {
+    return convert<size, decltype(example)>(source, elements, accessor.is_normalized);
+  });
 }
 
 }  // namespace
 
-void check_sparse_accessors(const tinygltf::Model& model) {
+void check_sparse_accessors(const GltfModel& model) {
   // Sparse accessors may share their indices, so their number alone bounds nothing.
   constexpr std::size_t most = std::size_t{1} << 27;
   std::size_t checked = 0;
   for (std::size_t i = 0; i < model.accessors.size(); ++i) {
-    if (!model.accessors[i].sparse.isSparse) {
+    if (!model.accessors[i].sparse) {
       continue;
     }
     const std::string place = fmt::format("accessors[{}].sparse", i);
@@ -286,53 +228,51 @@ void check_sparse_accessors(const tinygltf::Model& model) {
   }
 }
 
-std::size_t element_count(const tinygltf::Model& model, int index) {
+std::size_t element_count(const GltfModel& model, int index) {
   return accessor_at(model, index).count;
 }
 
-std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int index,
+std::vector<std::uint32_t> read_indices(const GltfModel& model, int index,
                                         const std::string& place) {
   const Elements source(model, index, place);
-  const tinygltf::Accessor& accessor = accessor_at(model, index);
-  const int type = accessor.componentType;
-  if (accessor.type != TINYGLTF_TYPE_SCALAR || accessor.normalized ||
-      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+  const GltfAccessor& accessor = accessor_at(model, index);
+  const GltfComponent component = accessor.component;
+  if (accessor.components != 1 || accessor.is_normalized ||
+      (component != GltfComponent::uint8 && component != GltfComponent::uint16 &&
+       component != GltfComponent::uint32)) {
     refuse_type(accessor, index, place, "1 x unsigned integer");
   }
   std::vector<std::uint32_t> indices(source.count());
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    indices[i] = load_index(source.bytes(static_cast<std::uint32_t>(i)), type);
+    indices[i] = load_index(source.bytes(static_cast<std::uint32_t>(i)), component);
   }
   return indices;
 }
 
-std::vector<Vec2> read_vec2s(const tinygltf::Model& model, int index, ElementList elements,
+std::vector<Vec2> read_vec2s(const GltfModel& model, int index, ElementList elements,
                              const std::string& place) {
   return read<2>(model, index, elements, place);
 }
 
-std::vector<Vec3> read_vec3s(const tinygltf::Model& model, int index, ElementList elements,
+std::vector<Vec3> read_vec3s(const GltfModel& model, int index, ElementList elements,
                              const std::string& place) {
   return read<3>(model, index, elements, place);
 }
 
-std::vector<Vec4> read_vec4s(const tinygltf::Model& model, int index, ElementList elements,
+std::vector<Vec4> read_vec4s(const GltfModel& model, int index, ElementList elements,
                              const std::string& place) {
   return read<4>(model, index, elements, place);
 }
 
-std::vector<Vec4> read_colors(const tinygltf::Model& model, int index, ElementList elements,
+std::vector<Vec4> read_colors(const GltfModel& model, int index, ElementList elements,
                               const std::string& place) {
-  const tinygltf::Accessor& accessor = accessor_at(model, index);
-  const int type = accessor.componentType;
-  const bool is_unsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-  if (type != TINYGLTF_COMPONENT_TYPE_FLOAT && !(is_unsigned && accessor.normalized)) {
+  const GltfAccessor& accessor = accessor_at(model, index);
+  const GltfComponent component = accessor.component;
+  const bool is_unsigned = component == GltfComponent::uint8 || component == GltfComponent::uint16;
+  if (component != GltfComponent::float32 && !(is_unsigned && accessor.is_normalized)) {
     refuse_type(accessor, index, place, "float or normalised unsigned integer of 8 or 16 bits");
   }
-  if (accessor.type == TINYGLTF_TYPE_VEC4) {
+  if (accessor.components == 4 && !accessor.is_matrix) {
     return read_vec4s(model, index, elements, place);
   }
   std::vector<Vec4> colors;
@@ -343,26 +283,33 @@ std::vector<Vec4> read_colors(const tinygltf::Model& model, int index, ElementLi
   return colors;
 }
 
-std::vector<float> read_numbers(const tinygltf::Model& model, int index, int components,
+void VertexReader::require_count(int index, const std::string& place) const {
+  if (const std::size_t count = element_count(model_, index); count != vertex_count_) {
+    throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but POSITION has {}", index,
+                                       count, vertex_count_));
+  }
+}
+
+std::vector<float> read_numbers(const GltfModel& model, int index, int components,
                                 const std::string& place) {
   constexpr int most_in_columns_without_padding = 4;
   const Elements source(model, index, place);
-  const tinygltf::Accessor& accessor = accessor_at(model, index);
-  const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
-  if (tinygltf::GetNumComponentsInType(static_cast<unsigned>(accessor.type)) != components ||
-      accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT ||
+  const GltfAccessor& accessor = accessor_at(model, index);
+  const bool is_float = accessor.component == GltfComponent::float32;
+  if (accessor.components != components || accessor.component == GltfComponent::uint32 ||
       (!is_float && components > most_in_columns_without_padding)) {
     refuse_type(accessor, index, place, fmt::format("{} x float", components));
   }
-  const std::size_t size = component_size(accessor.componentType);
   std::vector<float> numbers;
   numbers.reserve(source.count() * static_cast<std::size_t>(components));
-  for (std::uint32_t element = 0; element < source.count(); ++element) {
-    const unsigned char* bytes = source.bytes(element);
-    for (int i = 0; i < components; ++i, bytes += size) {
-      numbers.push_back(number_at(bytes, accessor.componentType, accessor.normalized));
+  with_type_of(accessor.component, [&](auto example) {
+    for (std::uint32_t element = 0; element < source.count(); ++element) {
+      const unsigned char* bytes = source.bytes(element);
+      for (int i = 0; i < components; ++i, bytes += sizeof example) {
+        numbers.push_back(to_float(load<decltype(example)>(bytes), accessor.is_normalized));
+      }
     }
-  }
+  });
   return numbers;
 }
 

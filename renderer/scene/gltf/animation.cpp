@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/gtc/quaternion.hpp>
-#include <tiny_gltf.h>
 
 #include "renderer/base/error.h"
 #include "renderer/scene/gltf/accessor.h"
@@ -31,7 +28,7 @@ struct Keys {
   std::vector<float>
       numbers;  ///< `width` for each key, or thrice that: in-tangent, value, out-tangent
   std::size_t width = 0;
-  std::string_view interpolation;
+  std::string interpolation;
 
   bool is_cubic() const { return interpolation == "CUBICSPLINE"; }
   /// part: of a cubic's key, 0 the in-tangent, 1 the value, 2 the out-tangent.
@@ -94,13 +91,12 @@ Values value_at(const Keys& keys, double time_s, bool is_rotation) {
 /// Poses one channel after the other.
 class Poser {
  public:
-  Poser(tinygltf::Model& model, double time_s, Warnings& warnings)
+  Poser(const GltfModel& model, double time_s, Warnings& warnings)
       : model_(model), time_s_(time_s), warnings_(warnings) {}
 
-  void pose(const tinygltf::AnimationChannel& channel, const tinygltf::AnimationSampler& sampler,
+  /// path: the property of `node` that moves.
+  void pose(GltfNode& node, const std::string& path, const GltfValues& sampler,
             const std::string& place) {
-    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(channel.target_node)];
-    const std::string& path = channel.target_path;
     if (path == "weights") {
       node.weights = value(sampler, 1, weights_of(node), false, place);
       return;
@@ -123,7 +119,7 @@ class Poser {
 
  private:
   /// How many morph targets the node's mesh has.
-  std::size_t weights_of(const tinygltf::Node& node) const {
+  std::size_t weights_of(const GltfNode& node) const {
     return node.mesh < 0 ? 0
                          : model_.meshes[static_cast<std::size_t>(node.mesh)]
                                .primitives.front()
@@ -131,12 +127,12 @@ class Poser {
   }
 
   /// per_key: how many elements of the sampler's output belong to a key, a cubic's tangents apart.
-  Values value(const tinygltf::AnimationSampler& sampler, int components, std::size_t per_key,
-               bool is_rotation, const std::string& place) {
-    Keys keys{.times = numbers(sampler.input, 1, place + ".input"),
-              .numbers = numbers(sampler.output, components, place + ".output"),
-              .width = static_cast<std::size_t>(components) * per_key,
-              .interpolation = sampler.interpolation};
+  Values value(const GltfValues& sampler, int components, std::size_t per_key, bool is_rotation,
+               const std::string& place) {
+    const Keys keys{.times = numbers(sampler.integer("input"), 1, place + ".input"),
+                    .numbers = numbers(sampler.integer("output"), components, place + ".output"),
+                    .width = static_cast<std::size_t>(components) * per_key,
+                    .interpolation = sampler.text("interpolation")};
     const std::size_t parts = keys.is_cubic() ? 3 : 1;
     if (keys.numbers.size() < parts * keys.width * keys.times.size()) {
       throw GltfFault(place,
@@ -160,7 +156,7 @@ class Poser {
     return read_numbers(model_, accessor, components, place);
   }
 
-  tinygltf::Model& model_;
+  const GltfModel& model_;
   double time_s_;
   Warnings& warnings_;
   std::size_t read_ = 0;
@@ -176,21 +172,15 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<std::string> clip_names(const tinygltf::Model& model) {
-  std::set<std::string> taken{""};
+std::vector<std::string> clip_names(const GltfModel& model) {
   std::vector<std::string> names;
-  for (const tinygltf::Animation& animation : model.animations) {
-    names.push_back(taken.insert(animation.name).second ? animation.name : "");
+  for (std::size_t i = 0; i < model.root().size("animations"); ++i) {
+    names.push_back(model.root().item("animations", i).text("name"));
   }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].empty()) {
-      names[i] = made_up_name("clip", i + 1, taken);
-    }
-  }
-  return names;
+  return distinct_names(std::move(names), "clip");
 }
 
-void pose_at(tinygltf::Model& model, double time_s, const std::string& clip, Warnings& warnings) {
+void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings& warnings) {
   const std::vector<std::string> names = clip_names(model);
   if (!clip.empty() && std::find(names.begin(), names.end(), clip) == names.end()) {
     throw UsageError(
@@ -200,17 +190,21 @@ void pose_at(tinygltf::Model& model, double time_s, const std::string& clip, War
   Poser poser(model, time_s, warnings);
   std::map<std::pair<int, std::string>, std::size_t> last_mover;  // of a node's property
   bool overlaps = false;
-  for (std::size_t i = 0; i < model.animations.size(); ++i) {
-    if (!clip.empty() && names[i] != clip) {
-      continue;
-    }
-    const tinygltf::Animation& animation = model.animations[i];
-    for (const tinygltf::AnimationChannel& channel : animation.channels) {
-      const auto mover =
-          last_mover.try_emplace({channel.target_node, channel.target_path}, i).first;
-      overlaps |= std::exchange(mover->second, i) != i && channel.target_node >= 0;
-      poser.pose(channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
-                 fmt::format("animations[{}].samplers[{}]", i, channel.sampler));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const GltfValues animation = model.root().item("animations", i);
+    for (std::size_t k = 0; k < animation.size("channels"); ++k) {
+      const GltfValues channel = animation.item("channels", k);
+      const int node = channel.object("target").integer("node");
+      if ((!clip.empty() && names[i] != clip) || node < 0) {
+        continue;
+      }
+      const std::string path = channel.object("target").text("path");
+      const std::size_t sampler = channel.natural("sampler");
+      const auto mover = last_mover.try_emplace({node, path}, i).first;
+      overlaps |= std::exchange(mover->second, i) != i;
+      poser.pose(model.nodes[static_cast<std::size_t>(node)], path,
+                 animation.item("samplers", sampler),
+                 fmt::format("animations[{}].samplers[{}]", i, sampler));
     }
   }
   if (overlaps) {

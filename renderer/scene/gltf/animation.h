@@ -4,16 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "renderer/scene/gltf/model.h"
 #include "renderer/scene/warnings.h"
-
-namespace tinygltf {
-class Model;
-}
 
 namespace foveola {
 
 /// A name for each animation, no two of them equal: its own, or one made up.
-std::vector<std::string> clip_names(const tinygltf::Model& model);
+std::vector<std::string> clip_names(const GltfModel& model);
 
 /// Sets translations, rotations, scales and weights of `model`'s nodes to what its animation `clip`
 /// has at `time_s`, or, if that is empty, all of them, one after the other in the file's order:
@@ -22,6 +19,6 @@ std::vector<std::string> clip_names(const tinygltf::Model& model);
 /// them (Khronos, glTF 2.0.1, appendix C). Channels of other properties, and of nodes that have a
 /// matrix, are ignored with a warning. Throws UsageError for a clip that the file has not, and
 /// GltfFault if keys are missing, too many or not in the order of their times.
-void pose_at(tinygltf::Model& model, double time_s, const std::string& clip, Warnings& warnings);
+void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings& warnings);
 
 }  // namespace foveola

@@ -4,21 +4,21 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "renderer/base/files/digest.h"
-#include "renderer/base/files/file_access.h"
-#include "renderer/base/files/files.h"
-#include "renderer/scene/confined_file.h"
+#include "renderer/base/digest.h"
+#include "renderer/base/files.h"
+#include "renderer/base/output_guard.h"
 #include "renderer/scene/gltf/data_uri.h"
 #include "renderer/scene/gltf/fault.h"
+#include "renderer/scene/references.h"
+#include "renderer/scene/textures/decoded_memory.h"
 
 namespace foveola {
 namespace {
-
-using Json = nlohmann::json;
 
 /// Files may be named any number of times, and each time they are read.
 constexpr std::uintmax_t largest_total_size = std::uintmax_t{1} << 33;
@@ -29,11 +29,11 @@ class BufferReader {
   BufferReader(std::string_view binary, const std::filesystem::path& folder)
       : binary_(binary), folder_(folder) {}
 
-  std::vector<unsigned char> read(const Json& buffer, std::size_t index, bool is_used) {
+  GltfBytes read(const GltfValues& buffer, std::size_t index, bool is_used) {
     const std::string place = fmt::format("buffers[{}]", index);
-    const auto length = buffer["byteLength"].get<std::size_t>();
-    if (buffer.contains("uri")) {
-      return whole(content_of(buffer["uri"].get<std::string>(), place + ".uri"), length, place);
+    const std::size_t length = buffer.natural("byteLength");
+    if (buffer.has("uri")) {
+      return whole(content_of(buffer.text("uri"), place + ".uri"), length, place);
     }
     if (index == 0 && !binary_.empty()) {
       return whole(binary_, length, place);
@@ -50,8 +50,7 @@ class BufferReader {
 
  private:
   /// The bytes that the buffer states; padding may follow them.
-  static std::vector<unsigned char> whole(std::string_view content, std::size_t length,
-                                          const std::string& place) {
+  static GltfBytes whole(std::string_view content, std::size_t length, const std::string& place) {
     if (content.size() < length) {
       throw GltfFault(place, fmt::format("size mismatch: it states {} bytes, but there are {}",
                                          length, content.size()));
@@ -97,50 +96,42 @@ class BufferReader {
   FileHashes hashes_;
 };
 
-/// What EXT_meshopt_compression says of a buffer or a buffer view; null if nothing.
-const Json* compression_of(const Json& item) {
-  const auto extensions = item.find("extensions");
-  if (extensions == item.end()) {
-    return nullptr;
-  }
-  const auto found = extensions->find("EXT_meshopt_compression");
-  return found == extensions->end() ? nullptr : &*found;
-}
+constexpr const char* compression = "EXT_meshopt_compression";
 
 /// For each buffer, whether a buffer view lies in it. One that is compressed lies elsewhere, in the
 /// buffer that its extension names: its own is for programs that do not know the extension.
-std::vector<bool> used_buffers(const Json& document, std::size_t count) {
-  std::vector<bool> is_used(count, false);
-  for (const Json& view : document.value("bufferViews", Json::array())) {
-    const Json* const compression = compression_of(view);
-    is_used[(compression != nullptr ? *compression : view)["buffer"].get<std::size_t>()] = true;
+std::vector<bool> used_buffers(const GltfValues& document) {
+  std::vector<bool> is_used(document.size("buffers"), false);
+  for (std::size_t i = 0; i < document.size("bufferViews"); ++i) {
+    const GltfValues view = document.item("bufferViews", i);
+    const GltfValues compressed = view.extension(compression);
+    is_used[(compressed.exists() ? compressed : view).natural("buffer")] = true;
   }
   return is_used;
 }
 
-bool is_fallback(const Json& buffer) {
-  const Json* const compression = compression_of(buffer);
-  return compression != nullptr && compression->value("fallback", false);
-}
-
 }  // namespace
 
-GltfBuffers read_gltf_buffers(const Json& document, std::string_view binary,
-                              const std::filesystem::path& folder) {
-  GltfBuffers result;
-  const auto buffers = document.find("buffers");
-  if (buffers == document.end()) {
-    return result;
-  }
-  const std::vector<bool> is_used = used_buffers(document, buffers->size());
+FileHashes read_gltf_buffers(GltfModel& model, std::string_view binary,
+                             const std::filesystem::path& folder) {
+  const std::vector<bool> is_used = used_buffers(model.root());
   BufferReader reader(binary, folder);
-  for (std::size_t i = 0; i < buffers->size(); ++i) {
-    const bool is_needed = is_used[i] || !is_fallback((*buffers)[i]);
-    result.contents.push_back(is_needed ? reader.read((*buffers)[i], i, is_used[i])
-                                        : std::vector<unsigned char>());
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    const GltfValues buffer = model.root().item("buffers", i);
+    const bool is_fallback = buffer.extension(compression).boolean("fallback", false);
+    model.buffers.push_back(is_used[i] || !is_fallback ? reader.read(buffer, i, is_used[i])
+                                                       : GltfBytes());
   }
-  result.hashes = std::move(reader).take_hashes();
-  return result;
+  return std::move(reader).take_hashes();
+}
+
+void require_modest_gltf_memory(std::size_t decoded_bytes, std::size_t encoded_bytes,
+                                const std::string& place) {
+  try {
+    require_modest_memory(decoded_bytes, encoded_bytes);
+  } catch (const std::runtime_error& refusal) {
+    throw GltfFault(place, refusal.what());
+  }
 }
 
 }  // namespace foveola

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "renderer/scene/confined_file.h"
+#include "renderer/scene/references.h"
 
 namespace foveola {
 namespace {

@@ -1,49 +1,19 @@
 #include "renderer/scene/gltf/deformation.h"
 
 #include <algorithm>
-#include <map>
 #include <span>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
-#include <tiny_gltf.h>
 
 #include "renderer/scene/gltf/fault.h"
 
 namespace foveola {
 namespace {
 
-bool names_joints(const tinygltf::Primitive& primitive) {
+bool names_joints(const GltfPrimitive& primitive) {
   return primitive.attributes.contains("JOINTS_0") && primitive.attributes.contains("WEIGHTS_0");
 }
-
-/// Reads accessors that have one element for each vertex.
-class VertexAccessors {
- public:
-  VertexAccessors(const tinygltf::Model& model, ElementList used, std::size_t vertex_count)
-      : model_(model), used_(used), vertex_count_(vertex_count) {}
-
-  std::vector<Vec3> vec3s(int accessor, const std::string& place) const {
-    require_count(accessor, place);
-    return read_vec3s(model_, accessor, used_, place);
-  }
-  std::vector<Vec4> vec4s(int accessor, const std::string& place) const {
-    require_count(accessor, place);
-    return read_vec4s(model_, accessor, used_, place);
-  }
-
- private:
-  void require_count(int accessor, const std::string& place) const {
-    if (const std::size_t count = element_count(model_, accessor); count != vertex_count_) {
-      throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but POSITION has {}",
-                                         accessor, count, vertex_count_));
-    }
-  }
-
-  const tinygltf::Model& model_;
-  ElementList used_;
-  std::size_t vertex_count_;
-};
 
 template <typename Vector>
 void add_weighted(std::vector<Vector>& values, const std::vector<Vec3>& differences, float weight) {
@@ -54,19 +24,19 @@ void add_weighted(std::vector<Vector>& values, const std::vector<Vec3>& differen
   }
 }
 
-void morph(Mesh& mesh, const std::map<std::string, int>& target, float weight,
-           const VertexAccessors& accessors, const std::string& place, Warnings& warnings) {
+void morph(Mesh& mesh, const GltfIndices& target, float weight, const VertexReader& reader,
+           const std::string& place, Warnings& warnings) {
   for (const auto& [name, accessor] : target) {
     const std::string where = fmt::format("{}.{}", place, name);
     if (name == "POSITION") {
-      add_weighted(mesh.positions, accessors.vec3s(accessor, where), weight);
+      add_weighted(mesh.positions, reader.read(read_vec3s, accessor, where), weight);
     } else if (name == "NORMAL") {
       if (!mesh.normals.empty()) {
-        add_weighted(mesh.normals, accessors.vec3s(accessor, where), weight);
+        add_weighted(mesh.normals, reader.read(read_vec3s, accessor, where), weight);
       }
     } else if (name == "TANGENT") {
       if (!mesh.tangents.empty()) {
-        add_weighted(mesh.tangents, accessors.vec3s(accessor, where), weight);
+        add_weighted(mesh.tangents, reader.read(read_vec3s, accessor, where), weight);
       }
     } else {
       warnings.add("morph targets move positions, normals and tangents only", where);
@@ -81,16 +51,17 @@ struct Blend {
 };
 
 /// Adds the four joints a vertex that set `set` names.
-void add_joints(Blend& blend, int set, const tinygltf::Primitive& primitive,
-                const std::vector<DMat4>& joints, const VertexAccessors& accessors,
+void add_joints(Blend& blend, int set, const GltfPrimitive& primitive,
+                const std::vector<DMat4>& joints, const VertexReader& reader,
                 const std::string& place) {
   const std::string joints_name = fmt::format("JOINTS_{}", set);
   const std::string place_of_joints = fmt::format("{}.attributes.{}", place, joints_name);
   const std::string weights_name = fmt::format("WEIGHTS_{}", set);
   const std::vector<Vec4> indices =
-      accessors.vec4s(primitive.attributes.at(joints_name), place_of_joints);
-  const std::vector<Vec4> weights = accessors.vec4s(
-      primitive.attributes.at(weights_name), fmt::format("{}.attributes.{}", place, weights_name));
+      reader.read(read_vec4s, primitive.attributes.at(joints_name), place_of_joints);
+  const std::vector<Vec4> weights =
+      reader.read(read_vec4s, primitive.attributes.at(weights_name),
+                  fmt::format("{}.attributes.{}", place, weights_name));
   for (std::size_t i = 0; i < indices.size(); ++i) {
     for (int k = 0; k < 4; ++k) {
       if (weights[i][k] == 0.0F) {
@@ -127,15 +98,15 @@ void move_vertex(Mesh& mesh, std::size_t i, const DMat4& matrix) {
   }
 }
 
-void skin(Mesh& mesh, const tinygltf::Primitive& primitive, const std::vector<DMat4>& joints,
-          const VertexAccessors& accessors, const std::string& place) {
+void skin(Mesh& mesh, const GltfPrimitive& primitive, const std::vector<DMat4>& joints,
+          const VertexReader& reader, const std::string& place) {
   const std::size_t count = mesh.positions.size();
   Blend blend{.matrices = std::vector<DMat4>(count, DMat4(0.0)),
               .weights = std::vector<double>(count, 0.0)};
   for (int set = 0; primitive.attributes.contains(fmt::format("JOINTS_{}", set)) &&
                     primitive.attributes.contains(fmt::format("WEIGHTS_{}", set));
        ++set) {
-    add_joints(blend, set, primitive, joints, accessors, place);
+    add_joints(blend, set, primitive, joints, reader, place);
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (blend.weights[i] > 0.0) {
@@ -146,7 +117,7 @@ void skin(Mesh& mesh, const tinygltf::Primitive& primitive, const std::vector<DM
 
 }  // namespace
 
-bool is_skinned(const tinygltf::Model& model, const tinygltf::Node& node) {
+bool is_skinned(const GltfModel& model, const GltfNode& node) {
   if (node.skin < 0 || node.mesh < 0) {
     return false;
   }
@@ -154,17 +125,17 @@ bool is_skinned(const tinygltf::Model& model, const tinygltf::Node& node) {
   return std::all_of(primitives.begin(), primitives.end(), names_joints);
 }
 
-void separate_deformed_meshes(tinygltf::Model& model) {
+void separate_deformed_meshes(GltfModel& model) {
   constexpr std::size_t most_copies = std::size_t{1} << 20;
   std::vector<std::size_t> users(model.meshes.size(), 0);
-  for (const tinygltf::Node& node : model.nodes) {
+  for (const GltfNode& node : model.nodes) {
     if (node.mesh >= 0) {
       ++users[static_cast<std::size_t>(node.mesh)];
     }
   }
   std::size_t copies = 0;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    tinygltf::Node& node = model.nodes[i];
+    GltfNode& node = model.nodes[i];
     if (node.mesh < 0 || (node.weights.empty() && !is_skinned(model, node))) {
       continue;
     }
@@ -178,7 +149,7 @@ void separate_deformed_meshes(tinygltf::Model& model) {
             fmt::format("brings the deformed copies of primitives to more than {}", most_copies));
       }
       node.mesh = static_cast<int>(model.meshes.size());
-      model.meshes.push_back(tinygltf::Mesh(model.meshes[mesh]));
+      model.meshes.push_back(GltfMesh(model.meshes[mesh]));
     }
     if (!node.weights.empty()) {
       model.meshes[static_cast<std::size_t>(node.mesh)].weights = node.weights;
@@ -186,26 +157,27 @@ void separate_deformed_meshes(tinygltf::Model& model) {
   }
 }
 
-Deformation deformation_of(const tinygltf::Model& model, const tinygltf::Node& node,
+Deformation deformation_of(const GltfModel& model, const GltfNode& node,
                            const std::vector<DMat4>& world_from_node) {
   Deformation deformation{.weights = model.meshes[static_cast<std::size_t>(node.mesh)].weights,
                           .joints = {}};
   if (!is_skinned(model, node)) {
     return deformation;
   }
-  const tinygltf::Skin& source = model.skins[static_cast<std::size_t>(node.skin)];
+  const GltfValues source = model.root().item("skins", static_cast<std::size_t>(node.skin));
+  const std::vector<int> joints = source.integers("joints");
   const std::string place = fmt::format("skins[{}]", node.skin);
   std::vector<float> inverse;
-  if (source.inverseBindMatrices >= 0) {
-    inverse = read_numbers(model, source.inverseBindMatrices, 16, place + ".inverseBindMatrices");
-    if (inverse.size() < 16 * source.joints.size()) {
+  if (const int accessor = source.integer("inverseBindMatrices"); accessor >= 0) {
+    inverse = read_numbers(model, accessor, 16, place + ".inverseBindMatrices");
+    if (inverse.size() < 16 * joints.size()) {
       throw GltfFault(
           place + ".inverseBindMatrices",
-          fmt::format("has {} matrices for {} joints", inverse.size() / 16, source.joints.size()));
+          fmt::format("has {} matrices for {} joints", inverse.size() / 16, joints.size()));
     }
   }
-  for (std::size_t i = 0; i < source.joints.size(); ++i) {
-    const DMat4& world_from_joint = world_from_node[static_cast<std::size_t>(source.joints[i])];
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const DMat4& world_from_joint = world_from_node[static_cast<std::size_t>(joints[i])];
     deformation.joints.push_back(
         inverse.empty() ? world_from_joint
                         : world_from_joint * DMat4(glm::make_mat4(inverse.data() + 16 * i)));
@@ -213,19 +185,17 @@ Deformation deformation_of(const tinygltf::Model& model, const tinygltf::Node& n
   return deformation;
 }
 
-void deform(Mesh& mesh, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-            const Deformation& deformation, ElementList used, std::size_t vertex_count,
-            const std::string& place, Warnings& warnings) {
-  const VertexAccessors accessors(model, used, vertex_count);
+void deform(Mesh& mesh, const VertexReader& reader, const GltfPrimitive& primitive,
+            const Deformation& deformation, const std::string& place, Warnings& warnings) {
   const std::size_t targets = std::min(primitive.targets.size(), deformation.weights.size());
   for (std::size_t i = 0; i < targets; ++i) {
     if (deformation.weights[i] != 0.0) {
-      morph(mesh, primitive.targets[i], static_cast<float>(deformation.weights[i]), accessors,
+      morph(mesh, primitive.targets[i], static_cast<float>(deformation.weights[i]), reader,
             fmt::format("{}.targets[{}]", place, i), warnings);
     }
   }
   if (!deformation.joints.empty()) {
-    skin(mesh, primitive, deformation.joints, accessors, place);
+    skin(mesh, primitive, deformation.joints, reader, place);
   }
 }
 

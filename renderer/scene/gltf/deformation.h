@@ -10,13 +10,6 @@
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 
-namespace tinygltf {
-class Model;
-class Node;
-struct Primitive;
-struct Mesh;
-}  // namespace tinygltf
-
 namespace foveola {
 
 /// What a node does to the vertices of its mesh.
@@ -29,22 +22,21 @@ struct Deformation {
 
 /// Whether a skin moves the mesh of `node` into the world, so that the node's own place counts for
 /// nothing: all primitives of the mesh name joints.
-bool is_skinned(const tinygltf::Model& model, const tinygltf::Node& node);
+bool is_skinned(const GltfModel& model, const GltfNode& node);
 
 /// Lets every node whose mesh has a skin or weights of the node's own have that mesh for itself
 /// alone. Throws GltfFault if that takes more than 2^20 copies of primitives.
-void separate_deformed_meshes(tinygltf::Model& model);
+void separate_deformed_meshes(GltfModel& model);
 
 /// The deformation of the mesh that `node` shows. world_from_node: of all nodes, by their index.
 /// Throws GltfFault if the skin has fewer inverse bind matrices than joints.
-Deformation deformation_of(const tinygltf::Model& model, const tinygltf::Node& node,
+Deformation deformation_of(const GltfModel& model, const GltfNode& node,
                            const std::vector<DMat4>& world_from_node);
 
-/// Moves positions, normals and tangents of `mesh`, which holds the vertices `used` of `primitive`
-/// that has `vertex_count`. Throws GltfFault, with places below `place`, as read_vec3s does, and
-/// for a joint that the skin does not have.
-void deform(Mesh& mesh, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-            const Deformation& deformation, ElementList used, std::size_t vertex_count,
-            const std::string& place, Warnings& warnings);
+/// Moves positions, normals and tangents of `mesh`, which holds the vertices of `primitive` that
+/// `reader` reads. Throws GltfFault, with places below `place`, as read_vec3s does, and for a joint
+/// that the skin does not have.
+void deform(Mesh& mesh, const VertexReader& reader, const GltfPrimitive& primitive,
+            const Deformation& deformation, const std::string& place, Warnings& warnings);
 
 }  // namespace foveola

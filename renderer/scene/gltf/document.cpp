@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
@@ -18,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// tinygltf descends into extras and extensions recursively.
+/// Printing JSON, as messages do, descends recursively.
 constexpr int deepest_nesting = 64;
 
 /// Where in the text the byte number `offset` stands, for people.
@@ -101,26 +99,6 @@ void require_known_extensions(const Json& document) {
   }
 }
 
-/// Numbers that are whole, as integers: some programs write 1.0 for 1. -0.0 stays what it is, and
-/// what no index or count can be.
-void write_whole_numbers_as_integers(Json& value) {
-  constexpr double largest = 2147483647.0;  // tinygltf keeps those of extensions in an int
-  if (value.is_structured()) {
-    for (Json& element : value) {
-      write_whole_numbers_as_integers(element);
-    }
-    return;
-  }
-  if (!value.is_number_float()) {
-    return;
-  }
-  const auto number = value.get<double>();
-  const bool is_whole = std::abs(number) <= largest && std::trunc(number) == number;
-  if (is_whole && !(number == 0.0 && std::signbit(number))) {
-    value = static_cast<std::int64_t>(number);
-  }
-}
-
 }  // namespace
 
 bool is_supported_extension(std::string_view name) {
@@ -156,7 +134,6 @@ std::string what_is_lost_without(std::string_view name) {
 Json checked_gltf_document(std::string_view json) {
   Json document = parse(json);
   refuse_other_versions(document);
-  write_whole_numbers_as_integers(document);
   require_schema(document);
   require_known_minimum(document["asset"]);
   require_known_extensions(document);

@@ -1,6 +1,5 @@
-#include "renderer/scene/gltf/draco.h"
-
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -11,19 +10,20 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <draco/mesh/mesh.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "renderer/scene/gltf/added_buffer.h"
-#include "renderer/scene/gltf/draco_mesh.h"
+#include "renderer/scene/gltf/buffers.h"
+#include "renderer/scene/gltf/compression.h"
 #include "renderer/scene/gltf/fault.h"
 
 namespace foveola {
 namespace {
-
-using Json = nlohmann::json;
-using Bytes = std::vector<unsigned char>;
 
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 
@@ -31,12 +31,157 @@ constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 /// beside it.
 constexpr std::size_t bytes_per_triangle = 128;
 
-int components_of(const std::string& type) {
-  return type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : 4;
+struct DracoLimits {
+  std::size_t most_points = 0;
+  std::size_t most_triangles = 0;
+  std::size_t most_bytes = 0;  ///< of all attributes while they are decoded, estimated
+};
+
+constexpr std::uint16_t oldest_format = DRACO_BITSTREAM_VERSION(2, 2);
+
+/// A decoder of Draco's that looks at the counts before it takes memory for them.
+template <typename Decoder>
+class LimitedDecoder : public Decoder {
+ public:
+  /// triangles_come_first: which of the two counts the connectivity begins with.
+  LimitedDecoder(const DracoLimits& limits, bool triangles_come_first)
+      : limits_(limits), triangles_come_first_(triangles_come_first) {}
+
+  /// What was beyond the limits; empty if nothing was.
+  const std::string& fault() const { return fault_; }
+
+ protected:
+  bool DecodeConnectivity() override {
+    return connectivity_is_allowed() && Decoder::DecodeConnectivity();
+  }
+
+  bool DecodeAllAttributes() override {
+    return attributes_are_allowed() && Decoder::DecodeAllAttributes();
+  }
+
+ private:
+  bool refuse(std::string fault) {
+    fault_ = std::move(fault);
+    return false;
+  }
+
+  bool connectivity_is_allowed() {
+    if (this->bitstream_version() < oldest_format) {
+      return refuse("is in a format older than Draco's 2.2");
+    }
+    draco::DecoderBuffer ahead = *this->buffer();
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    if (!draco::DecodeVarint(&first, &ahead) || !draco::DecodeVarint(&second, &ahead)) {
+      return refuse("is cut off");
+    }
+    const std::uint32_t triangles = triangles_come_first_ ? first : second;
+    const std::uint32_t points = triangles_come_first_ ? second : first;
+    return counts_are_allowed(points, triangles);
+  }
+
+  bool counts_are_allowed(std::size_t points, std::size_t triangles) {
+    if (points > limits_.most_points || triangles > limits_.most_triangles) {
+      return refuse(
+          fmt::format("has {} vertices and {} triangles, more than the {} and {} that its "
+                      "accessors state",
+                      points, triangles, limits_.most_points, limits_.most_triangles));
+    }
+    return true;
+  }
+
+  /// By now the attributes are declared, and the points counted that seams have split.
+  bool attributes_are_allowed() {
+    if (!counts_are_allowed(this->point_cloud()->num_points(), 0)) {
+      return false;
+    }
+    std::size_t bytes_per_point = 0;
+    for (int i = 0; i < this->point_cloud()->num_attributes(); ++i) {
+      const draco::PointAttribute& attribute = *this->point_cloud()->attribute(i);
+      constexpr std::size_t copies = 3;  // decoded, portable, and the prediction's
+      const std::size_t component = std::max(4, draco::DataTypeLength(attribute.data_type()));
+      bytes_per_point += copies * component * attribute.num_components();
+    }
+    if (bytes_per_point * this->point_cloud()->num_points() > limits_.most_bytes) {
+      return refuse(fmt::format("would take {} bytes for each of {} vertices", bytes_per_point,
+                                this->point_cloud()->num_points()));
+    }
+    return true;
+  }
+
+  const DracoLimits& limits_;
+  bool triangles_come_first_;
+  std::string fault_;
+};
+
+template <typename Decoder>
+std::unique_ptr<draco::Mesh> decode(draco::DecoderBuffer& buffer, const DracoLimits& limits,
+                                    bool triangles_come_first) {
+  LimitedDecoder<Decoder> decoder(limits, triangles_come_first);
+  auto mesh = std::make_unique<draco::Mesh>();
+  const draco::Status status = decoder.Decode(draco::DecoderOptions(), &buffer, mesh.get());
+  if (!decoder.fault().empty()) {
+    throw std::runtime_error(decoder.fault());
+  }
+  if (!status.ok()) {
+    throw std::runtime_error(
+        fmt::format("cannot be decoded: the compressed data is damaged ({})", status.error_msg()));
+  }
+  return mesh;
 }
 
-Bytes bytes_of(const std::vector<std::uint32_t>& indices) {
-  Bytes bytes(indices.size() * sizeof(std::uint32_t));
+std::unique_ptr<draco::Mesh> decode(std::span<const unsigned char> encoded,
+                                    const DracoLimits& limits) {
+  draco::DecoderBuffer buffer;
+  buffer.Init(reinterpret_cast<const char*>(encoded.data()), encoded.size());
+  draco::DecoderBuffer ahead = buffer;
+  draco::DracoHeader header;
+  if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &header).ok() ||
+      header.encoder_type != draco::TRIANGULAR_MESH) {
+    throw std::runtime_error("holds no Draco mesh");
+  }
+  return header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING
+             ? decode<draco::MeshEdgebreakerDecoder>(buffer, limits, false)
+             : decode<draco::MeshSequentialDecoder>(buffer, limits, true);
+}
+
+/// The attribute's value in each point, in `components` numbers of type Component.
+template <typename Component>
+GltfBytes values_of(const draco::PointAttribute& attribute, std::size_t points, int components) {
+  const std::size_t size = static_cast<std::size_t>(components) * sizeof(Component);
+  GltfBytes bytes(points * size);
+  std::array<Component, 4> value{};
+  for (std::uint32_t i = 0; i < points; ++i) {
+    attribute.ConvertValue(attribute.mapped_index(draco::PointIndex(i)),
+                           static_cast<std::int8_t>(components), value.data());
+    std::memcpy(&bytes[i * size], value.data(), size);
+  }
+  return bytes;
+}
+
+/// The values that the attribute of this unique id has in each point: `components` numbers of type
+/// `component`. Nothing if there is no such attribute.
+std::optional<GltfBytes> values_in(const draco::Mesh& mesh, std::uint32_t id, int components,
+                                   GltfComponent component) {
+  const draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(id);
+  if (attribute == nullptr) {
+    return std::nullopt;
+  }
+  return with_type_of(component, [&](auto example) {
+    return values_of<decltype(example)>(*attribute, mesh.num_points(), components);
+  });
+}
+
+/// The points of each triangle, one triangle after the other.
+GltfBytes indices_in(const draco::Mesh& mesh) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(std::size_t{3} * mesh.num_faces());
+  for (std::uint32_t i = 0; i < mesh.num_faces(); ++i) {
+    for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(i))) {
+      indices.push_back(corner.value());
+    }
+  }
+  GltfBytes bytes(indices.size() * sizeof(std::uint32_t));
   std::memcpy(bytes.data(), indices.data(), bytes.size());
   return bytes;
 }
@@ -44,133 +189,122 @@ Bytes bytes_of(const std::vector<std::uint32_t>& indices) {
 /// Decodes one primitive after the other.
 class DracoDecompressor {
  public:
-  DracoDecompressor(Json& document, std::vector<Bytes>& buffers)
-      : document_(document), buffers_(buffers) {}
+  explicit DracoDecompressor(GltfModel& model) : model_(model) {}
 
-  void decompress(Json& primitive, const std::string& place) {
-    const Json extension = primitive["extensions"][draco_extension];
-    const std::string where = place + ".extensions." + draco_extension;
-    const DracoMesh& mesh = mesh_of(extension["bufferView"].get<std::size_t>(), primitive, where);
-    for (const auto& [name, id] : extension["attributes"].items()) {
-      if (primitive["attributes"].contains(name)) {
-        fill(primitive["attributes"][name].get<std::size_t>(), mesh, id.get<std::uint32_t>(),
-             fmt::format("{}.attributes.{}", where, name));
+  void decompress(GltfPrimitive& primitive, const GltfValues& extension, const std::string& place) {
+    const draco::Mesh& mesh = mesh_of(extension.natural("bufferView"), primitive, place);
+    for (const auto& [name, id] : extension.indices("attributes")) {
+      if (const int accessor = primitive.attribute(name); accessor >= 0) {
+        fill(accessor, mesh, id, fmt::format("{}.attributes.{}", place, name));
       }
     }
-    fill_indices(primitive, mesh, where);
-    primitive["extensions"].erase(draco_extension);
+    fill_indices(primitive, mesh, place);
   }
 
  private:
   /// Each buffer view is decoded once.
-  const DracoMesh& mesh_of(std::size_t view_index, const Json& primitive,
-                           const std::string& place) {
+  const draco::Mesh& mesh_of(std::size_t view_index, const GltfPrimitive& primitive,
+                             const std::string& place) {
     if (const auto known = meshes_.find(view_index); known != meshes_.end()) {
       return *known->second;
     }
-    const Json& view = document_["bufferViews"][view_index];
-    const Bytes& buffer = buffers_[view["buffer"].get<std::size_t>()];
-    const std::span<const unsigned char> bytes = std::span(buffer).subspan(
-        view.value("byteOffset", std::size_t{0}), view["byteLength"].get<std::size_t>());
+    const GltfBufferView& view = model_.views[view_index];
+    const std::span<const unsigned char> bytes =
+        std::span(model_.buffers[view.buffer]).subspan(view.offset, view.length);
     encoded_bytes_ += bytes.size();
     const DracoLimits limits = limits_of(primitive, place);
     try {
-      return *(meshes_[view_index] = std::make_unique<const DracoMesh>(bytes, limits));
+      return *(meshes_[view_index] = decode(bytes, limits));
     } catch (const std::runtime_error& fault) {
       throw GltfFault(place, fault.what());
     }
   }
 
   /// What the primitive's accessors state, if that is modest.
-  DracoLimits limits_of(const Json& primitive, const std::string& place) {
+  DracoLimits limits_of(const GltfPrimitive& primitive, const std::string& place) {
     constexpr std::size_t most_bytes = std::size_t{1} << 31;
-    const auto position = primitive["attributes"].find("POSITION");
-    if (position == primitive["attributes"].end()) {
+    const int position = primitive.attribute("POSITION");
+    if (position < 0) {
       throw GltfFault(place, "has no accessor for POSITION");
     }
-    const std::size_t points = count_of(position->get<std::size_t>());
-    const std::size_t triangles = primitive.contains("indices")
-                                      ? count_of(primitive["indices"].get<std::size_t>()) / 3
-                                      : points;
+    const std::size_t points = accessor(position).count;
+    const std::size_t triangles =
+        primitive.indices >= 0 ? accessor(primitive.indices).count / 3 : points;
     take(triangles * bytes_per_triangle, place);
     return {.most_points = points,
             .most_triangles = triangles,
             .most_bytes = most_bytes - std::min(most_bytes, decoded_bytes_)};
   }
 
-  std::size_t count_of(std::size_t accessor) const {
-    return document_["accessors"][accessor]["count"].get<std::size_t>();
-  }
+  GltfAccessor& accessor(int index) { return model_.accessors[static_cast<std::size_t>(index)]; }
 
   void take(std::size_t bytes, const std::string& place) {
     decoded_bytes_ += bytes;
     require_modest_gltf_memory(decoded_bytes_, encoded_bytes_, place);
   }
 
-  void fill(std::size_t accessor_index, const DracoMesh& mesh, std::uint32_t id,
-            const std::string& place) {
-    if (!filled_.insert(accessor_index).second) {
-      return;
-    }
-    Json& accessor = document_["accessors"][accessor_index];
-    const int components = components_of(accessor["type"].get<std::string>());
-    take(std::size_t{16} * mesh.points(), place);
-    std::optional<Bytes> values = mesh.values(id, components, accessor["componentType"].get<int>());
-    if (!values) {
-      throw GltfFault(place, fmt::format("names attribute {}, which the mesh does not have", id));
-    }
-    set_content(accessor, mesh.points(), std::move(*values), place);
-  }
-
-  void fill_indices(Json& primitive, const DracoMesh& mesh, const std::string& place) {
-    primitive["mode"] = 4;
-    if (!primitive.contains("indices")) {
-      primitive["indices"] = document_["accessors"].size();
-      document_["accessors"].push_back({{"type", "SCALAR"}});
-    }
-    const auto index = primitive["indices"].get<std::size_t>();
+  void fill(int index, const draco::Mesh& mesh, std::uint32_t id, const std::string& place) {
     if (!filled_.insert(index).second) {
       return;
     }
-    Json& accessor = document_["accessors"][index];
-    accessor["componentType"] = 5125;
-    take(std::size_t{12} * mesh.triangles(), place);
-    set_content(accessor, std::size_t{3} * mesh.triangles(), bytes_of(mesh.indices()), place);
+    constexpr int max_components = 4;
+    GltfAccessor& target = accessor(index);
+    const int components = std::min(target.components, max_components);
+    take(std::size_t{16} * mesh.num_points(), place);
+    std::optional<GltfBytes> values = values_in(mesh, id, components, target.component);
+    if (!values) {
+      throw GltfFault(place, fmt::format("names attribute {}, which the mesh does not have", id));
+    }
+    set_content(target, mesh.num_points(), std::move(*values), place);
   }
 
-  void set_content(Json& accessor, std::size_t count, Bytes bytes, const std::string& place) {
+  void fill_indices(GltfPrimitive& primitive, const draco::Mesh& mesh, const std::string& place) {
+    primitive.mode = GltfMode::triangles;
+    if (primitive.indices < 0) {
+      primitive.indices = static_cast<int>(model_.accessors.size());
+      model_.accessors.emplace_back();
+    }
+    if (!filled_.insert(primitive.indices).second) {
+      return;
+    }
+    GltfAccessor& target = accessor(primitive.indices);
+    target.component = GltfComponent::uint32;
+    take(std::size_t{12} * mesh.num_faces(), place);
+    set_content(target, std::size_t{3} * mesh.num_faces(), indices_in(mesh), place);
+  }
+
+  void set_content(GltfAccessor& target, std::size_t count, GltfBytes bytes,
+                   const std::string& place) {
     if (bytes.empty()) {
       throw GltfFault(place, "holds a mesh without triangles");
     }
-    accessor["count"] = count;
-    accessor["bufferView"] = document_["bufferViews"].size();
-    accessor.erase("byteOffset");
-    const std::size_t size = bytes.size();
-    document_["bufferViews"].push_back(
-        {{"buffer", add_gltf_buffer(document_, buffers_, std::move(bytes))}, {"byteLength", size}});
+    target.count = count;
+    target.view = static_cast<int>(model_.views.size());
+    target.offset = 0;
+    model_.views.push_back({.buffer = model_.buffers.size(), .length = bytes.size()});
+    model_.buffers.push_back(std::move(bytes));
   }
 
-  Json& document_;
-  std::vector<Bytes>& buffers_;
-  std::map<std::size_t, std::unique_ptr<const DracoMesh>> meshes_;  ///< by buffer view
-  std::set<std::size_t> filled_;                                    ///< accessors
+  GltfModel& model_;
+  std::map<std::size_t, std::unique_ptr<const draco::Mesh>> meshes_;  ///< by buffer view
+  std::set<int> filled_;                                              ///< accessors
   std::size_t decoded_bytes_ = 0;
   std::size_t encoded_bytes_ = 0;
 };
 
 }  // namespace
 
-void decompress_draco(Json& document, std::vector<Bytes>& buffers) {
-  if (!document.contains("meshes")) {
-    return;
-  }
-  DracoDecompressor decompressor(document, buffers);
-  for (std::size_t i = 0; i < document["meshes"].size(); ++i) {
-    Json& primitives = document["meshes"][i]["primitives"];
+void decompress_draco(GltfModel& model) {
+  DracoDecompressor decompressor(model);
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const GltfValues mesh = model.root().item("meshes", i);
+    std::vector<GltfPrimitive>& primitives = model.meshes[i].primitives;
     for (std::size_t k = 0; k < primitives.size(); ++k) {
-      if (primitives[k].contains("extensions") &&
-          primitives[k]["extensions"].contains(draco_extension)) {
-        decompressor.decompress(primitives[k], fmt::format("meshes[{}].primitives[{}]", i, k));
+      const GltfValues extension = mesh.item("primitives", k).extension(draco_extension);
+      if (extension.exists()) {
+        decompressor.decompress(
+            primitives[k], extension,
+            fmt::format("meshes[{}].primitives[{}].extensions.{}", i, k, draco_extension));
       }
     }
   }

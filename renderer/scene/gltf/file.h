@@ -1,23 +1,18 @@
-// Reads a glTF file's container, JSON, buffers and the images in it into tinygltf's model.
+// Reads a glTF file's container, JSON, buffers and the images in it.
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 
+#include "renderer/scene/gltf/model.h"
 #include "renderer/scene/scene_hash.h"
-
-namespace tinygltf {
-class Model;
-}
 
 namespace foveola {
 
 struct GltfFile {
-  /// Every index in it is in range and every buffer view lies inside its buffer. Images in data:
-  /// uris hold their encoded bytes in `image`, those in files of their own have them in `uri`;
-  /// those in a buffer view are left there.
-  std::shared_ptr<tinygltf::Model> model;
+  /// Every index in it is in range and every buffer view lies inside its buffer, unless nothing
+  /// uses that. Images in files of their own are not read.
+  GltfModel model;
   std::filesystem::path folder;  ///< where uris begin; those of images do not lead out of it
   std::string sha256;            ///< SHA-256 of the file itself
   FileHashes buffer_hashes;      ///< SHA-256s of the files that hold buffers

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/gltf/accessor.h"
@@ -20,14 +19,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The accessor of attribute `name`, or -1.
-int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
-  const auto found = primitive.attributes.find(name);
-  return found == primitive.attributes.end() ? -1 : found->second;
-}
-
-std::vector<std::uint32_t> vertex_order(const tinygltf::Model& model,
-                                        const tinygltf::Primitive& primitive,
+std::vector<std::uint32_t> vertex_order(const GltfModel& model, const GltfPrimitive& primitive,
                                         std::size_t vertex_count, const std::string& place) {
   if (primitive.indices >= 0) {
     return read_indices(model, primitive.indices, place + ".indices");
@@ -38,9 +30,9 @@ std::vector<std::uint32_t> vertex_order(const tinygltf::Model& model,
 }
 
 /// Groups vertices into triangles as the topologies of the specification, section 3.7.2.1, say.
-std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, int mode) {
+std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, GltfMode mode) {
   std::vector<Triangle> triangles;
-  if (mode == TINYGLTF_MODE_TRIANGLES) {
+  if (mode == GltfMode::triangles) {
     triangles.reserve(order.size() / 3);
     for (std::size_t i = 0; i + 2 < order.size(); i += 3) {
       triangles.push_back({order[i], order[i + 1], order[i + 2]});
@@ -49,7 +41,7 @@ std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, int 
   }
   triangles.reserve(order.size());
   for (std::size_t i = 0; i + 2 < order.size(); ++i) {
-    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+    if (mode == GltfMode::triangle_strip) {
       triangles.push_back({order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]});
     } else {
       triangles.push_back({order[i + 1], order[i + 2], order[0]});
@@ -124,42 +116,27 @@ std::vector<std::uint32_t> renumber(std::vector<Triangle>& triangles, std::size_
 /// The vertex attributes of one primitive.
 class Attributes {
  public:
-  Attributes(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-             const std::string& place, std::size_t vertex_count, ElementList used)
-      : model_(model),
-        primitive_(primitive),
-        place_(place),
-        vertex_count_(vertex_count),
-        used_(used) {}
+  Attributes(const VertexReader& reader, const GltfPrimitive& primitive, const std::string& place)
+      : reader_(reader), primitive_(primitive), place_(place) {}
 
-  bool has(const std::string& name) const { return attribute(primitive_, name) >= 0; }
+  bool has(const std::string& name) const { return primitive_.attribute(name) >= 0; }
 
   /// The values of attribute `name` by one of the functions that read an accessor; none if the
   /// primitive lacks it.
   template <typename Value>
-  std::vector<Value> read(const std::string& name,
-                          std::vector<Value> (*read_accessor)(const tinygltf::Model&, int,
-                                                              ElementList,
-                                                              const std::string&)) const {
-    const int accessor = attribute(primitive_, name);
-    if (accessor < 0) {
+  std::vector<Value> read(const std::string& name, AccessorFunction<Value> read_accessor) const {
+    if (!has(name)) {
       return {};
     }
     throw_if_work_stopped();
-    const std::string place = fmt::format("{}.attributes.{}", place_, name);
-    if (const std::size_t count = element_count(model_, accessor); count != vertex_count_) {
-      throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but POSITION has {}",
-                                         accessor, count, vertex_count_));
-    }
-    return read_accessor(model_, accessor, used_, place);
+    return reader_.read(read_accessor, primitive_.attribute(name),
+                        fmt::format("{}.attributes.{}", place_, name));
   }
 
  private:
-  const tinygltf::Model& model_;
-  const tinygltf::Primitive& primitive_;
+  const VertexReader& reader_;
+  const GltfPrimitive& primitive_;
   const std::string& place_;
-  std::size_t vertex_count_;
-  ElementList used_;
 };
 
 void read_uv_sets(Mesh& mesh, const Attributes& attributes, const std::vector<int>& uv_sets,
@@ -189,9 +166,9 @@ Mesh read_vertices(const Attributes& attributes, const VertexNeeds& needs, const
   return mesh;
 }
 
-void warn_of_what_is_ignored(const tinygltf::Primitive& primitive, const std::string& place,
+void warn_of_what_is_ignored(const GltfPrimitive& primitive, const std::string& place,
                              Warnings& warnings) {
-  if (attribute(primitive, "COLOR_1") >= 0) {
+  if (primitive.attribute("COLOR_1") >= 0) {
     warnings.add("vertex colours but the first are ignored", place);
   }
 }
@@ -218,9 +195,9 @@ void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnin
 
 }  // namespace
 
-MemoryBudget::MemoryBudget(const tinygltf::Model& model) : left_(std::size_t{1} << 29) {
-  for (const tinygltf::Buffer& buffer : model.buffers) {
-    left_ += 32 * buffer.data.size();
+MemoryBudget::MemoryBudget(const GltfModel& model) : left_(std::size_t{1} << 29) {
+  for (const GltfBytes& buffer : model.buffers) {
+    left_ += 32 * buffer.size();
   }
 }
 
@@ -231,25 +208,17 @@ void MemoryBudget::take(std::size_t bytes, const std::string& place) {
   left_ -= bytes;
 }
 
-std::size_t bytes_of(const Mesh& mesh) {
-  std::size_t bytes = sizeof(Mesh) + sizeof(Triangle) * mesh.triangles.size() +
-                      sizeof(Vec3) * (mesh.positions.size() + mesh.normals.size()) +
-                      sizeof(Vec4) * (mesh.tangents.size() + mesh.colors.size());
-  for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
-    bytes += sizeof(Vec2) * uvs.size();
-  }
-  return bytes;
-}
+std::size_t bytes_of(const Mesh& mesh) { return sizeof(Mesh) + array_bytes(mesh); }
 
-std::optional<Mesh> read_primitive(const tinygltf::Model& model,
-                                   const tinygltf::Primitive& primitive, const VertexNeeds& needs,
-                                   const Deformation& deformation, const std::string& place,
-                                   MemoryBudget& budget, Warnings& warnings) {
-  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+std::optional<Mesh> read_primitive(const GltfModel& model, const GltfPrimitive& primitive,
+                                   const VertexNeeds& needs, const Deformation& deformation,
+                                   const std::string& place, MemoryBudget& budget,
+                                   Warnings& warnings) {
+  if (primitive.mode < GltfMode::triangles) {
     warnings.add("points and lines are not shown", place);
     return std::nullopt;
   }
-  const int position = attribute(primitive, "POSITION");
+  const int position = primitive.attribute("POSITION");
   if (position < 0) {
     warnings.add("primitives without POSITION are not shown", place);
     return std::nullopt;
@@ -268,12 +237,13 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
   }
   throw_if_work_stopped();
   const std::vector<std::uint32_t> used = renumber(triangles, vertex_count, place);
-  const Attributes attributes(model, primitive, place, vertex_count, used);
+  const VertexReader reader(model, used, vertex_count);
+  const Attributes attributes(reader, primitive, place);
   Mesh mesh = read_vertices(attributes, needs, place, warnings);
   mesh.triangles = std::move(triangles);
   warn_of_what_is_ignored(primitive, place, warnings);
   budget.take(bytes_of(mesh), place);
-  deform(mesh, model, primitive, deformation, used, vertex_count, place, warnings);
+  deform(mesh, reader, primitive, deformation, place, warnings);
   mend(mesh, needs, place, warnings);
   if (mesh.triangles.empty()) {
     return std::nullopt;

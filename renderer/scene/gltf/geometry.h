@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "renderer/scene/gltf/deformation.h"
+#include "renderer/scene/gltf/model.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
-
-namespace tinygltf {
-class Model;
-struct Primitive;
-}  // namespace tinygltf
 
 namespace foveola {
 
@@ -21,7 +17,7 @@ namespace foveola {
 /// can name any number of triangles.
 class MemoryBudget {
  public:
-  explicit MemoryBudget(const tinygltf::Model& model);
+  explicit MemoryBudget(const GltfModel& model);
 
   /// Throws GltfFault, naming `place`, when more than everything has been taken.
   void take(std::size_t bytes, const std::string& place);
@@ -43,9 +39,9 @@ struct VertexNeeds {
 /// and none that could not be rendered; deformed; material and name are left alone. Empty, with a
 /// warning, where there are none. Throws GltfFault, with places below `place`, the primitive's JSON
 /// path.
-std::optional<Mesh> read_primitive(const tinygltf::Model& model,
-                                   const tinygltf::Primitive& primitive, const VertexNeeds& needs,
-                                   const Deformation& deformation, const std::string& place,
-                                   MemoryBudget& budget, Warnings& warnings);
+std::optional<Mesh> read_primitive(const GltfModel& model, const GltfPrimitive& primitive,
+                                   const VertexNeeds& needs, const Deformation& deformation,
+                                   const std::string& place, MemoryBudget& budget,
+                                   Warnings& warnings);
 
 }  // namespace foveola

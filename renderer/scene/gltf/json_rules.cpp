@@ -1,6 +1,7 @@
 #include "renderer/scene/gltf/json_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,7 +21,21 @@ void require(bool obeyed, const Place& place, const std::string& what) {
   }
 }
 
+/// Some programs write 1.0 for 1. -0.0 is what no index or count can be.
+bool is_integer(const Json& value) {
+  if (!value.is_number_float()) {
+    return value.is_number_integer();
+  }
+  const auto number = value.get<double>();
+  return std::trunc(number) == number && !(number == 0.0 && std::signbit(number));
+}
+
 bool is_integer_within(const Json& value, std::int64_t lowest, std::int64_t highest) {
+  if (value.is_number_float()) {
+    const auto number = value.get<double>();
+    return is_integer(value) && number >= static_cast<double>(lowest) &&
+           number <= static_cast<double>(highest);
+  }
   if (value.is_number_unsigned()) {
     const auto number = value.get<std::uint64_t>();
     return highest >= 0 && number <= static_cast<std::uint64_t>(highest) &&
@@ -72,7 +87,7 @@ Rule integer(std::int64_t lowest, std::int64_t highest) {
 
 Rule one_of_integers(std::vector<std::int64_t> values) {
   return [values = std::move(values)](const Json& value, const Place& place) {
-    require(value.is_number_integer() && std::count(values.begin(), values.end(), value) > 0, place,
+    require(is_integer(value) && std::count(values.begin(), values.end(), value) > 0, place,
             fmt::format("must be one of {}", fmt::join(values, ", ")));
   };
 }
@@ -95,9 +110,12 @@ Rule numbers(std::size_t count) {
 
 Rule index_into(std::string name, std::size_t size) {
   return [name = std::move(name), size](const Json& value, const Place& place) {
-    require(value.is_number_integer(), place, fmt::format("must be an index into {}", name));
+    require(is_integer(value), place, fmt::format("must be an index into {}", name));
     require(is_integer_within(value, 0, static_cast<std::int64_t>(size) - 1), place,
-            fmt::format("is {}, but {} has {} elements", value.dump(), name, size));
+            fmt::format(
+                "is {}, but {} has {} elements",
+                value.is_number_float() ? fmt::format("{:.0f}", value.get<double>()) : value.dump(),
+                name, size));
   };
 }
 

@@ -35,7 +35,7 @@ struct Property {
 Rule text();
 Rule boolean();
 Rule one_of(std::vector<std::string> texts);
-/// An integer, written as one, in [lowest, highest].
+/// An integer in [lowest, highest], which may be written as 1.0.
 Rule integer(std::int64_t lowest, std::int64_t highest);
 Rule one_of_integers(std::vector<std::int64_t> values);
 Rule number(double lowest, double highest);

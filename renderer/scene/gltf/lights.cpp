@@ -9,7 +9,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include "renderer/scene/gltf/values.h"
 #include "renderer/scene/sanitised.h"
@@ -46,22 +45,21 @@ std::optional<Version> blender_exporter_version(std::string_view generator) {
 }
 
 /// Nothing for a type that KHR_lights_punctual does not have.
-std::optional<PunctualLight::Kind> kind_of(const tinygltf::Light& source) {
-  if (source.type == "directional") {
+std::optional<PunctualLight::Kind> kind_of(std::string_view type) {
+  if (type == "directional") {
     return PunctualLight::Kind::directional;
   }
-  if (source.type == "spot") {
+  if (type == "spot") {
     return PunctualLight::Kind::spot;
   }
-  return source.type == "point" ? std::optional(PunctualLight::Kind::point) : std::nullopt;
+  return type == "point" ? std::optional(PunctualLight::Kind::point) : std::nullopt;
 }
 
-Rgb intensity_of(const tinygltf::Light& source, LightUnits units, const std::string& place,
+Rgb intensity_of(const GltfValues& source, LightUnits units, const std::string& place,
                  Warnings& warnings) {
-  const DVec3 color =
-      source.color.empty() ? DVec3(1.0) : DVec3(source.color[0], source.color[1], source.color[2]);
   const double units_per_watt = units == LightUnits::photometric ? lumens_per_watt : 1.0;
-  const DVec3 intensity = color * (source.intensity / units_per_watt);
+  const DVec3 intensity =
+      source.vec3("color", DVec3(1.0)) * (source.number("intensity", 1.0) / units_per_watt);
   const DVec3 limited = glm::clamp(intensity, DVec3(0.0), DVec3(brightest_light));
   if (limited != intensity) {
     warnings.add("the intensity of a light is limited to the range it may have", place);
@@ -70,32 +68,33 @@ Rgb intensity_of(const tinygltf::Light& source, LightUnits units, const std::str
 }
 
 /// The extension: 0 <= inner < outer <= pi / 2.
-void read_cone(const tinygltf::SpotLight& source, PunctualLight::ConeEdge edge,
-               const std::string& place, PunctualLight& light, Warnings& warnings) {
+void read_cone(const GltfValues& source, PunctualLight::ConeEdge edge, const std::string& place,
+               PunctualLight& light, Warnings& warnings) {
   constexpr double widest = std::numbers::pi / 2.0;
   constexpr double narrowest = 1e-4;
-  const double outer = std::clamp(source.outerConeAngle, narrowest, widest);
-  const double inner = std::clamp(source.innerConeAngle, 0.0, outer);
+  const double stated_outer = source.number("outerConeAngle", std::numbers::pi / 4.0);
+  const double stated_inner = source.number("innerConeAngle", 0.0);
+  const double outer = std::clamp(stated_outer, narrowest, widest);
+  const double inner = std::clamp(stated_inner, 0.0, outer);
   light.outer_cone_rad = static_cast<float>(outer);
   const bool is_cycles = edge != PunctualLight::ConeEdge::squared;
   light.inner_cone_rad =
       static_cast<float>(is_cycles ? cycles_inner_cone_rad(inner, outer) : inner);
   light.cone_edge = edge;
   constexpr double rounding = 1e-5;  // exporters write pi / 2 with few digits
-  if (std::abs(outer - source.outerConeAngle) > rounding ||
-      std::abs(inner - source.innerConeAngle) > rounding) {
+  if (std::abs(outer - stated_outer) > rounding || std::abs(inner - stated_inner) > rounding) {
     warnings.add("the cone of a spot light is limited to the range it may have", place);
   }
 }
 
 /// A number of the light's extras, in [0, highest]; 0 if it is not there.
-float size_of(const tinygltf::Light& source, const std::string& key, double highest,
-              const std::string& place, Warnings& warnings) {
-  const tinygltf::Value* value = GltfValues(&source.extras).object("foveola").get(key);
-  if (value == nullptr) {
+float size_of(const GltfValues& source, const char* key, double highest, const std::string& place,
+              Warnings& warnings) {
+  const GltfValues extras = source.object("extras").object("foveola");
+  if (!extras.has(key)) {
     return 0.0F;
   }
-  const double size = value->IsNumber() ? value->GetNumberAsDouble() : -1.0;
+  const double size = extras.number(key, -1.0);
   const double limited = std::clamp(size, 0.0, highest);
   if (limited != size) {
     warnings.add("the size of a light is limited to the range it may have",
@@ -104,7 +103,7 @@ float size_of(const tinygltf::Light& source, const std::string& key, double high
   return static_cast<float>(limited);
 }
 
-void read_size(const tinygltf::Light& source, const std::string& place, PunctualLight& light,
+void read_size(const GltfValues& source, const std::string& place, PunctualLight& light,
                Warnings& warnings) {
   if (light.kind == PunctualLight::Kind::directional) {
     light.angular_radius_rad =
@@ -138,35 +137,37 @@ double cycles_inner_cone_rad(double inner_rad, double outer_rad) {
   return std::acos(std::lerp(std::cos(outer_rad), 1.0, blend));
 }
 
-std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
+std::vector<PunctualLight> read_lights(const GltfModel& model,
                                        const std::vector<PlacedItem>& lights, const DVec3& origin,
                                        std::optional<LightUnits> units, Warnings& warnings) {
-  const LightUnits meant = units.value_or(light_units_of(model.asset.generator));
-  const PunctualLight::ConeEdge edge = cone_edge_of(model.asset.generator);
+  const std::string generator = model.root().object("asset").text("generator");
+  const LightUnits meant = units.value_or(light_units_of(generator));
+  const PunctualLight::ConeEdge edge = cone_edge_of(generator);
+  const GltfValues sources = model.root().extension("KHR_lights_punctual");
   std::vector<PunctualLight> result;
   for (const PlacedItem& item : lights) {
-    const tinygltf::Light& source = model.lights[item.index];
-    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
+    const GltfValues source = sources.item("lights", item.index);
+    const GltfNode& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
     const DMat4& world_from_local = item.placement.world_from_local;
     const std::string place = fmt::format("lights[{}]", item.index);
-    const std::optional<PunctualLight::Kind> kind = kind_of(source);
+    const std::optional<PunctualLight::Kind> kind = kind_of(source.text("type"));
     if (!kind) {
-      warnings.add(fmt::format("lights of type \"{}\" are left out", sanitised(source.type)),
-                   place);
+      warnings.add(
+          fmt::format("lights of type \"{}\" are left out", sanitised(source.text("type"))), place);
       continue;
     }
     PunctualLight light;
-    light.name = sanitised(node.name.empty() ? source.name : node.name);
+    light.name = sanitised(node.name.empty() ? source.text("name") : node.name);
     light.kind = *kind;
     light.intensity = intensity_of(source, meant, place, warnings);
     light.position = Vec3(DVec3(world_from_local[3]) - origin);
-    if (source.range > 0.0) {
+    if (source.number("range", 0.0) > 0.0) {
       warnings.add("the range of a light is ignored: it shines on with the square of the distance",
                    place);
     }
     read_size(source, place, light, warnings);
     if (light.kind == PunctualLight::Kind::spot) {
-      read_cone(source.spot, edge, place, light, warnings);
+      read_cone(source.object("spot"), edge, place, light, warnings);
     }
     if (light.kind != PunctualLight::Kind::point) {
       const DVec3 direction = -DVec3(world_from_local[2]);

@@ -34,7 +34,7 @@ double cycles_inner_cone_rad(double inner_rad, double outer_rad);
 /// file's generator, with a warning where that changes anything. A light shines along its node's
 /// -Z, and nothing else of the node's transform but its position counts. Its size is what its
 /// "extras" say (renderer/GLTF.md), since the extension has no sizes; else it has none.
-std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
+std::vector<PunctualLight> read_lights(const GltfModel& model,
                                        const std::vector<PlacedItem>& lights, const DVec3& origin,
                                        std::optional<LightUnits> units, Warnings& warnings);
 

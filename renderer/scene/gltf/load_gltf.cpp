@@ -1,24 +1,28 @@
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/animation.h"
 #include "renderer/scene/gltf/deformation.h"
-#include "renderer/scene/gltf/digest.h"
 #include "renderer/scene/gltf/document.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/gltf/file.h"
 #include "renderer/scene/gltf/geometry.h"
 #include "renderer/scene/gltf/lights.h"
 #include "renderer/scene/gltf/materials.h"
+#include "renderer/scene/gltf/model.h"
 #include "renderer/scene/gltf/nodes.h"
 #include "renderer/scene/gltf/placing.h"
 #include "renderer/scene/load_scene.h"
@@ -30,24 +34,24 @@ namespace {
 
 constexpr const char* remedy = "export it again, or look at it with a glTF validator";
 
-void warn_of_what_is_ignored(const tinygltf::Model& model, bool is_posed, Warnings& warnings) {
-  for (const std::string& name : model.extensionsUsed) {
+void warn_of_ignored_parts(const GltfModel& model, bool is_posed, Warnings& warnings) {
+  for (const std::string& name : model.root().texts("extensionsUsed")) {
     if (!is_supported_extension(name)) {
       warnings.add(fmt::format("the extension {} is ignored{}", sanitised(name),
                                what_is_lost_without(name)));
     }
   }
-  if (!model.animations.empty() && !is_posed) {
+  if (model.root().size("animations") > 0 && !is_posed) {
     warnings.add(
         "animations are ignored: everything stays in its first place, unless --time says when");
   }
 }
 
 /// For each material, whether a placed mesh has it.
-std::vector<bool> shown_materials(const tinygltf::Model& model, const PlacedNodes& nodes) {
-  std::vector<bool> is_shown(model.materials.size(), false);
+std::vector<bool> shown_materials(const GltfModel& model, const PlacedNodes& nodes) {
+  std::vector<bool> is_shown(model.root().size("materials"), false);
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-    for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
+    for (const GltfPrimitive& primitive : model.meshes[i].primitives) {
       if (primitive.material >= 0 && !nodes.meshes[i].empty()) {
         is_shown[static_cast<std::size_t>(primitive.material)] = true;
       }
@@ -64,14 +68,108 @@ void require_few_joints(std::size_t joints, const std::string& place) {
   }
 }
 
+std::string text_of(const TextureUse& use) {
+  std::string text = fmt::format("uv set {}", use.uv_set);
+  for (int column = 0; column < 3; ++column) {
+    const Vec2 image = use.texture_from_mesh[column];
+    text += fmt::format(" {} {}", image.x, image.y);
+  }
+  return text;
+}
+
+std::string text_of(const VertexNeeds& needs) {
+  std::string text;
+  for (const int set : needs.uv_sets) {
+    text += fmt::format("{},", set);
+  }
+  return needs.normal_texture ? text + text_of(*needs.normal_texture) : text;
+}
+
+/// The bytes from the first element to the last, and what lies between them; none if they are not
+/// all there.
+std::optional<std::span<const unsigned char>> bytes_of(const GltfModel& model,
+                                                       const GltfAccessor& accessor) {
+  if (accessor.view < 0 || accessor.sparse) {
+    return std::nullopt;
+  }
+  const GltfBufferView& view = model.views.at(static_cast<std::size_t>(accessor.view));
+  const GltfBytes& buffer = model.buffers.at(view.buffer);
+  const std::size_t size = accessor.element_size();
+  const std::size_t stride = view.stride != 0 ? view.stride : size;
+  const std::size_t length = (accessor.count - 1) * stride + size;
+  const std::size_t end = accessor.offset + length;
+  if (end > view.length || view.offset + end > buffer.size()) {
+    return std::nullopt;
+  }
+  return std::span(buffer).subspan(view.offset + accessor.offset, length);
+}
+
+/// The primitives of one model, which must outlive this.
+class PrimitiveDigests {
+ public:
+  explicit PrimitiveDigests(const GltfModel& model) : model_(model) {}
+
+  /// A SHA-256 of all that read_primitive() makes a mesh from. None for primitives with sparse
+  /// accessors, with accessors that have no buffer view or too little data, and with morph targets.
+  std::optional<std::string> of(const GltfPrimitive& primitive, const VertexNeeds& needs);
+
+ private:
+  /// Empty if there is none. Each is found once, however many primitives share the accessor.
+  const std::string& of_accessor(int index);
+
+  const GltfModel& model_;
+  std::map<int, std::string> of_accessors_;
+};
+
+std::optional<std::string> PrimitiveDigests::of(const GltfPrimitive& primitive,
+                                                const VertexNeeds& needs) {
+  if (!primitive.targets.empty()) {
+    return std::nullopt;
+  }
+  std::string text =
+      fmt::format("mode {}\nneeds {}\n", static_cast<int>(primitive.mode), text_of(needs));
+  const auto add = [&](const std::string& name, int accessor) {
+    const std::string& digest = of_accessor(accessor);
+    text += fmt::format("{} {}\n", name, digest);
+    return !digest.empty();
+  };
+  for (const auto& [name, accessor] : primitive.attributes) {
+    if (!add(name, accessor)) {
+      return std::nullopt;
+    }
+  }
+  if (primitive.indices >= 0 && !add("indices", primitive.indices)) {
+    return std::nullopt;
+  }
+  return sha256(std::string_view(text));
+}
+
+const std::string& PrimitiveDigests::of_accessor(int index) {
+  const auto [known, is_new] = of_accessors_.try_emplace(index);
+  if (is_new) {
+    const GltfAccessor& accessor = model_.accessors.at(static_cast<std::size_t>(index));
+    if (const auto bytes = bytes_of(model_, accessor)) {
+      const std::string layout = fmt::format(
+          "{} {} {} {} {} {}", static_cast<int>(accessor.component), accessor.components,
+          accessor.is_matrix, accessor.count, accessor.is_normalized,
+          model_.views[static_cast<std::size_t>(accessor.view)].stride);
+      Sha256 digest;
+      digest.update(std::as_bytes(std::span(layout)));
+      digest.update(std::as_bytes(*bytes));
+      known->second = digest.hex();
+    }
+  }
+  return known->second;
+}
+
 /// Reads primitives, or finds them where they are kept.
 class PrimitiveReader {
  public:
-  PrimitiveReader(const tinygltf::Model& model, KeptParts<Mesh>* kept, MemoryBudget& budget,
+  PrimitiveReader(const GltfModel& model, KeptParts<Mesh>* kept, MemoryBudget& budget,
                   Warnings& warnings)
       : model_(model), kept_(kept), digests_(model), budget_(budget), warnings_(warnings) {}
 
-  std::optional<Mesh> read(const tinygltf::Primitive& primitive, const VertexNeeds& needs,
+  std::optional<Mesh> read(const GltfPrimitive& primitive, const VertexNeeds& needs,
                            const Deformation& deformation, const std::string& place) {
     // What a skin moves is not the same in another pose.
     const bool may_be_kept = kept_ != nullptr && deformation.joints.empty();
@@ -92,7 +190,7 @@ class PrimitiveReader {
   }
 
  private:
-  const tinygltf::Model& model_;
+  const GltfModel& model_;
   KeptParts<Mesh>* kept_;
   PrimitiveDigests digests_;
   MemoryBudget& budget_;
@@ -100,7 +198,7 @@ class PrimitiveReader {
 };
 
 /// Each mesh that a node shows, as the node deforms it.
-std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNodes& nodes,
+std::vector<LocalMesh> read_meshes(const GltfModel& model, const PlacedNodes& nodes,
                                    const GltfMaterials& materials, KeptParts<Mesh>* kept,
                                    MemoryBudget& budget, Warnings& warnings) {
   PrimitiveReader reader(model, kept, budget, warnings);
@@ -116,7 +214,7 @@ std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNod
     const Deformation deformation = deformation_of(model, model.nodes[node], nodes.world_from_node);
     joints += deformation.joints.size();
     require_few_joints(joints, fmt::format("nodes[{}].skin", node));
-    const std::vector<tinygltf::Primitive>& primitives = model.meshes[i].primitives;
+    const std::vector<GltfPrimitive>& primitives = model.meshes[i].primitives;
     for (std::size_t k = 0; k < primitives.size(); ++k) {
       const std::size_t material = materials.index_of(primitives[k].material);
       std::optional<Mesh> mesh = reader.read(primitives[k], materials.needs[material], deformation,
@@ -142,15 +240,15 @@ GltfFile gltf_file_of(const std::filesystem::path& path, KeptSceneParts* kept) {
                         kept != nullptr && kept->places_instances ? kept->file_content : content);
 }
 
-Scene scene_of(const GltfFile& file, const SceneReading& reading) {
-  const tinygltf::Model& model = *file.model;
+Scene scene_of(GltfFile file, const SceneReading& reading) {
+  GltfModel& model = file.model;
   Warnings warnings;
-  warn_of_what_is_ignored(model, reading.time_s.has_value(), warnings);
+  warn_of_ignored_parts(model, reading.time_s.has_value(), warnings);
   check_sparse_accessors(model);
   if (reading.time_s) {
-    pose_at(*file.model, *reading.time_s, reading.clip, warnings);
+    pose_at(model, *reading.time_s, reading.clip, warnings);
   }
-  separate_deformed_meshes(*file.model);
+  separate_deformed_meshes(model);
   const PlacedNodes nodes = place_nodes(model, warnings);
   KeptSceneParts* const kept = reading.kept;
   GltfMaterials materials =

@@ -1,104 +1,205 @@
 #include "renderer/scene/gltf/materials.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
-#include "renderer/scene/gltf/material_context.h"
-#include "renderer/scene/gltf/material_extensions.h"
-#include "renderer/scene/gltf/specular_glossiness.h"
+#include "renderer/scene/gltf/material_part.h"
 #include "renderer/scene/gltf/textures.h"
 
 namespace foveola {
 namespace {
 
-/// info: a tinygltf::TextureInfo or tinygltf::NormalTextureInfo.
-template <typename Info>
-TextureReference reference_to(const Info& info) {
-  const auto transform = info.extensions.find("KHR_texture_transform");
-  return {.index = info.index,
-          .tex_coord = info.texCoord,
-          .transform = transform == info.extensions.end() ? nullptr : &transform->second};
+constexpr double brightest = 1e9;
+
+/// Alpha is linear in any texture. Read as if the colours beside it were sRGB, it shares a texture
+/// with those of the same extension, which exporters like to put into the same image.
+constexpr Encoding only_alpha = Encoding::srgb;
+
+/// Of an opaque material an alpha is ignored.
+Encoding base_color_encoding(const Material& material) {
+  return material.alpha_mode == AlphaMode::opaque ? Encoding::srgb : Encoding::srgb_opacity;
 }
 
-AlphaMode alpha_mode_of(const tinygltf::Material& source) {
-  if (source.alphaMode == "BLEND") {
+AlphaMode alpha_mode_of(const std::string& name) {
+  if (name == "BLEND") {
     return AlphaMode::blend;
   }
-  return source.alphaMode == "MASK" ? AlphaMode::mask : AlphaMode::opaque;
+  return name == "MASK" ? AlphaMode::mask : AlphaMode::opaque;
 }
 
-void read_base_color(const tinygltf::Material& source, MaterialContext& context,
-                     Material& material) {
-  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-  const std::vector<double>& factor = pbr.baseColorFactor;
-  const std::string place = "pbrMetallicRoughness.baseColorFactor";
-  material.base_color = context.limited(DVec3(factor[0], factor[1], factor[2]), 0.0, 1.0, place);
-  material.alpha = context.limited(factor[3], 0.0, 1.0, place);
+void read_base_color(const MaterialPart& pbr, Material& material) {
+  material.base_color = pbr.color("baseColorFactor", 1.0);
+  material.alpha = pbr.alpha("baseColorFactor");
   const bool is_black = max_component(material.base_color) == 0.0F;
   if (!is_black || material.alpha_mode != AlphaMode::opaque) {
-    material.base_color_texture =
-        context.use(reference_to(pbr.baseColorTexture), base_color_encoding(material));
+    material.base_color_texture = pbr.texture("baseColorTexture", base_color_encoding(material));
   }
 }
 
-void read_metallic_roughness(const tinygltf::Material& source, MaterialContext& context,
-                             Material& material) {
-  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-  material.metallic =
-      context.limited(pbr.metallicFactor, 0.0, 1.0, "pbrMetallicRoughness.metallicFactor");
-  material.roughness =
-      context.limited(pbr.roughnessFactor, 0.0, 1.0, "pbrMetallicRoughness.roughnessFactor");
+void read_metallic_roughness(const MaterialPart& pbr, Material& material) {
+  material.metallic = pbr.factor("metallicFactor", 1.0);
+  material.roughness = pbr.factor("roughnessFactor", 1.0);
   if (material.metallic > 0.0F || material.roughness > 0.0F) {
-    material.metallic_roughness_texture =
-        context.use(reference_to(pbr.metallicRoughnessTexture), Encoding::linear);
+    material.metallic_roughness_texture = pbr.texture("metallicRoughnessTexture", Encoding::linear);
   }
 }
 
-void read_normal_texture(const tinygltf::Material& source, MaterialContext& context,
-                         Material& material) {
-  if (source.normalTexture.index < 0) {
+void read_normal_texture(const MaterialPart& source, Material& material) {
+  if (!source.values().has("normalTexture")) {
     return;
   }
-  material.normal_scale = context.limited(source.normalTexture.scale, -steepest_normal_scale,
-                                          steepest_normal_scale, "normalTexture.scale");
+  material.normal_scale = source.normal_scale("normalTexture");
   if (material.normal_scale != 0.0F) {
-    material.normal_texture = context.use(reference_to(source.normalTexture), Encoding::linear);
+    material.normal_texture = source.texture("normalTexture", Encoding::linear);
   }
 }
 
-void read_emission(const tinygltf::Material& source, MaterialContext& context, Material& material) {
-  material.emission = emission_of(source, context);
+/// emissiveFactor times KHR_materials_emissive_strength's factor.
+void read_emission(const MaterialPart& source, Material& material) {
+  const MaterialPart extension = source.extension("KHR_materials_emissive_strength");
+  const std::string place = extension.values().exists() ? extension.place_of("emissiveStrength")
+                                                        : source.place_of("emissiveFactor");
+  material.emission =
+      source.context().limited(source.values().vec3("emissiveFactor", DVec3(0.0)) *
+                                   extension.values().number("emissiveStrength", 1.0),
+                               0.0, brightest, place);
   if (material.is_emissive()) {
-    material.emissive_texture = context.use(reference_to(source.emissiveTexture), Encoding::srgb);
+    material.emissive_texture = source.texture("emissiveTexture", Encoding::srgb);
   }
 }
 
-/// Of an unlit material only the base colour counts (KHR_materials_unlit).
-Material read_material(const tinygltf::Material& source, MaterialContext& context) {
+void read_ior(const MaterialPart& extension, Material& material) {
+  /// The extension's value 0 makes the Fresnel term 1; so does, to within 4e-6, this index.
+  constexpr double all_is_reflected = 1e6;
+  const double ior = extension.values().number("ior", 1.5);
+  material.ior = ior == 0.0 ? static_cast<float>(all_is_reflected)
+                            : extension.context().limited(ior, 1.0, all_is_reflected,
+                                                          extension.place_of("ior"));
+}
+
+void read_transmission(const MaterialPart& extension, Material& material) {
+  material.transmission = extension.factor("transmissionFactor", 0.0);
+  if (material.transmission > 0.0F) {
+    material.transmission_texture = extension.texture("transmissionTexture", Encoding::linear);
+  }
+}
+
+/// A thickness of 0 means thin walls. Any other only says that the mesh bounds a volume: how thick
+/// it is, a path finds out.
+void read_volume(const MaterialPart& extension, Material& material) {
+  material.is_solid = extension.values().number("thicknessFactor", 0.0) > 0.0;
+  if (!material.is_solid) {
+    return;
+  }
+  material.attenuation_color = extension.color("attenuationColor", 1.0);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double distance = extension.values().number("attenuationDistance", infinity);
+  if (!(distance > 0.0)) {
+    extension.context().warn("an attenuationDistance that is not positive is taken as infinite",
+                             extension.place_of("attenuationDistance"));
+  } else if (distance < static_cast<double>(std::numeric_limits<float>::max())) {
+    material.attenuation_distance_m =
+        std::max(static_cast<float>(distance), std::numeric_limits<float>::min());
+  }
+}
+
+void read_specular(const MaterialPart& extension, Material& material) {
+  material.specular = extension.factor("specularFactor", 1.0);
+  material.specular_color = extension.color("specularColorFactor", 1.0, brightest);
+  if (material.specular == 0.0F) {
+    return;
+  }
+  material.specular_texture = extension.texture("specularTexture", only_alpha);
+  if (max_component(material.specular_color) > 0.0F) {
+    material.specular_color_texture = extension.texture("specularColorTexture", Encoding::srgb);
+  }
+}
+
+void read_clearcoat(const MaterialPart& extension, Material& material) {
+  material.clearcoat = extension.factor("clearcoatFactor", 0.0);
+  material.clearcoat_roughness = extension.factor("clearcoatRoughnessFactor", 0.0);
+  if (material.clearcoat == 0.0F) {
+    return;
+  }
+  material.clearcoat_texture = extension.texture("clearcoatTexture", Encoding::linear);
+  if (material.clearcoat_roughness > 0.0F) {
+    material.clearcoat_roughness_texture =
+        extension.texture("clearcoatRoughnessTexture", Encoding::linear);
+  }
+  if (extension.values().has("clearcoatNormalTexture")) {
+    material.clearcoat_normal_scale = extension.normal_scale("clearcoatNormalTexture");
+    material.clearcoat_normal_texture =
+        extension.texture("clearcoatNormalTexture", Encoding::linear);
+  }
+}
+
+void read_sheen(const MaterialPart& extension, Material& material) {
+  material.sheen_color = extension.color("sheenColorFactor", 0.0);
+  material.sheen_roughness = extension.factor("sheenRoughnessFactor", 0.0);
+  if (max_component(material.sheen_color) == 0.0F) {
+    return;
+  }
+  material.sheen_color_texture = extension.texture("sheenColorTexture", Encoding::srgb);
+  if (material.sheen_roughness > 0.0F) {
+    material.sheen_roughness_texture = extension.texture("sheenRoughnessTexture", only_alpha);
+  }
+}
+
+/// KHR_materials_pbrSpecularGlossiness, but for the alpha mode: a dielectric that reflects the
+/// specular colour at normal incidence, which is exact (KHR_materials_specular's colour may exceed
+/// 1), over the diffuse one, with a roughness of 1 - glossiness; a texture's is rounded to 8 bits.
+/// Where the extension scales the diffuse colour by 1 - the largest specular component, this
+/// renderer's dielectric takes what it reflects at each angle.
+void read_specular_glossiness(const MaterialPart& extension, Material& material) {
+  /// What a dielectric of index 1.5 reflects at normal incidence.
+  constexpr float usual_reflectance = 0.04F;
+  material.base_color = extension.color("diffuseFactor", 1.0);
+  material.alpha = extension.alpha("diffuseFactor");
+  material.base_color_texture = extension.texture("diffuseTexture", base_color_encoding(material));
+  material.metallic = 0.0F;
+  material.specular_color = extension.color("specularFactor", 1.0) / usual_reflectance;
+  material.specular_color_texture = extension.texture("specularGlossinessTexture", Encoding::srgb);
+  const float glossiness = extension.factor("glossinessFactor", 1.0);
+  material.metallic_roughness_texture = extension.context().use_glossiness(
+      extension.values().object("specularGlossinessTexture"), glossiness);
+  material.roughness = material.metallic_roughness_texture.exists() ? 1.0F : 1.0F - glossiness;
+}
+
+/// Of an unlit material only the base colour counts (KHR_materials_unlit). Specular and glossiness
+/// take the place of the metallic-roughness values. A texture whose factor is 0 is not used.
+Material read_material(const MaterialPart& source) {
+  const GltfValues& values = source.values();
   Material material;
-  material.name = source.name;
-  material.double_sided = source.doubleSided;
-  material.unlit = source.extensions.contains("KHR_materials_unlit");
-  material.alpha_mode = alpha_mode_of(source);
-  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
-  const bool is_specular_glossiness = has_specular_glossiness(source) && !material.unlit;
-  if (!is_specular_glossiness) {
-    read_base_color(source, context, material);
+  material.name = values.text("name");
+  material.double_sided = values.boolean("doubleSided", false);
+  material.unlit = values.extension("KHR_materials_unlit").exists();
+  material.alpha_mode = alpha_mode_of(values.text("alphaMode"));
+  material.alpha_cutoff = static_cast<float>(values.number("alphaCutoff", 0.5));
+  const MaterialPart pbr = source.object("pbrMetallicRoughness");
+  const MaterialPart glossy = source.extension("KHR_materials_pbrSpecularGlossiness");
+  if (material.unlit) {
+    read_base_color(pbr, material);
+    return material;
   }
-  if (!material.unlit) {
-    if (!is_specular_glossiness) {
-      read_metallic_roughness(source, context, material);
-    }
-    read_normal_texture(source, context, material);
-    read_emission(source, context, material);
-    read_material_extensions(source, context, material);
+  if (!glossy.values().exists()) {
+    read_base_color(pbr, material);
+    read_metallic_roughness(pbr, material);
   }
-  if (is_specular_glossiness) {  // it has no KHR_materials_specular beside it
-    read_specular_glossiness(source, context, material);
+  read_normal_texture(source, material);
+  read_emission(source, material);
+  read_ior(source.extension("KHR_materials_ior"), material);
+  read_transmission(source.extension("KHR_materials_transmission"), material);
+  read_volume(source.extension("KHR_materials_volume"), material);
+  read_specular(source.extension("KHR_materials_specular"), material);
+  read_clearcoat(source.extension("KHR_materials_clearcoat"), material);
+  read_sheen(source.extension("KHR_materials_sheen"), material);
+  if (glossy.values().exists()) {  // it has no KHR_materials_specular beside it
+    read_specular_glossiness(glossy, material);
   }
   return material;
 }
@@ -111,9 +212,9 @@ Material default_material() {
   return material;
 }
 
-bool needs_default_material(const tinygltf::Model& model) {
-  const auto has_none = [](const tinygltf::Primitive& primitive) { return primitive.material < 0; };
-  return std::any_of(model.meshes.begin(), model.meshes.end(), [&](const tinygltf::Mesh& mesh) {
+bool needs_default_material(const GltfModel& model) {
+  const auto has_none = [](const GltfPrimitive& primitive) { return primitive.material < 0; };
+  return std::any_of(model.meshes.begin(), model.meshes.end(), [&](const GltfMesh& mesh) {
     return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), has_none);
   });
 }
@@ -132,13 +233,14 @@ VertexNeeds needs_of(const Material& material, const std::vector<int>& uv_sets) 
 
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
                              KeptParts<Texels>* kept, bool is_strict, Warnings& warnings) {
-  const tinygltf::Model& model = *file.model;
+  const GltfModel& model = file.model;
   GltfMaterials result;
   TextureSet textures(file, kept, is_strict, warnings);
-  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+  for (std::size_t i = 0; i < is_shown.size(); ++i) {
     MaterialContext context(fmt::format("materials[{}]", i), is_shown[i] ? &textures : nullptr,
                             warnings);
-    result.materials.push_back(read_material(model.materials[i], context));
+    result.materials.push_back(
+        read_material(MaterialPart(model.root().item("materials", i), "", context)));
     result.needs.push_back(needs_of(result.materials.back(), context.uv_sets()));
   }
   if (needs_default_material(model)) {

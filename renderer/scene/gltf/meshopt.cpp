@@ -1,5 +1,3 @@
-#include "renderer/scene/gltf/meshopt.h"
-
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -7,17 +5,13 @@
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
-#include <nlohmann/json.hpp>
 
-#include "renderer/scene/gltf/added_buffer.h"
+#include "renderer/scene/gltf/buffers.h"
+#include "renderer/scene/gltf/compression.h"
 #include "renderer/scene/gltf/fault.h"
-#include "renderer/scene/textures/decoded_memory.h"
 
 namespace foveola {
 namespace {
-
-using Json = nlohmann::json;
-using Bytes = std::vector<unsigned char>;
 
 constexpr const char* meshopt_extension = "EXT_meshopt_compression";
 
@@ -30,20 +24,20 @@ struct Compressed {
   std::string filter;
 };
 
-Compressed compressed_in(const Json& extension, const std::vector<Bytes>& buffers,
+Compressed compressed_in(const GltfValues& extension, const std::vector<GltfBytes>& buffers,
                          const std::string& place) {
-  const Bytes& buffer = buffers[extension["buffer"].get<std::size_t>()];
-  const auto offset = extension.value("byteOffset", std::size_t{0});
-  const auto length = extension["byteLength"].get<std::size_t>();
+  const GltfBytes& buffer = buffers[extension.natural("buffer")];
+  const std::size_t offset = extension.natural("byteOffset");
+  const std::size_t length = extension.natural("byteLength");
   if (offset + length > buffer.size()) {
     throw GltfFault(place, fmt::format("ends at byte {}, but its buffer has {}", offset + length,
                                        buffer.size()));
   }
   return {.bytes = std::span(buffer).subspan(offset, length),
-          .count = extension["count"].get<std::size_t>(),
-          .stride = extension["byteStride"].get<std::size_t>(),
-          .mode = extension["mode"].get<std::string>(),
-          .filter = extension.value("filter", "NONE")};
+          .count = extension.natural("count"),
+          .stride = extension.natural("byteStride"),
+          .mode = extension.text("mode"),
+          .filter = extension.text("filter", "NONE")};
 }
 
 /// The extension's rules for strides and counts, which meshoptimizer takes on trust.
@@ -68,7 +62,7 @@ void require_decodable(const Compressed& source, const std::string& place) {
 }
 
 /// Whether `decoded` could be filled.
-bool decode(const Compressed& source, Bytes& decoded) {
+bool decode(const Compressed& source, GltfBytes& decoded) {
   const unsigned char* const bytes = source.bytes.data();
   const std::size_t size = source.bytes.size();
   void* const target = decoded.data();
@@ -81,7 +75,7 @@ bool decode(const Compressed& source, Bytes& decoded) {
   return meshopt_decodeIndexSequence(target, source.count, source.stride, bytes, size) == 0;
 }
 
-void apply_filter(const Compressed& source, Bytes& decoded) {
+void apply_filter(const Compressed& source, GltfBytes& decoded) {
   if (source.filter == "OCTAHEDRAL") {
     meshopt_decodeFilterOct(decoded.data(), source.count, source.stride);
   } else if (source.filter == "QUATERNION") {
@@ -91,8 +85,8 @@ void apply_filter(const Compressed& source, Bytes& decoded) {
   }
 }
 
-Bytes decoded(const Compressed& source, const std::string& place) {
-  Bytes result(source.count * source.stride);
+GltfBytes decoded(const Compressed& source, const std::string& place) {
+  GltfBytes result(source.count * source.stride);
   if (!decode(source, result)) {
     throw GltfFault(place, "cannot be decoded: the compressed data is damaged");
   }
@@ -102,28 +96,24 @@ Bytes decoded(const Compressed& source, const std::string& place) {
 
 }  // namespace
 
-void decompress_meshopt(Json& document, std::vector<Bytes>& buffers) {
-  if (!document.contains("bufferViews")) {
-    return;
-  }
+void decompress_meshopt(GltfModel& model) {
   std::size_t decoded_bytes = 0;
   std::size_t encoded_bytes = 0;
-  for (std::size_t i = 0; i < document["bufferViews"].size(); ++i) {
-    Json& view = document["bufferViews"][i];
-    if (!view.contains("extensions") || !view["extensions"].contains(meshopt_extension)) {
+  for (std::size_t i = 0; i < model.views.size(); ++i) {
+    const GltfValues extension = model.root().item("bufferViews", i).extension(meshopt_extension);
+    if (!extension.exists()) {
       continue;
     }
     const std::string place = fmt::format("bufferViews[{}].extensions.{}", i, meshopt_extension);
-    const Compressed source = compressed_in(view["extensions"][meshopt_extension], buffers, place);
+    const Compressed source = compressed_in(extension, model.buffers, place);
     require_decodable(source, place);
     decoded_bytes += source.count * source.stride;
     encoded_bytes += source.bytes.size();
     require_modest_gltf_memory(decoded_bytes, encoded_bytes, place);
-    Bytes bytes = decoded(source, place);
-    view["byteOffset"] = 0;
-    view["byteLength"] = bytes.size();
-    view["buffer"] = add_gltf_buffer(document, buffers, std::move(bytes));
-    view.erase("extensions");
+    GltfBytes bytes = decoded(source, place);
+    model.views[i] = {
+        .buffer = model.buffers.size(), .length = bytes.size(), .stride = model.views[i].stride};
+    model.buffers.push_back(std::move(bytes));
   }
 }
 

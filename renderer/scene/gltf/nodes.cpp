@@ -13,7 +13,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <tiny_gltf.h>
 
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/deformation.h"
@@ -27,7 +26,7 @@ namespace {
 constexpr int no_parent = -1;
 
 /// Each node's parent. Throws unless every node has at most one.
-std::vector<int> parents_of(const std::vector<tinygltf::Node>& nodes) {
+std::vector<int> parents_of(const std::vector<GltfNode>& nodes) {
   std::vector<int> parents(nodes.size(), no_parent);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t k = 0; k < nodes[i].children.size(); ++k) {
@@ -71,12 +70,13 @@ std::vector<int> roots_without_scenes(const std::vector<int>& parents) {
   return roots;
 }
 
-std::vector<int> root_nodes(const tinygltf::Model& model, const std::vector<int>& parents) {
-  if (model.scenes.empty()) {
+std::vector<int> root_nodes(const GltfModel& model, const std::vector<int>& parents) {
+  const GltfValues document = model.root();
+  if (document.size("scenes") == 0) {
     return roots_without_scenes(parents);
   }
-  const auto scene = static_cast<std::size_t>(std::max(model.defaultScene, 0));
-  const std::vector<int>& roots = model.scenes[scene].nodes;
+  const std::size_t scene = document.natural("scene");
+  std::vector<int> roots = document.item("scenes", scene).integers("nodes");
   std::vector<bool> listed(parents.size(), false);
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const auto root = static_cast<std::size_t>(roots[i]);
@@ -110,7 +110,7 @@ DMat4 rotation_of(const Number* numbers, int node) {
   return glm::mat4_cast(rotation / length);
 }
 
-DMat4 parent_from_local(const tinygltf::Node& node, int index) {
+DMat4 parent_from_local(const GltfNode& node, int index) {
   if (!node.matrix.empty()) {
     DMat4 matrix = glm::make_mat4(node.matrix.data());
     for (int column = 0; column < 4; ++column) {
@@ -136,21 +136,16 @@ void require_finite(const DMat4& matrix, int node) {
 
 /// Where EXT_mesh_gpu_instancing has the node's mesh, in the node's coordinates; once at its origin
 /// without it.
-std::vector<DMat4> instances_of(const tinygltf::Model& model, const tinygltf::Node& node,
-                                int index) {
-  const GltfValues attributes =
-      GltfValues(node.extensions, "EXT_mesh_gpu_instancing").object("attributes");
-  if (!attributes.exists()) {
-    return {DMat4(1.0)};
-  }
+std::vector<DMat4> instances_of(const GltfModel& model, const GltfNode& node, int index) {
+  const GltfIndices& attributes = node.instance_attributes;
   const std::string place = place_of(index) + ".extensions.EXT_mesh_gpu_instancing.attributes";
   std::optional<std::size_t> count;
   const auto read = [&](const std::string& name, int components) {
     std::vector<float> numbers;
-    if (const int accessor = attributes.integer(name, -1); accessor >= 0) {
+    if (const auto accessor = attributes.find(name); accessor != attributes.end()) {
       const std::string where = fmt::format("{}.{}", place, name);
-      numbers = read_numbers(model, accessor, components, where);
-      const std::size_t elements = element_count(model, accessor);
+      numbers = read_numbers(model, accessor->second, components, where);
+      const std::size_t elements = element_count(model, accessor->second);
       if (count.value_or(elements) != elements) {
         throw GltfFault(where, "is of another number of instances than the others");
       }
@@ -186,16 +181,6 @@ void require_few_instances(std::size_t count, int node) {
   }
 }
 
-/// What KHR_node_visibility says of the node itself.
-bool is_visible(const tinygltf::Node& node) {
-  return GltfValues(node.extensions, "KHR_node_visibility").boolean("visible", true);
-}
-
-/// KHR_lights_punctual's light at `node`, or -1.
-int light_of(const tinygltf::Node& node) {
-  return GltfValues(node.extensions, "KHR_lights_punctual").integer("light", -1);
-}
-
 /// Where a camera looks: along its -Z, upright along its +Y. Looking straight up or down, what is
 /// upright in the picture gives the azimuth.
 AzimuthElevation heading_of(const DMat4& world_from_local) {
@@ -221,18 +206,20 @@ double roll_of(const DMat4& world_from_local, const AzimuthElevation& heading) {
 }
 
 /// The field of view and the aspect ratio of a perspective camera, where they make sense.
-void read_lens(const tinygltf::PerspectiveCamera& lens, CameraView& view) {
-  if (lens.yfov > 0.0 && lens.yfov < std::numbers::pi) {
-    view.vertical_fov_rad = lens.yfov;
+void read_lens(const GltfValues& lens, CameraView& view) {
+  const double fov_rad = lens.number("yfov", 0.0);
+  if (fov_rad > 0.0 && fov_rad < std::numbers::pi) {
+    view.vertical_fov_rad = fov_rad;
   }
-  if (lens.aspectRatio > 0.0 && std::isfinite(lens.aspectRatio)) {
-    view.aspect_ratio = lens.aspectRatio;
+  const double aspect_ratio = lens.number("aspectRatio", 0.0);
+  if (aspect_ratio > 0.0 && std::isfinite(aspect_ratio)) {
+    view.aspect_ratio = aspect_ratio;
   }
 }
 
 }  // namespace
 
-PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
+PlacedNodes place_nodes(const GltfModel& model, Warnings& warnings) {
   const std::vector<int> parents = parents_of(model.nodes);
   reject_cycles(parents);
 
@@ -246,11 +233,11 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
   while (!pending.empty()) {
     const int index = pending.back();
     pending.pop_back();
-    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
+    const GltfNode& node = model.nodes[static_cast<std::size_t>(index)];
     const int parent = parents[static_cast<std::size_t>(index)];
     DMat4& transform = world_from_local[static_cast<std::size_t>(index)];
     transform = parent_from_local(node, index);
-    bool is_shown = is_visible(node);
+    bool is_shown = node.is_visible;
     if (parent != no_parent) {
       transform = world_from_local[static_cast<std::size_t>(parent)] * transform;
       is_shown = is_shown && !is_hidden[static_cast<std::size_t>(parent)];
@@ -279,8 +266,9 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
       placed.cameras.push_back(
           {.index = static_cast<std::size_t>(node.camera), .placement = placement});
     }
-    if (const int light = light_of(node); light >= 0 && is_shown) {
-      placed.lights.push_back({.index = static_cast<std::size_t>(light), .placement = placement});
+    if (node.light >= 0 && is_shown) {
+      placed.lights.push_back(
+          {.index = static_cast<std::size_t>(node.light), .placement = placement});
     }
     pending.insert(pending.end(), node.children.rbegin(), node.children.rend());
   }
@@ -288,21 +276,21 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
   return placed;
 }
 
-std::vector<CameraView> read_cameras(const tinygltf::Model& model,
-                                     const std::vector<PlacedItem>& cameras, const DVec3& origin,
-                                     Warnings& warnings) {
+std::vector<CameraView> read_cameras(const GltfModel& model, const std::vector<PlacedItem>& cameras,
+                                     const DVec3& origin, Warnings& warnings) {
   std::vector<CameraView> views;
   for (const PlacedItem& item : cameras) {
-    const tinygltf::Camera& camera = model.cameras[item.index];
-    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
+    const GltfValues camera = model.root().item("cameras", item.index);
+    const GltfNode& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
     const std::string place = place_of(item.placement.node);
-    if (camera.type != "perspective") {
+    if (camera.text("type") != "perspective") {
       warnings.add("orthographic cameras are ignored", place);
       continue;
     }
     const DMat4& world_from_local = item.placement.world_from_local;
     const AzimuthElevation heading = heading_of(world_from_local);
-    CameraView view{.name = sanitised(camera.name.empty() ? node.name : camera.name),
+    const std::string name = camera.text("name");
+    CameraView view{.name = sanitised(name.empty() ? node.name : name),
                     .position = Vec3(DVec3(world_from_local[3]) - origin),
                     .heading = heading,
                     .roll_rad = roll_of(world_from_local, heading),
@@ -314,7 +302,7 @@ std::vector<CameraView> read_cameras(const tinygltf::Model& model,
           "level",
           place);
     }
-    read_lens(camera.perspective, view);
+    read_lens(camera.object("perspective"), view);
     views.push_back(std::move(view));
   }
   return views;

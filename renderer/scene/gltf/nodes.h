@@ -5,12 +5,9 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
+#include "renderer/scene/gltf/model.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
-
-namespace tinygltf {
-class Model;
-}
 
 namespace foveola {
 
@@ -37,12 +34,11 @@ struct PlacedNodes {
 /// root nodes). Of a node that KHR_node_visibility hides, and of those below it, no mesh and no
 /// light is placed; EXT_mesh_gpu_instancing places a mesh several times. Throws GltfFault, naming
 /// the place, if the nodes are not a strict tree or a transform is not finite.
-PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings);
+PlacedNodes place_nodes(const GltfModel& model, Warnings& warnings);
 
 /// The perspective cameras, their positions seen from `origin`. A roll about the line of sight,
 /// which a head does not have, becomes a warning.
-std::vector<CameraView> read_cameras(const tinygltf::Model& model,
-                                     const std::vector<PlacedItem>& cameras, const DVec3& origin,
-                                     Warnings& warnings);
+std::vector<CameraView> read_cameras(const GltfModel& model, const std::vector<PlacedItem>& cameras,
+                                     const DVec3& origin, Warnings& warnings);
 
 }  // namespace foveola

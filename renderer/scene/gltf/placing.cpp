@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/work/work_scope.h"
@@ -83,8 +82,7 @@ std::size_t triangle_count(const LocalMesh& meshes) {
 }
 
 /// The node's name, else the mesh's.
-std::string object_name(const tinygltf::Model& model, std::size_t mesh,
-                        const Placement& placement) {
+std::string object_name(const GltfModel& model, std::size_t mesh, const Placement& placement) {
   const std::string& name = model.nodes[static_cast<std::size_t>(placement.node)].name;
   return sanitised(name.empty() ? model.meshes[mesh].name : name);
 }
@@ -105,7 +103,7 @@ void mend_after_transform(Mesh& mesh, const std::string& place, Warnings& warnin
 
 class MeshPlacer {
  public:
-  MeshPlacer(Scene& scene, const tinygltf::Model& model, Placing placing, MemoryBudget& budget,
+  MeshPlacer(Scene& scene, const GltfModel& model, Placing placing, MemoryBudget& budget,
              Warnings& warnings)
       : scene_(scene), model_(model), placing_(placing), budget_(budget), warnings_(warnings) {}
 
@@ -181,7 +179,7 @@ class MeshPlacer {
   }
 
   Scene& scene_;
-  const tinygltf::Model& model_;
+  const GltfModel& model_;
   Placing placing_;
   MemoryBudget& budget_;
   Warnings& warnings_;
@@ -203,8 +201,7 @@ DVec3 choose_origin(const std::vector<LocalMesh>& meshes,
 }
 
 void add_meshes(Scene& scene, std::vector<LocalMesh> meshes, const PlacedNodes& nodes,
-                const tinygltf::Model& model, Placing placing, MemoryBudget& budget,
-                Warnings& warnings) {
+                const GltfModel& model, Placing placing, MemoryBudget& budget, Warnings& warnings) {
   MeshPlacer placer(scene, model, placing, budget, warnings);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     placer.add(i, std::move(meshes[i]), nodes.meshes[i]);

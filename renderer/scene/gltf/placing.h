@@ -32,7 +32,6 @@ enum class Placing {
 /// for nodes whose transform has no inverse in single precision. Throws GltfFault if that takes
 /// more than `budget` has.
 void add_meshes(Scene& scene, std::vector<LocalMesh> meshes, const PlacedNodes& nodes,
-                const tinygltf::Model& model, Placing placing, MemoryBudget& budget,
-                Warnings& warnings);
+                const GltfModel& model, Placing placing, MemoryBudget& budget, Warnings& warnings);
 
 }  // namespace foveola

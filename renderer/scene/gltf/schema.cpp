@@ -144,17 +144,15 @@ class Schema {
   }
 
   Rule sparse() const {
-    const Rule int_count = integer(1, std::numeric_limits<int>::max());  // as tinygltf keeps it
-    const Rule int_offset = integer(0, std::numeric_limits<int>::max());
     const Rule index_type = one_of_integers({5121, 5123, 5125});
-    return object({{"count", required, int_count},
+    return object({{"count", required, natural(1)},
                    {"indices", required,
                     object({{"bufferView", required, index("bufferViews")},
-                            {"byteOffset", optional, int_offset},
+                            {"byteOffset", optional, natural(0)},
                             {"componentType", required, index_type}})},
                    {"values", required,
                     object({{"bufferView", required, index("bufferViews")},
-                            {"byteOffset", optional, int_offset}})}});
+                            {"byteOffset", optional, natural(0)}})}});
   }
 
   Rule buffer_view() const {
@@ -166,6 +164,9 @@ class Schema {
          {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt()}})}});
     return [shape, this](const Json& value, const Place& place) {
       shape(value, place);
+      if (value.value("byteStride", 4) % 4 != 0) {
+        throw GltfFault(place.path() + ".byteStride", "must be a multiple of 4");
+      }
       const Json& buffer = document_["buffers"][value["buffer"].get<std::size_t>()];
       const std::uint64_t end =
           value.value("byteOffset", std::uint64_t{0}) + value["byteLength"].get<std::uint64_t>();
@@ -197,9 +198,9 @@ class Schema {
 
   std::vector<Property> texture_info_properties() const {
     const Rule tex_coord = integer(0, 15);
-    const Rule transform = object({{"offset", optional, extension_numbers(2)},
-                                   {"rotation", optional, extension_number()},
-                                   {"scale", optional, extension_numbers(2)},
+    const Rule transform = object({{"offset", optional, numbers(2)},
+                                   {"rotation", optional, any_number()},
+                                   {"scale", optional, numbers(2)},
                                    {"texCoord", optional, tex_coord}});
     return {{"index", required, index("textures")},
             {"texCoord", optional, tex_coord},
@@ -231,11 +232,11 @@ class Schema {
   }
 
   Rule material_extensions() const {
-    const Rule factor = extension_number();
-    const Rule color = extension_numbers(3);
+    const Rule factor = any_number();
+    const Rule color = numbers(3);
     const Rule texture = texture_info();
     std::vector<Property> normal_texture = texture_info_properties();
-    normal_texture.push_back({"scale", optional, extension_number()});
+    normal_texture.push_back({"scale", optional, any_number()});
     return object(
         {{"KHR_materials_clearcoat", optional,
           object({{"clearcoatFactor", optional, factor},
@@ -246,7 +247,7 @@ class Schema {
          {"KHR_materials_emissive_strength", optional,
           object({{"emissiveStrength", optional, factor}})},
          {"KHR_materials_pbrSpecularGlossiness", optional,
-          object({{"diffuseFactor", optional, extension_numbers(4)},
+          object({{"diffuseFactor", optional, numbers(4)},
                   {"diffuseTexture", optional, texture},
                   {"specularFactor", optional, color},
                   {"glossinessFactor", optional, factor},
@@ -274,21 +275,6 @@ class Schema {
 
   static Rule any_number() {
     return number(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
-  }
-
-  /// tinygltf keeps the whole numbers of extensions in an int.
-  static Rule extension_number() {
-    const Rule whole = integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-    return [any = any_number(), whole](const Json& value, const Place& place) {
-      (value.is_number_integer() ? whole : any)(value, place);
-    };
-  }
-  static Rule extension_numbers(std::size_t count) {
-    return [shape = numbers(count), each = array_of(extension_number())](const Json& value,
-                                                                         const Place& place) {
-      shape(value, place);
-      each(value, place);
-    };
   }
 
   Rule texture() const {
@@ -320,8 +306,11 @@ class Schema {
   }
 
   static Rule camera() {
-    return object(
-        {{"name", optional, text()}, {"type", required, one_of({"perspective", "orthographic"})}});
+    const Rule lens =
+        object({{"yfov", optional, any_number()}, {"aspectRatio", optional, any_number()}});
+    return object({{"name", optional, text()},
+                   {"type", required, one_of({"perspective", "orthographic"})},
+                   {"perspective", optional, lens}});
   }
 
   static Rule light() {

@@ -1,18 +1,18 @@
 #include "renderer/scene/gltf/textures.h"
 
-#include <exception>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
-#include "renderer/base/files/digest.h"
+#include "renderer/base/digest.h"
+#include "renderer/base/files.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/gltf/values.h"
+#include "renderer/scene/references.h"
+#include "renderer/scene/sanitised.h"
 #include "renderer/scene/textures/decoded_memory.h"
 #include "renderer/scene/textures/image_channels.h"
 #include "renderer/scene/textures/image_decoder.h"
@@ -20,65 +20,117 @@
 namespace foveola {
 namespace {
 
+// The specification's numbers.
+constexpr int gl_nearest = 9728;
+constexpr int gl_linear = 9729;
+constexpr int gl_nearest_mipmap_nearest = 9984;
+constexpr int gl_linear_mipmap_nearest = 9985;
+constexpr int gl_nearest_mipmap_linear = 9986;
+constexpr int gl_clamp_to_edge = 33071;
+constexpr int gl_mirrored_repeat = 33648;
+
 Wrap wrap_of(int mode) {
-  switch (mode) {
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return Wrap::clamp_to_edge;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return Wrap::mirrored_repeat;
-    default:
-      return Wrap::repeat;
-  }
+  return mode == gl_clamp_to_edge     ? Wrap::clamp_to_edge
+         : mode == gl_mirrored_repeat ? Wrap::mirrored_repeat
+                                      : Wrap::repeat;
 }
 
-/// A filter that is not stated, -1, is the best there is (specification, section 3.8.4.1).
-void read_minification(int filter, Sampler& sampler) {
+MipFilter mip_filter_of(int filter) {
   switch (filter) {
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-      sampler.minification = Filter::nearest;
-      break;
+    case gl_nearest:
+    case gl_linear:
+      return MipFilter::none;
+    case gl_nearest_mipmap_nearest:
+    case gl_linear_mipmap_nearest:
+      return MipFilter::nearest;
     default:
-      sampler.minification = Filter::linear;
-  }
-  switch (filter) {
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_LINEAR:
-      sampler.mip = MipFilter::none;
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-      sampler.mip = MipFilter::nearest;
-      break;
-    default:
-      sampler.mip = MipFilter::linear;
+      return MipFilter::linear;
   }
 }
 
-Sampler sampler_of(const tinygltf::Sampler& source) {
-  Sampler sampler{.wrap_u = wrap_of(source.wrapS), .wrap_v = wrap_of(source.wrapT)};
-  if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) {
-    sampler.magnification = Filter::nearest;
-  }
-  read_minification(source.minFilter, sampler);
-  return sampler;
+/// A filter that is not stated is the best there is (specification, section 3.8.4.1).
+Sampler sampler_of(const GltfValues& source) {
+  const int minification = source.integer("minFilter");
+  const bool is_nearest = minification == gl_nearest || minification == gl_nearest_mipmap_nearest ||
+                          minification == gl_nearest_mipmap_linear;
+  return {
+      .wrap_u = wrap_of(source.integer("wrapS")),
+      .wrap_v = wrap_of(source.integer("wrapT")),
+      .magnification = source.integer("magFilter") == gl_nearest ? Filter::nearest : Filter::linear,
+      .minification = is_nearest ? Filter::nearest : Filter::linear,
+      .mip = mip_filter_of(minification)};
 }
 
-std::string text_of(const GltfFault& fault) {
-  return fmt::format("{} {}", fault.where(), fault.what());
+/// fault: a GltfFault.
+std::string text_of_gltf_fault(const std::runtime_error& fault) {
+  return fmt::format("{} {}", dynamic_cast<const GltfFault&>(fault).where(), fault.what());
 }
 
-/// The same of what texels_of() threw.
-std::string text_of(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const GltfFault& fault) {
-    return text_of(fault);
-  }
+std::span<const unsigned char> bytes_of(const std::string& content) {
+  return {reinterpret_cast<const unsigned char*>(content.data()), content.size()};
 }
 
 }  // namespace
+
+void GltfImages::load(int image) {
+  if (!loaded_.insert(image).second) {
+    return;
+  }
+  const GltfImage& source = file_.model.images[static_cast<std::size_t>(image)];
+  if (source.view >= 0) {
+    const std::size_t buffer = file_.model.views[static_cast<std::size_t>(source.view)].buffer;
+    if (buffers_.insert(buffer).second) {
+      encoded_bytes_ += file_.model.buffers[buffer].size();
+    }
+  } else if (!source.content.empty()) {
+    encoded_bytes_ += source.content.size();
+  } else {
+    try {
+      if (!confined_file_if_there(file_.folder, source.uri)) {
+        missing_files_.insert(file_.folder / local_reference(reference_of(image)));
+      }
+      load_file(image, confined_file(file_.folder, source.uri));
+    } catch (const std::runtime_error& refusal) {
+      throw GltfFault(fmt::format("images[{}].uri", image), refusal.what());
+    }
+  }
+}
+
+std::string GltfImages::reference_of(int image) const {
+  return percent_decoded(file_.model.images[static_cast<std::size_t>(image)].uri);
+}
+
+void GltfImages::load_file(int image, const std::filesystem::path& path) {
+  if (!contents_.contains(path)) {
+    contents_[path] = read_file(path);
+    encoded_bytes_ += contents_[path].size();
+  }
+  paths_[image] = path;
+}
+
+std::span<const unsigned char> GltfImages::encoded(int image) const {
+  const GltfImage& source = file_.model.images[static_cast<std::size_t>(image)];
+  if (source.view >= 0) {
+    const GltfBufferView& view = file_.model.views[static_cast<std::size_t>(source.view)];
+    return std::span(file_.model.buffers[view.buffer]).subspan(view.offset, view.length);
+  }
+  return source.content.empty() ? bytes_of(contents_.at(paths_.at(image))) : source.content;
+}
+
+std::string GltfImages::place_of(int image) const {
+  const auto path = paths_.find(image);
+  const std::string file =
+      path == paths_.end() ? "" : fmt::format(" ({})", sanitised(path->second.filename().string()));
+  return fmt::format("images[{}]{}", image, file);
+}
+
+FileHashes GltfImages::hashes() const {
+  FileHashes hashes;
+  for (const auto& [path, content] : contents_) {
+    hashes[path] = sha256(std::string_view(content));
+  }
+  return hashes;
+}
 
 int TextureSet::add(int texture, Encoding encoding) {
   return add(texture, Content{.image = -1, .encoding = encoding});
@@ -100,23 +152,27 @@ int TextureSet::add(int texture, Content content) {
     if (is_strict_) {
       throw;
     }
-    warn_of_lost_texture(text_of(fault), {}, warnings_);
+    warn_of_lost_texture(text_of_gltf_fault(fault), {}, warnings_);
     return -1;
   }
-  const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
-  return textures_.add(
-      content,
-      sampler < 0 ? Sampler() : sampler_of(model_.samplers[static_cast<std::size_t>(sampler)]));
+  const int sampler = texture_at(texture).integer("sampler");
+  return textures_.add(content, sampler < 0 ? Sampler()
+                                            : sampler_of(model_.root().item(
+                                                  "samplers", static_cast<std::size_t>(sampler))));
+}
+
+GltfValues TextureSet::texture_at(int texture) const {
+  return model_.root().item("textures", static_cast<std::size_t>(texture));
 }
 
 /// Reads the encoded image of a texture, and returns its number.
 int TextureSet::load(int texture) {
-  const tinygltf::Texture& source = model_.textures[static_cast<std::size_t>(texture)];
+  const GltfValues source = texture_at(texture);
   const int image =
-      GltfValues(source.extensions, "EXT_texture_webp").integer("source", source.source);
+      source.extension("EXT_texture_webp").integer("source", source.integer("source"));
   if (image < 0) {
     throw GltfFault(fmt::format("textures[{}]", texture),
-                    source.extensions.contains("KHR_texture_basisu")
+                    source.extension("KHR_texture_basisu").exists()
                         ? "has its image in KTX2 alone (KHR_texture_basisu), which is not read: "
                           "export it as PNG or JPEG"
                         : "has no source image");
@@ -131,17 +187,7 @@ std::vector<Texture> TextureSet::decode(std::vector<Material>& materials) const 
   DecodedTextures decoded = textures_.decode([this](const Content& content, bool with_mips) {
     return shared_texels_of(content, with_mips);
   });
-  if (is_strict_) {
-    rethrow_fault(decoded.faults);
-  }
-  std::set<int> lost_images;
-  for (std::size_t i = 0; i < decoded.faults.size(); ++i) {
-    if (decoded.faults[i] && lost_images.insert(textures_.contents()[i].image).second) {
-      warn_of_lost_texture(text_of(decoded.faults[i]), {}, warnings_);
-    }
-  }
-  renumber_textures(materials, decoded);
-  return std::move(decoded.textures);
+  return take_textures(std::move(decoded), materials, is_strict_, text_of_gltf_fault, warnings_);
 }
 
 std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& content,

@@ -1,56 +1,56 @@
-// Typed access to the properties of a glTF extension, whose types have been checked.
+// Reads the properties of an object of a checked glTF document.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
+#include <vector>
 
-#include <tiny_gltf.h>
+#include <glm/vec2.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "renderer/base/vec.h"
 
 namespace foveola {
 
-/// An object in an extension; every property may be absent.
+/// Indices by what they are for.
+using GltfIndices = std::map<std::string, int>;
+
+/// An object, or none, which has no properties. A property that is absent, or, where the document
+/// is not checked, of another type, has the value `absent`, or is empty.
 class GltfValues {
  public:
-  /// value: null for an absent object; must outlive this.
-  explicit GltfValues(const tinygltf::Value* value) : value_(value) {}
-  GltfValues(const tinygltf::ExtensionMap& extensions, const std::string& name)
-      : value_(extensions.contains(name) ? &extensions.at(name) : nullptr) {}
+  /// value: null for none; must outlive this.
+  explicit GltfValues(const nlohmann::json* value = nullptr) : value_(value) {}
 
   bool exists() const { return value_ != nullptr; }
-  bool has(const std::string& name) const { return exists() && value_->Has(name); }
-  /// Null if absent.
-  const tinygltf::Value* get(const std::string& name) const {
-    return has(name) ? &value_->Get(name) : nullptr;
-  }
-  GltfValues object(const std::string& name) const { return GltfValues(get(name)); }
+  bool has(const char* name) const { return find(name) != nullptr; }
+  GltfValues object(const char* name) const { return GltfValues(find(name)); }
+  GltfValues extension(const char* name) const { return object("extensions").object(name); }
 
-  double number(const std::string& name, double absent) const {
-    return has(name) ? value_->Get(name).GetNumberAsDouble() : absent;
-  }
-  int integer(const std::string& name, int absent) const {
-    return has(name) ? value_->Get(name).GetNumberAsInt() : absent;
-  }
-  bool boolean(const std::string& name, bool absent) const {
-    return has(name) ? value_->Get(name).Get<bool>() : absent;
-  }
-  glm::dvec2 vec2(const std::string& name, const glm::dvec2& absent) const {
-    return has(name) ? glm::dvec2(element(name, 0), element(name, 1)) : absent;
-  }
-  DVec3 vec3(const std::string& name, const DVec3& absent) const {
-    return has(name) ? DVec3(element(name, 0), element(name, 1), element(name, 2)) : absent;
-  }
-  /// Element `i` of a list of more.
-  double element(const std::string& name, int i, double absent) const {
-    return has(name) ? element(name, i) : absent;
-  }
+  double number(const char* name, double absent) const;
+  int integer(const char* name, int absent = -1) const;
+  std::size_t natural(const char* name, std::size_t absent = 0) const;
+  bool boolean(const char* name, bool absent) const;
+  std::string text(const char* name, const char* absent = "") const;
+  glm::dvec2 vec2(const char* name, const glm::dvec2& absent) const;
+  DVec3 vec3(const char* name, const DVec3& absent) const;
+  /// Element `i` of a list of more numbers.
+  double element(const char* name, std::size_t i, double absent) const;
+  std::vector<double> numbers(const char* name) const;
+  std::vector<int> integers(const char* name) const;
+  std::vector<std::string> texts(const char* name) const;
+  GltfIndices indices(const char* name) const;
+  std::vector<GltfIndices> list_of_indices(const char* name) const;
+
+  /// How many elements the list `name` has, and element `i` of them, an object.
+  std::size_t size(const char* name) const;
+  GltfValues item(const char* name, std::size_t i) const;
 
  private:
-  double element(const std::string& name, int i) const {
-    return value_->Get(name).Get(i).GetNumberAsDouble();
-  }
+  const nlohmann::json* find(const char* name) const;
 
-  const tinygltf::Value* value_;
+  const nlohmann::json* value_;
 };
 
 }  // namespace foveola

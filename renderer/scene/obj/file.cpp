@@ -1,11 +1,17 @@
 #include "renderer/scene/obj/file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <span>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
@@ -14,8 +20,7 @@
 #include "renderer/base/files/files.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/obj/colors.h"
-#include "renderer/scene/obj/numbers.h"
-#include "renderer/scene/obj/smoothing.h"
+#include "renderer/scene/obj/polygon.h"
 #include "renderer/scene/obj/text_lines.h"
 
 namespace foveola {
@@ -167,6 +172,108 @@ std::vector<std::string> material_libraries_in(std::string_view text) {
     }
   });
   return libraries;
+}
+
+std::size_t coordinates_of(std::string_view keyword) {
+  return keyword == "v" || keyword == "vn" ? 3 : keyword == "vt" ? 2 : 0;
+}
+
+/// The coordinates in the statements of `text` that are no numbers.
+std::vector<std::string_view> no_numbers_in(std::string_view text) {
+  std::vector<std::string_view> found;
+  for_each_line(text, [&](std::string_view line) {
+    Statement left = statement_in(line);
+    for (std::size_t i = coordinates_of(left.keyword); i > 0; --i) {
+      left = statement_in(left.rest);
+      if (left.keyword.empty() || left.keyword.front() == '#') {
+        break;
+      }
+      if (!is_number(left.keyword)) {
+        found.push_back(left.keyword);
+      }
+    }
+  });
+  return found;
+}
+
+/// The text of an OBJ file with "1e999", which tinyobjloader reads as infinite, in place of each
+/// coordinate of a v, vn or vt statement that is not a decimal number, such as "nan", "1.#INF" or
+/// "0,5". Coordinates that are left out stay so.
+std::string with_infinities_for_no_numbers(std::string text) {
+  const std::vector<std::string_view> no_numbers = no_numbers_in(text);
+  if (no_numbers.empty()) {
+    return text;
+  }
+  std::string result;
+  std::size_t copied = 0;
+  for (const std::string_view word : no_numbers) {
+    const auto begin = static_cast<std::size_t>(word.data() - text.data());
+    result.append(text, copied, begin - copied).append("1e999");
+    copied = begin + word.size();
+  }
+  return result.append(text, copied);
+}
+
+/// "off" is 0, as is what is no number.
+unsigned group_in(std::string_view text) {
+  unsigned group = 0;
+  std::from_chars(text.data(), text.data() + text.size(), group);
+  return group;
+}
+
+/// The smoothing group of each "f" statement of `text`, in their order, 0: none; empty if no face
+/// has one.
+std::vector<unsigned> smoothing_groups_in(std::string_view text) {
+  std::vector<unsigned> groups;
+  unsigned group = 0;
+  bool is_smooth = false;
+  for_each_line(text, [&](std::string_view line) {
+    const Statement statement = statement_in(line);
+    if (statement.keyword == "s") {
+      group = group_in(statement.rest);
+    } else if (statement.keyword == "f" && !statement.rest.empty()) {
+      groups.push_back(group);
+      is_smooth = is_smooth || group != 0;
+    }
+  });
+  return is_smooth ? groups : std::vector<unsigned>();
+}
+
+/// Gives the faces of a smoothing group that have no normals of their own, at each vertex, the mean
+/// of the group's faces there, weighted by their areas.
+void add_smooth_normals(ObjFile& obj) {
+  const std::size_t stated = obj.normals.size();
+  std::map<std::pair<unsigned, int>, int> index_of;  // by group and position
+  std::vector<Vec3> positions;
+  for (ObjPart& part : obj.parts) {
+    const std::span<ObjCorner> corners(part.corners);
+    for (std::size_t i = 0; i < part.smoothing_groups.size(); ++i) {
+      throw_if_work_stopped();
+      const unsigned group = part.smoothing_groups[i];
+      const std::size_t end = i + 1 < part.begins.size() ? part.begins[i + 1] : corners.size();
+      const std::span<ObjCorner> face = corners.subspan(part.begins[i], end - part.begins[i]);
+      if (group == 0 || std::ranges::any_of(face, [](const auto& c) { return c.normal >= 0; })) {
+        continue;
+      }
+      positions.clear();
+      for (const ObjCorner& corner : face) {
+        positions.push_back(obj.positions[static_cast<std::size_t>(corner.position)]);
+      }
+      const Vec3 area(area_vector(positions));
+      for (ObjCorner& corner : face) {
+        const auto [known, is_new] =
+            index_of.try_emplace({group, corner.position}, static_cast<int>(obj.normals.size()));
+        if (is_new) {
+          obj.normals.emplace_back(0.0F);
+        }
+        corner.normal = known->second;
+        obj.normals[static_cast<std::size_t>(corner.normal)] += area;
+      }
+    }
+  }
+  for (Vec3& normal : std::span(obj.normals).subspan(stated)) {
+    normal = Vec3(glm::normalize(DVec3(normal)));
+  }
 }
 
 }  // namespace

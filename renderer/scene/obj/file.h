@@ -41,9 +41,9 @@ struct ObjFile {
   std::string sha256;                           ///< SHA-256 of the file
 };
 
-/// Reads the file at `path`: faces with their indices resolved and in range, and normals as of
-/// add_smooth_normals(). Lines, points and curves are not read. Throws Error if the file cannot be
-/// read, is no text, or a face names what has not been given before it.
+/// Reads the file at `path`: faces with their indices resolved and in range, and smoothing groups
+/// as normals. Lines, points and curves are not read. Throws Error if the file cannot be read, is
+/// no text, or a face names what has not been given before it.
 ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings);
 
 }  // namespace foveola

@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files/digest.h"
-#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/obj/file.h"
 #include "renderer/scene/obj/meshes.h"
@@ -20,6 +18,7 @@
 #include "renderer/scene/obj/text_lines.h"
 #include "renderer/scene/obj/textures.h"
 #include "renderer/scene/rebase.h"
+#include "renderer/scene/references.h"
 #include "renderer/scene/sanitised.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/tangents.h"

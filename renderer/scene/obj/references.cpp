@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/scene/confined_file.h"
-#include "renderer/scene/foreign_references.h"
 #include "renderer/scene/obj/text_lines.h"
+#include "renderer/scene/references.h"
 
 namespace foveola {
 namespace fs = std::filesystem;

@@ -1,7 +1,6 @@
 #include "renderer/scene/obj/textures.h"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <optional>
 #include <span>
@@ -41,14 +40,6 @@ ImageSize size_if_readable(const fs::path& file) {
     throw;
   } catch (const Error&) {
     return {};
-  }
-}
-
-std::string decoder_message(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const std::runtime_error& error) {
-    return error.what();
   }
 }
 
@@ -133,17 +124,9 @@ std::vector<Texture> ObjTextureSet::decode(std::vector<Material>& materials,
                         texture.content == ObjTexture::Content::color_alpha);
         });
   });
-  if (is_strict) {
-    rethrow_fault(decoded.faults);
-  }
-  std::set<std::string> lost;
-  for (const std::exception_ptr& fault : decoded.faults) {
-    if (fault && lost.insert(decoder_message(fault)).second) {
-      warn_of_lost_texture(decoder_message(fault), {}, warnings);
-    }
-  }
-  renumber_textures(materials, decoded);
-  return std::move(decoded.textures);
+  return take_textures(
+      std::move(decoded), materials, is_strict,
+      [](const std::runtime_error& fault) { return std::string(fault.what()); }, warnings);
 }
 
 std::set<fs::path> ObjTextureSet::files() const {

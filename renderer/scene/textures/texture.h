@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,9 +11,33 @@
 #include "renderer/base/vec.h"
 #include "renderer/scene/textures/image_decoder.h"
 #include "renderer/scene/textures/mip_chain.h"
-#include "renderer/scene/textures/texels.h"
 
 namespace foveola {
+
+/// What a texture shows: an image with its coarser levels, which several textures can share.
+class Texels {
+ public:
+  /// is_srgb: whether grey or red, green and blue are sRGB-encoded; alpha never is. with_mips:
+  /// whether coarser levels are built, for a third more memory. has_opacity: whether an alpha says
+  /// how far a texel is there: the others then count as far as they are.
+  Texels(DecodedImage image, bool is_srgb, bool with_mips, bool has_opacity = false);
+
+  /// Levels of `channels()` interleaved bytes a texel, the image itself first.
+  const std::vector<MipLevel>& levels() const { return levels_; }
+  const std::uint8_t* codes() const { return codes_.data(); }
+  int channels() const { return channels_; }
+  bool is_srgb() const { return is_srgb_; }
+  bool has_opacity() const { return has_opacity_; }
+
+  std::size_t memory_bytes() const;
+
+ private:
+  std::vector<MipLevel> levels_;
+  std::vector<std::uint8_t> codes_;
+  int channels_;
+  bool is_srgb_;
+  bool has_opacity_;
+};
 
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
 enum class Filter : std::uint8_t { nearest, linear };

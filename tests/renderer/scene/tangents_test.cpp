@@ -26,7 +26,7 @@ Vec3 bitangent(const Mesh& mesh, std::size_t vertex) {
 }
 
 /// A square in the plane z = 0 seen from +Z: lower left, lower right, upper right, upper left.
-Mesh square(const std::vector<Vec2>& uvs) {
+Mesh textured_square(const std::vector<Vec2>& uvs) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   mesh.normals.assign(4, {0, 0, 1});
@@ -37,7 +37,7 @@ Mesh square(const std::vector<Vec2>& uvs) {
 
 /// An image pasted upright: its lower left corner, (u, v) = (0, 1), at the lower left.
 TEST(Tangents, LieAlongTheImage) {
-  Mesh mesh = square({{0, 1}, {1, 1}, {1, 0}, {0, 0}});
+  Mesh mesh = textured_square({{0, 1}, {1, 1}, {1, 0}, {0, 0}});
   add_tangents(mesh, 0, identity);
   ASSERT_EQ(mesh.tangents.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -48,7 +48,7 @@ TEST(Tangents, LieAlongTheImage) {
 
 /// Mirrored left to right: the image's right is at -X, its top still at +Y.
 TEST(Tangents, OfAMirroredImageHaveANegativeSign) {
-  Mesh mesh = square({{1, 1}, {0, 1}, {0, 0}, {1, 0}});
+  Mesh mesh = textured_square({{1, 1}, {0, 1}, {0, 0}, {1, 0}});
   add_tangents(mesh, 0, identity);
   EXPECT_EQ(mesh.tangents[0], Vec4(-1, 0, 0, -1));
   EXPECT_EQ(bitangent(mesh, 0), Vec3(0, 1, 0));
@@ -57,14 +57,14 @@ TEST(Tangents, OfAMirroredImageHaveANegativeSign) {
 /// A quarter turn of the coordinates turns what is seen: with texture (u', v') = (v, -u), the
 /// image's right, +u', is where v grows: down, at -Y.
 TEST(Tangents, FollowTheTransformOfTheTexture) {
-  Mesh mesh = square({{0, 1}, {1, 1}, {1, 0}, {0, 0}});
+  Mesh mesh = textured_square({{0, 1}, {1, 1}, {1, 0}, {0, 0}});
   add_tangents(mesh, 0, Mat3x2(0.0F, -1.0F, 1.0F, 0.0F, 0.0F, 0.0F));
   expect_near(Vec3(mesh.tangents[0]), {0, -1, 0});
   expect_near(bitangent(mesh, 0), {1, 0, 0});
 }
 
 TEST(Tangents, AreOfTheSetThatIsNamed) {
-  Mesh mesh = square({{0, 1}, {1, 1}, {1, 0}, {0, 0}});
+  Mesh mesh = textured_square({{0, 1}, {1, 1}, {1, 0}, {0, 0}});
   mesh.uv_sets.push_back({{0, 0}, {0, 1}, {1, 1}, {1, 0}});  // u up, v to the right
   add_tangents(mesh, 1, identity);
   expect_near(Vec3(mesh.tangents[0]), {0, 1, 0});

@@ -197,6 +197,19 @@ TEST_F(Accessors, IndicesMayBeSparse) {
   EXPECT_THAT(load(glb).meshes.at(0).triangles, ElementsAre(std::array<std::uint32_t, 3>{0, 1, 2}));
 }
 
+TEST_F(Accessors, SparseIndicesNeedNoBufferView) {
+  GlbBuilder glb = one_triangle();
+  const std::vector<std::uint8_t> bytes = {1, 2};  // which elements are replaced, and by what
+  const Json part = {{"bufferView", glb.add_view(bytes.data(), bytes.size())},
+                     {"componentType", static_cast<int>(uint8)}};
+  glb.primitive()["indices"] =
+      glb.add("accessors", {{"componentType", static_cast<int>(uint8)},
+                            {"count", 3},
+                            {"type", "SCALAR"},
+                            {"sparse", {{"count", 2}, {"indices", part}, {"values", part}}}});
+  EXPECT_THAT(load(glb).meshes.at(0).triangles, ElementsAre(std::array<std::uint32_t, 3>{0, 1, 2}));
+}
+
 TEST_F(Accessors, RefusesSparseIndicesOutOfRangeOrOrder) {
   const std::vector<Vec3> values = {{7, 0, 0}, {0, 9, 0}};
   EXPECT_THAT(error_of(sparse({1, 3}, values)),

@@ -105,6 +105,7 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/nodes/0/mesh", "cube", "nodes[0].mesh: must be an index into meshes"},
       {"/nodes/0/camera", 0.5, "nodes[0].camera: must be an index into cameras"},
       {"/nodes/0/camera", 1.0, "nodes[0].camera: is 1, but cameras has 1 elements"},
+      {"/nodes/0/camera", -0.0, "nodes[0].camera: must be an index into cameras"},
       {"/nodes/0/translation", {1, 2}, "nodes[0].translation: must be 3 numbers"},
       {"/nodes/0/rotation", {1, 2, 3, "w"}, "nodes[0].rotation: must be 4 numbers"},
       {"/nodes/0/scale", 2, "nodes[0].scale: must be 3 numbers"},
@@ -130,6 +131,7 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/bufferViews/0/byteLength", 37, "bufferViews[0]: ends at byte 41, but buffers[0] has 40"},
       {"/bufferViews/0/byteOffset", 4294967295U, "bufferViews[0]: ends at byte 4294967331"},
       {"/bufferViews/0/byteStride", 3, "bufferViews[0].byteStride: must be an integer from 4"},
+      {"/bufferViews/0/byteStride", 14, "bufferViews[0].byteStride: must be a multiple of 4"},
       {"/buffers/0/byteLength", 0, "buffers[0].byteLength: must be an integer from 1"},
       {"/buffers/0/uri", 5, "buffers[0].uri: must be a text"},
       {"/materials/0/pbrMetallicRoughness/baseColorFactor",
@@ -150,8 +152,8 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
        {1},
        "materials[0].extensions.KHR_materials_emissive_strength.emissiveStrength: must be a "
        "number"},
-      {"/materials/0/extensions/KHR_materials_ior/ior", 4294967296,
-       "materials[0].extensions.KHR_materials_ior.ior: must be an integer from"},
+      {"/materials/0/extensions/KHR_materials_ior/ior", "glass",
+       "materials[0].extensions.KHR_materials_ior.ior: must be a number from"},
       {"/materials/0/extensions/KHR_materials_unlit", 1,
        "materials[0].extensions.KHR_materials_unlit: must be an object"},
       {"/materials/0/extensions/KHR_materials_volume/attenuationColor",
@@ -175,7 +177,7 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
        "accessors[1].sparse.indices.bufferView: is 1, but bufferViews has 1"},
       {"/accessors/1/sparse/indices/componentType", 5126,
        "accessors[1].sparse.indices.componentType: must be one of 5121"},
-      {"/accessors/1/sparse/values/byteOffset", 2147483648,
+      {"/accessors/1/sparse/values/byteOffset", 4294967296,
        "accessors[1].sparse.values.byteOffset: must be an integer from 0"},
       {"/nodes/0/extensions/KHR_lights_punctual/light", 1,
        "nodes[0].extensions.KHR_lights_punctual.light: is 1, but lights has 1 elements"},
@@ -193,6 +195,8 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/images/0/bufferView", 1, "images[0].bufferView: is 1, but bufferViews has 1 elements"},
       {"/images/0/uri", "a.png", "images[0]: must have either a uri or a bufferView"},
       {"/cameras/0/type", "fisheye", "cameras[0].type: must be one of perspective"},
+      {"/cameras/0/perspective", Json::object({{"yfov", "wide"}}),
+       "cameras[0].perspective.yfov: must be a number"},
       {"/extensionsUsed/0", 3, "extensionsUsed[0]: must be a text"},
       {"/extensionsRequired/0", "EXT_mesh_manifold",
        "extensionsRequired[0]: the extension EXT_mesh_manifold is not supported"},
@@ -234,7 +238,7 @@ TEST(GltfDocument, RefusesWhatIsNoJson) {
   EXPECT_THAT(fault_in_text("{\"asset\": \"\xff\xfe\"}"), HasSubstr("this is not JSON"));
 }
 
-/// tinygltf's descent into extras would overflow the stack.
+/// Descending into it could overflow the stack.
 TEST(GltfDocument, RefusesBottomlessNesting) {
   const auto extras = [](std::size_t depth) {
     return R"({"asset": {"version": "2.0"}, "extras": )" + std::string(depth, '[') +
@@ -251,15 +255,27 @@ TEST(GltfDocument, BracketsInTextsAreNotNesting) {
       checked_gltf_document(R"({"asset": {"version": "2.0"}, "extras": )" + text + "}"));
 }
 
+void write_with_points(Json& value) {
+  if (value.is_structured()) {
+    for (Json& element : value) {
+      write_with_points(element);
+    }
+  } else if (value.is_number()) {
+    value = value.get<double>();
+  }
+}
+
 /// Some programs know only one kind of number.
-TEST(GltfDocument, WholeNumbersMayBeWrittenWithAPoint) {
-  const Json document = checked_gltf_document(
-      R"({"asset": {"version": "2.0"}, "scene": 0.0, "scenes": [{"nodes": [0.0]}],
-          "nodes": [{"translation": [-0.0, 1e1, 0.5], "scale": [1e10, 1, 1]}]})");
-  EXPECT_TRUE(document["scene"].is_number_integer());
-  EXPECT_TRUE(document["scenes"][0]["nodes"][0].is_number_integer());
-  EXPECT_EQ(document["nodes"][0].dump(),
-            R"({"scale":[10000000000.0,1,1],"translation":[-0.0,10,0.5]})");
+TEST_F(LoadGltf, WholeNumbersMayBeWrittenWithAPoint) {
+  GlbBuilder glb = textured_triangle("triangle.bin", "a.png");
+  write("triangle.bin", glb.buffer);
+  write("a.png", one_pixel(1, 2, 3));
+  write_with_points(glb.document);
+  EXPECT_THAT(glb.document.dump(), HasSubstr("\"componentType\":5126.0"));
+  const Scene scene = load_bytes(glb.document.dump(), "scene.gltf");
+  EXPECT_EQ(scene.triangle_count(), 1U);
+  EXPECT_EQ(scene.textures.size(), 1U);
+  EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
 }  // namespace

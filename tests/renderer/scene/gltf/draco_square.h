@@ -1,4 +1,4 @@
-// A mesh that Draco compressed. In a shared library of its own, as the decoder is.
+// A mesh that Draco compressed.
 #pragma once
 
 #include <string>
@@ -9,6 +9,6 @@ enum class DracoMethod { sequential, edgebreaker };
 
 /// The unit square at z = 0, two triangles with their positions as attribute 0 and, as attribute 1,
 /// texture coordinates that are the same.
-__attribute__((visibility("default"))) std::string draco_square(DracoMethod method);
+std::string draco_square(DracoMethod method);
 
 }  // namespace foveola::test

@@ -189,7 +189,7 @@ TEST_F(GltfFiles, ChecksTheContainer) {
   EXPECT_THAT(error_of_bytes(spoilt(16, 'X')), HasSubstr("the first chunk is not JSON"));
 }
 
-/// tinygltf forgets the eight bytes of the chunk's own header and reads beyond the file.
+/// The eight bytes of the chunk's own header count as well.
 TEST_F(GltfFiles, TheSecondChunkEndsInsideTheFile) {
   const GlbBuilder glb = one_triangle();
   std::string bytes = glb.bytes();

@@ -124,14 +124,17 @@ TEST_F(Nodes, CamerasKeepTheirFieldOfViewAndAspectRatio) {
   glb.add("cameras", {{"type", "perspective"},
                       {"perspective", {{"yfov", 0.75}, {"aspectRatio", 1.5}, {"znear", 0.1}}}});
   glb.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 4.0}, {"znear", 0.1}}}});
+  glb.add("cameras", {{"type", "perspective"}});
   glb.add_root({{"camera", 0}});
   glb.add_root({{"camera", 1}});
+  glb.add_root({{"camera", 2}});
   const Scene scene = load(glb);
-  ASSERT_EQ(scene.cameras.size(), 2U);
+  ASSERT_EQ(scene.cameras.size(), 3U);
   EXPECT_EQ(scene.cameras[0].vertical_fov_rad, 0.75);
   EXPECT_EQ(scene.cameras[0].aspect_ratio, 1.5);
   EXPECT_FALSE(scene.cameras[1].vertical_fov_rad) << "over half a turn";
   EXPECT_FALSE(scene.cameras[1].aspect_ratio);
+  EXPECT_FALSE(scene.cameras[2].vertical_fov_rad) << "without a lens";
 }
 
 /// A triangle, and a camera turned by this quaternion (x, y, z, w).

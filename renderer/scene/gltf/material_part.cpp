@@ -1,11 +1,9 @@
-#include "renderer/scene/gltf/material_context.h"
+#include "renderer/scene/gltf/material_part.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include "renderer/scene/gltf/values.h"
 
 namespace foveola {
 namespace {
@@ -28,12 +26,7 @@ Mat3x2 texture_matrix(const GltfValues& transform) {
 
 float MaterialContext::limited(double value, double lowest, double highest,
                                const std::string& property) {
-  const double result = std::clamp(value, lowest, highest);
-  if (result != value) {
-    warn(property.substr(property.rfind('.') + 1) + " is limited to the range it may have",
-         property);
-  }
-  return static_cast<float>(result);
+  return limited(DVec3(value), lowest, highest, property).x;
 }
 
 Rgb MaterialContext::limited(const DVec3& value, double lowest, double highest,
@@ -46,25 +39,26 @@ Rgb MaterialContext::limited(const DVec3& value, double lowest, double highest,
   return Rgb(result);
 }
 
-TextureUse MaterialContext::use(const TextureReference& reference, Encoding encoding) {
-  return use_of(reference, [&] { return textures_->add(reference.index, encoding); });
-}
-
-TextureUse MaterialContext::use_glossiness(const TextureReference& reference, float factor) {
-  return use_of(reference, [&] { return textures_->add_glossiness(reference.index, factor); });
-}
-
-template <typename Add>
-TextureUse MaterialContext::use_of(const TextureReference& reference, Add add) {
-  if (reference.index < 0 || textures_ == nullptr) {
+TextureUse MaterialContext::use(const GltfValues& info, Encoding encoding) {
+  if (!info.exists() || textures_ == nullptr) {
     return {};
   }
-  const int texture = add();
+  return use_of(info, textures_->add(info.integer("index"), encoding));
+}
+
+TextureUse MaterialContext::use_glossiness(const GltfValues& info, float factor) {
+  if (!info.exists() || textures_ == nullptr) {
+    return {};
+  }
+  return use_of(info, textures_->add_glossiness(info.integer("index"), factor));
+}
+
+TextureUse MaterialContext::use_of(const GltfValues& info, int texture) {
   if (texture < 0) {
     return {};
   }
-  const GltfValues transform(reference.transform);
-  const int uv_set = transform.integer("texCoord", reference.tex_coord);
+  const GltfValues transform = info.extension("KHR_texture_transform");
+  const int uv_set = transform.integer("texCoord", info.integer("texCoord", 0));
   const auto known = std::find(uv_sets_.begin(), uv_sets_.end(), uv_set);
   const auto number = static_cast<int>(known - uv_sets_.begin());
   if (known == uv_sets_.end()) {
@@ -75,6 +69,12 @@ TextureUse MaterialContext::use_of(const TextureReference& reference, Add add) {
 
 void MaterialContext::warn(const std::string& what, const std::string& property) {
   warnings_.add(what, fmt::format("{}.{}", place_, property));
+}
+
+float MaterialPart::normal_scale(const std::string& texture) const {
+  constexpr double steepest = 1e3;
+  return context_.limited(values_.object(texture.c_str()).number("scale", 1.0), -steepest, steepest,
+                          place_of(texture + ".scale"));
 }
 
 }  // namespace foveola

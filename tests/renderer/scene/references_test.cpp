@@ -1,11 +1,10 @@
-#include "renderer/scene/confined_file.h"
+#include "renderer/scene/references.h"
 
 #include <optional>
 #include <stdexcept>
 
 #include <sys/stat.h>
 
-#include "renderer/scene/foreign_references.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"
 
