@@ -223,8 +223,8 @@ void read_viewpoint(TomlReader& table, SceneSource& source) {
   table.require("camera");
   read_camera(table.table("camera"), source);
   if (table.has("exposure_stops")) {
-    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -most_exposure_stops,
-               most_exposure_stops);
+    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -max_exposure_stops,
+               max_exposure_stops);
   }
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-constexpr long most_redirections = 10;
+constexpr long max_redirections = 10;
 constexpr long connect_timeout_s = 30;
 constexpr long stalled_s = 30;  ///< without a byte
 
@@ -73,7 +73,7 @@ class Transfer {
     set(CURLOPT_PROTOCOLS_STR, "http,https");
     set(CURLOPT_REDIR_PROTOCOLS_STR, "http,https");
     set(CURLOPT_FOLLOWLOCATION, 1L);
-    set(CURLOPT_MAXREDIRS, most_redirections);
+    set(CURLOPT_MAXREDIRS, max_redirections);
     set(CURLOPT_FAILONERROR, 1L);
     set(CURLOPT_CONNECTTIMEOUT, connect_timeout_s);
     set(CURLOPT_LOW_SPEED_LIMIT, 1L);

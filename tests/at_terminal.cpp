@@ -18,14 +18,14 @@
 namespace foveola::test {
 namespace {
 
-constexpr winsize usual_size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+constexpr winsize default_size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
 
 }  // namespace
 
 AtTerminal::AtTerminal(const char* kind, const std::function<int()>& body) {
   // What is not written yet must not be written twice.
   std::fflush(nullptr);
-  winsize size = usual_size;
+  winsize size = default_size;
   process_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
   if (process_ == 0) {
     ::setenv("TERM", kind, 1);
@@ -48,9 +48,10 @@ void AtTerminal::type(const std::string& keys) const {
 }
 
 void AtTerminal::wait_for(const std::string& words) {
-  winsize size = usual_size;
+  winsize size = default_size;
   const auto has_come = [&] {
-    size.ws_row = size.ws_row == usual_size.ws_row ? usual_size.ws_row + 1 : usual_size.ws_row;
+    size.ws_row =
+        size.ws_row == default_size.ws_row ? default_size.ws_row + 1 : default_size.ws_row;
     ::ioctl(terminal_, TIOCSWINSZ, &size);
     const bool goes_on = read();
     if (seen_.find(words) != std::string::npos) {

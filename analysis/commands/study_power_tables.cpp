@@ -128,8 +128,8 @@ std::string curve_text(const StudyPowerReport& report) {
   return text;
 }
 
-std::string fewest_text(const StudyPowerReport& report, std::optional<std::size_t> comparison,
-                        const std::string& name) {
+std::string min_text(const StudyPowerReport& report, std::optional<std::size_t> comparison,
+                     const std::string& name) {
   const auto fewest = fewest_participants(report.curve, comparison, report.target);
   const std::size_t most = report.curve.back().participants;
   return line("", fewest ? fmt::format("{}: {}", name, *fewest)
@@ -141,9 +141,9 @@ std::string all_fewest_text(const StudyPowerReport& report) {
   std::string text =
       fmt::format("Fewest participants for a power of {:g} %\n", 100.0 * report.target);
   for (std::size_t i = 0; i < planned.size(); ++i) {
-    text += fewest_text(report, i, name_of(planned[i]));
+    text += min_text(report, i, name_of(planned[i]));
   }
-  return text + fewest_text(report, std::nullopt, "all together");
+  return text + min_text(report, std::nullopt, "all together");
 }
 
 /// Of the largest number of participants.

@@ -27,9 +27,9 @@ struct Configuration {
   std::optional<double> adaptive_contrast;
   /// What each light sample gives to a path is cut to this, as the display shows it: white is 1.
   float largest_light_sample = std::numeric_limits<float>::infinity();
-  int vertices_before_roulette = usual_vertices_before_roulette;  ///< see TraceSettings
-  bool light_samples_alone = false;                               ///< see TraceSettings
-  bool uses_general_path = false;                                 ///< see TraceSettings
+  int vertices_before_roulette = default_vertices_before_roulette;  ///< see TraceSettings
+  bool light_samples_alone = false;                                 ///< see TraceSettings
+  bool uses_general_path = false;                                   ///< see TraceSettings
   LightSampling light_sampling;
 };
 
@@ -66,7 +66,7 @@ struct ConvergencePlan {
   std::uint32_t seed = 0;  ///< what the repetitions' seeds are made from
   /// The viewport's field of view, both ways; the head points at the gaze.
   double fov_deg = FieldOfView{}.horizontal_deg;
-  int view_size = usual_view_size.x;  ///< pixels of the display along each side
+  int view_size = default_view_size.x;  ///< pixels of the display along each side
   int max_depth = TraceSettings{}.max_depth;
   int reference_samples_per_pixel = 64;  ///< uniform samples of each of the two halves
   int reference_foveated_per_pixel =

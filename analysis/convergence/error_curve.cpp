@@ -34,7 +34,7 @@ std::optional<double> half_width(const std::vector<std::size_t>& all,
 }
 
 constexpr double least_samples_per_pixel = 2.0;
-constexpr double most_empty_share = 0.02;
+constexpr double max_empty_share = 0.02;
 
 /// NaN where a region has no such error.
 double error_of(const Score& score, Metric metric) {
@@ -51,7 +51,7 @@ double error_of(const Score& score, Metric metric) {
 
 bool can_be_compared(const CurvePoint& point) {
   return point.samples_per_pixel >= least_samples_per_pixel &&
-         point.empty_share <= most_empty_share && point.error > 0.0;
+         point.empty_share <= max_empty_share && point.error > 0.0;
 }
 
 }  // namespace

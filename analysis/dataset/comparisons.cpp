@@ -23,9 +23,9 @@ namespace {
 
 /// 9999 for studies of the usual size; fewer where thousands of participants would take too long.
 int resamples_for(std::size_t participants) {
-  constexpr std::size_t most_draws = 20'000'000;
+  constexpr std::size_t max_draws = 20'000'000;
   return static_cast<int>(
-      std::clamp<std::size_t>(most_draws / std::max<std::size_t>(participants, 1), 999, 9999));
+      std::clamp<std::size_t>(max_draws / std::max<std::size_t>(participants, 1), 999, 9999));
 }
 
 std::optional<Interval> bca_of_ratio(const std::vector<double>& log_ratios) {

@@ -55,7 +55,7 @@ std::vector<double> log_ratios_of_scenes(const std::vector<ComparedNumber>& cell
 
 MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,
                                const std::string& mark) {
-  constexpr int most_steps = 12;
+  constexpr int max_steps = 12;
   constexpr double tolerance = 0.002;
   constexpr double faster = 1.1;
   const auto ratios_at = [&](double speed) {
@@ -65,11 +65,11 @@ MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,
   std::vector<double> ratios = ratios_at(speed);
   double slope = -1.0;  // of times that are all waiting for samples
   for (int step = 0; std::abs(*mean(ratios)) > tolerance; ++step) {
-    if (step == most_steps) {
+    if (step == max_steps) {
       throw Error("calibration",
                   fmt::format("no speed was found in {} studies; at {:.0f} samples a second the "
                               "times are {:.3g} times the published ones",
-                              most_steps, speed, std::exp(*mean(ratios))),
+                              max_steps, speed, std::exp(*mean(ratios))),
                   "let more participants take part");
     }
     const double before = *mean(ratios);

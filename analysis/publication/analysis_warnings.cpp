@@ -18,7 +18,7 @@ std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
       std::ranges::any_of(comparisons.methods, [](const MethodComparison& row) {
         return row.planned && row.primary && row.primary->kind == AnalysisKind::crossed_model;
       });
-  return is_of_others && scenes < study::fewest_random_scenes
+  return is_of_others && scenes < study::min_random_scenes
              ? fmt::format(
                    "{}: 95 % intervals for scenes like these cover less (87 % with two, "
                    "92 % with three); plan five, or fixed scenes.",

@@ -81,10 +81,10 @@ std::string gzip(std::string_view text) {
     throw std::length_error("a text of 4 GiB and more");
   }
   constexpr int largest_window_with_gzip_header = 15 + 16;
-  constexpr int usual_memory = 8;
+  constexpr int default_memory = 8;
   z_stream stream{};
   if (::deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, largest_window_with_gzip_header,
-                     usual_memory, Z_DEFAULT_STRATEGY) != Z_OK) {
+                     default_memory, Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::runtime_error("zlib could not start");
   }
   std::string bytes(::deflateBound(&stream, static_cast<uLong>(text.size())), '\0');

@@ -28,7 +28,7 @@ std::vector<std::string> participants_of(std::span<const Finding> findings) {
 
 // These limits are Foveola's own, for want of published ones.
 constexpr double least_balance_p = 0.01;
-constexpr double most_false_alarms_percent = 20.0;
+constexpr double max_false_alarms_percent = 20.0;
 constexpr double max_censored_percent = 20.0;
 
 /// The positions of the methods in one scene of one participant; empty unless each position is
@@ -129,7 +129,7 @@ std::vector<CatchFigures> catch_figures(const Dataset& set, const study::StudyRe
 DataQualityCheck check_catches(const std::vector<CatchFigures>& catches) {
   DataQualityCheck check{
       "False alarms in catch trials", "no catch trials recorded",
-      fmt::format("{:g} % of each participant's, ours", most_false_alarms_percent)};
+      fmt::format("{:g} % of each participant's, ours", max_false_alarms_percent)};
   if (catches.empty()) {
     return check;
   }
@@ -139,7 +139,7 @@ DataQualityCheck check_catches(const std::vector<CatchFigures>& catches) {
   for (const CatchFigures& row : catches) {
     trials += row.trials;
     false_alarms += row.false_alarms;
-    if (row.false_alarms_percent() > most_false_alarms_percent) {
+    if (row.false_alarms_percent() > max_false_alarms_percent) {
       above.push_back(row.participant);
     }
   }
@@ -281,9 +281,9 @@ std::string_view name_of(Verdict verdict) {
 Verdict within(bool good) { return good ? Verdict::passed : Verdict::flagged; }
 
 std::string findings_in_words(const std::vector<Finding>& findings) {
-  constexpr std::size_t most_told = 5;
+  constexpr std::size_t max_told = 5;
   const std::span<const Finding> all(findings);
-  const std::size_t told = std::min(most_told, all.size());
+  const std::size_t told = std::min(max_told, all.size());
   std::string text;
   for (const Finding& finding : all.first(told)) {
     text += (text.empty() ? "" : "; ") + finding.words;

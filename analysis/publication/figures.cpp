@@ -16,7 +16,7 @@ namespace foveola::analysis {
 std::string rating_figure_name(const Measure& rating) { return "ratings_" + rating.id(); }
 
 bool draws_participants(const StudyTables& tables) {
-  return tables.set.participants.size() <= most_dots;
+  return tables.set.participants.size() <= max_dots;
 }
 
 std::vector<Figure> draw_figures(const StudyTables& tables) {

@@ -11,7 +11,7 @@
 namespace foveola::analysis {
 
 /// Above this many participants the figures leave out the dots of single participants.
-inline constexpr std::size_t most_dots = 500;
+inline constexpr std::size_t max_dots = 500;
 
 /// The name of the figure of a rating.
 std::string rating_figure_name(const Measure& rating);

@@ -105,8 +105,8 @@ struct EndLabels {
 
   bool exist() const { return !low.empty() || !high.empty(); }
   bool are_long() const {
-    constexpr std::size_t most_characters = 64;
-    return count_characters(low) + count_characters(high) > most_characters;
+    constexpr std::size_t max_characters = 64;
+    return count_characters(low) + count_characters(high) > max_characters;
   }
 };
 
@@ -128,17 +128,17 @@ struct AboveBars {
 
 AboveBars above_bars(const Measure& measure, const std::vector<double>& points) {
   constexpr int line_height = 17;  // In SVG units.
-  constexpr std::size_t most_in_line = 8;
+  constexpr std::size_t max_in_line = 8;
   const auto end = [&](double point) {
     const std::string label = measure.label_of(point);
     return label.empty() ? label : fmt::format("{:g} {}", point, label);
   };
   const EndLabels ends{end(points.front()), end(points.back())};
   const int end_lines = !ends.exist() ? 0 : ends.are_long() ? 2 : 1;
-  const int key_lines = static_cast<int>((points.size() - 1) / most_in_line) + 1;
+  const int key_lines = static_cast<int>((points.size() - 1) / max_in_line) + 1;
   return {(ends.exist() ? end_label_script(ends, 1, end_lines - 0.5, 0.5) : "") +
               fmt::format("set key horizontal maxcols {} Left reverse samplen 1 width 0\n",
-                          most_in_line),
+                          max_in_line),
           line_height * (2 + key_lines + end_lines)};
 }
 

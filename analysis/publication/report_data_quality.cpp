@@ -15,7 +15,7 @@
 namespace foveola::analysis {
 namespace {
 
-constexpr std::size_t most_listed = 100;
+constexpr std::size_t max_listed = 100;
 
 std::string in_words(const study::RecordFault& fault) {
   return fault.participant.empty() ? fault.what
@@ -24,12 +24,12 @@ std::string in_words(const study::RecordFault& fault) {
 
 std::string fault_list(const std::vector<study::RecordFault>& faults) {
   std::string items = "<ul>\n";
-  for (std::size_t i = 0; i < std::min(most_listed, faults.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_listed, faults.size()); ++i) {
     items += fmt::format("<li>{}</li>\n", escape_html(in_words(faults[i])));
   }
-  if (faults.size() > most_listed) {
+  if (faults.size() > max_listed) {
     items += fmt::format("<li>and {} more, which <code>foveola study verify</code> lists</li>\n",
-                         faults.size() - most_listed);
+                         faults.size() - max_listed);
   }
   return items + "</ul>\n";
 }
@@ -57,14 +57,14 @@ std::string warnings_of(const study::Verification& record) {
 }
 
 std::string rest_in_words(std::size_t rows, const char* file) {
-  return rows > most_listed
-             ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - most_listed, file)
+  return rows > max_listed
+             ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - max_listed, file)
              : "";
 }
 
 /// No more rows of a table than these.
 PrintedTable shortened(PrintedTable table) {
-  table.rows.resize(std::min(most_listed, table.rows.size()));
+  table.rows.resize(std::min(max_listed, table.rows.size()));
   return table;
 }
 

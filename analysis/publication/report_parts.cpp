@@ -124,7 +124,7 @@ std::string in_these_scenes(const StudyTables& tables) {
 
 std::string points_left_out() {
   return fmt::format(
-      "With more than {} participants, the points of single participants are left out.", most_dots);
+      "With more than {} participants, the points of single participants are left out.", max_dots);
 }
 
 std::string table_html(const StudyTables& tables, const PrintedTable& table) {

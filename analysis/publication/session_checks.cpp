@@ -14,7 +14,7 @@
 namespace foveola::analysis {
 namespace {
 
-constexpr double most_elsewhere_percent = 50.0;  ///< Foveola's own, for want of a published one.
+constexpr double max_elsewhere_percent = 50.0;  ///< Foveola's own, for want of a published one.
 
 DataQualityCheck check_validation(const Dataset& set, const std::vector<study::GazeRunRow>& runs) {
   std::map<std::string, study::GazeRunRow> last_runs;
@@ -89,13 +89,13 @@ DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
       "Trials with the gaze elsewhere", "the gaze or the object was not recorded",
       fmt::format("{:g} % of each trial’s time to its last mark with a valid gaze that is not on "
                   "the object, ours",
-                  most_elsewhere_percent)};
+                  max_elsewhere_percent)};
   std::size_t known = 0;
   std::vector<Finding> elsewhere;
   for (const TrackedTrial& trial : trials) {
     if (const auto percent = percents_of(trial.gaze->figures.times).elsewhere) {
       ++known;
-      if (*percent > most_elsewhere_percent) {
+      if (*percent > max_elsewhere_percent) {
         elsewhere.push_back(
             {trial.gaze->participant, fmt::format("{}: {:.0f} %", trial.name, *percent)});
       }
@@ -112,7 +112,7 @@ DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
 // These limits are Foveola's own, for want of published ones, except that of the latency: at 50 to
 // 70 ms people begin to notice foveation (Albert, Patney, Luebke, Kim 2017).
 constexpr double most_late_percent = 1.0;
-constexpr double most_untracked_percent = 10.0;
+constexpr double max_untracked_percent = 10.0;
 constexpr double longest_latency_ms = 50.0;
 constexpr double longest_mark_gap_ms = 100.0;
 
@@ -184,7 +184,7 @@ DataQualityCheck check_cut_off(const std::vector<study::SessionCourse>& courses)
 }
 
 DataQualityCheck check_notes(const std::vector<study::SessionCourse>& courses) {
-  constexpr std::size_t most_characters = 80;
+  constexpr std::size_t max_characters = 80;
   DataQualityCheck check{"Notes in the sessions’ records", "no sessions recorded",
                          "none but those of routine, ours"};
   if (courses.empty()) {
@@ -195,7 +195,7 @@ DataQualityCheck check_notes(const std::vector<study::SessionCourse>& courses) {
     if (!course.notes.empty()) {
       const std::size_t others = course.notes.size() - 1;
       noted.push_back(fmt::format("{}: {}{}", course.participant,
-                                  beginning_of(course.notes.front(), most_characters),
+                                  beginning_of(course.notes.front(), max_characters),
                                   others == 0 ? "" : fmt::format(" (and {} more)", others)));
     }
   }
@@ -280,7 +280,7 @@ std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::St
 std::vector<DataQualityCheck> check_frames(const std::vector<study::FrameFigures>& frames) {
   return {check_figure(frames, "Frames that missed their refresh", "%", most_late_percent, "ours",
                        [](const auto& row) { return percent_of_frames(row, row.late); }),
-          check_figure(frames, "Frames without a valid gaze", "%", most_untracked_percent, "ours",
+          check_figure(frames, "Frames without a valid gaze", "%", max_untracked_percent, "ours",
                        [](const auto& row) { return percent_of_frames(row, row.untracked); }),
           check_figure(
               frames, "Latency, from the eye to the display", "ms", longest_latency_ms,

@@ -18,8 +18,8 @@ namespace {
 /// so many as can be seen.
 std::string curve_data(const SurvivalCurve& curve, std::size_t method, double start) {
   std::string data = fmt::format("$method{} << END\n{} 1\n", method, start);
-  constexpr std::size_t most_steps = 1000;
-  const std::size_t stride = 1 + curve.steps.size() / most_steps;
+  constexpr std::size_t max_steps = 1000;
+  const std::size_t stride = 1 + curve.steps.size() / max_steps;
   for (std::size_t i = 0; i < curve.steps.size(); i += stride) {
     data += fmt::format("{} {}\n", curve.steps[i].time, curve.steps[i].survival);
   }

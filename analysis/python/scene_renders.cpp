@@ -47,7 +47,7 @@ constexpr SettingNames names{.camera = "camera_m",
                              .remedy = "see help(foveola)"};
 
 RenderSettings settings_of(const RenderArguments& arguments) {
-  constexpr IVec2 usual_size{1024, 512};
+  constexpr IVec2 default_size{1024, 512};
   RenderSettings settings;
   settings.budget = budget_of({.samples_per_pixel = arguments.samples_per_pixel,
                                .samples = arguments.samples,
@@ -72,7 +72,7 @@ RenderSettings settings_of(const RenderArguments& arguments) {
     throw UsageError("method", "has a NUL in it", names.remedy);
   }
   settings.method = *arguments.method;
-  settings.progressive.film_size = size.value_or(usual_size);
+  settings.progressive.film_size = size.value_or(default_size);
   if (arguments.gaze_deg) {
     settings.gaze = angles_of(*arguments.gaze_deg);
   }

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/files/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/toml/toml_reader.h"
@@ -99,7 +99,7 @@ void read_figures(TomlReader& reader, Claim& claim) {
 }
 
 ClaimStage read_stage(TomlReader& reader, const std::string& file) {
-  constexpr double most_minutes = 100'000.0;
+  constexpr double max_minutes = 100'000.0;
   ClaimStage stage{.id = reader.require_text("id")};
   for (const TomlReader::Text& command : reader.texts("run")) {
     stage.run.push_back(command.value);
@@ -107,7 +107,7 @@ ClaimStage read_stage(TomlReader& reader, const std::string& file) {
   reader.require(stage.run.empty() ? "needs" : "minutes");
   reader.read("result", stage.result);
   reader.read("needs", stage.needs);
-  reader.read("minutes", stage.minutes, 0.0, most_minutes);
+  reader.read("minutes", stage.minutes, 0.0, max_minutes);
   reader.read("quick", stage.is_quick);
   for (TomlReader& inner : reader.tables("claim")) {
     Claim claim{.id = inner.require_text("id"), .place = place_of(file, inner.source())};

@@ -122,8 +122,8 @@ double AdditiveFit::sweep(Effects& effects, std::size_t TrialValue::* index) con
 
 /// By turns of participants and conditions: at once without missing cells, else in a few sweeps.
 void AdditiveFit::fit() {
-  constexpr int most_sweeps = 1000;
-  for (int i = 0; i < most_sweeps; ++i) {
+  constexpr int max_sweeps = 1000;
+  for (int i = 0; i < max_sweeps; ++i) {
     const double change = sweep(participants_, &TrialValue::participant);
     if (std::max(change, sweep(conditions_, &TrialValue::condition)) <= rounding_) {
       break;
@@ -134,7 +134,7 @@ void AdditiveFit::fit() {
 std::vector<ResidualOutlier> residual_outliers(const std::vector<TrialValue>& values,
                                                double alpha) {
   AdditiveFit fit(values);
-  const auto most = std::min<double>(most_residual_outliers, fit.degrees_of_freedom() / 5.0);
+  const auto most = std::min<double>(max_residual_outliers, fit.degrees_of_freedom() / 5.0);
   std::vector<ResidualOutlier> candidates;
   std::size_t outliers = 0;
   while (static_cast<double>(candidates.size()) + 1.0 <= most) {

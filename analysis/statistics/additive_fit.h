@@ -63,12 +63,12 @@ struct ResidualOutlier {
 };
 
 /// At most so many outliers are found.
-inline constexpr std::size_t most_residual_outliers = 20;
+inline constexpr std::size_t max_residual_outliers = 20;
 
 /// The trials that do not belong to an additive model of participants and conditions with normal
 /// residuals, the farthest first, by the generalized extreme studentized residual (Paul and Fung
 /// 1991, Technometrics 33; Rosner's 1983 method in a linear model): the trial with the largest
-/// studentized residual is taken out and the model fitted anew, `most_residual_outliers` times or
+/// studentized residual is taken out and the model fitted anew, `max_residual_outliers` times or
 /// up to a fifth of the residual degrees of freedom; the outliers are those up to the last that
 /// exceeded its limit, the Bonferroni bound of the largest at level alpha. So some outliers do not
 /// mask each other, and of studies with normal residuals a share of about alpha has any. Cells may

@@ -98,7 +98,7 @@ std::optional<Interval> bca_from_replicates(double observed, std::vector<double>
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings) {
   const std::vector<double> logs = logarithms(values);
-  if (logs.size() < fewest_for_bca) {
+  if (logs.size() < min_for_bca) {
     return std::nullopt;
   }
   const std::optional<Interval> interval =

@@ -20,11 +20,11 @@ struct BootstrapSettings {
 /// Few values have few resamples and too little spread: the mean of this many normal values is
 /// covered by 31 % of 95 % intervals with 2 values, 70 % with 3, 83 % with 5, 88 % with 8, 90 %
 /// with 10, 92 % with 16 and 94 % with 24 (2000 studies each), where t covers 95 % with any number.
-inline constexpr std::size_t fewest_for_bca = 8;
+inline constexpr std::size_t min_for_bca = 8;
 
 /// The bias-corrected and accelerated interval (Efron 1987) of the geometric mean: exp of the
 /// interval of the mean of logarithms, with the acceleration from the jackknife. It takes a few
-/// milliseconds. Empty for fewer than fewest_for_bca values or when every resample gives the same
+/// milliseconds. Empty for fewer than min_for_bca values or when every resample gives the same
 /// mean. Throws Error as logarithms does.
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings = {});

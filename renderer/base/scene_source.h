@@ -57,7 +57,7 @@ struct ObjectOfInterest {
 };
 
 /// Exposures are chosen and described from minus to plus so many stops.
-inline constexpr double most_exposure_stops = 40.0;
+inline constexpr double max_exposure_stops = 40.0;
 
 /// The lens of a camera, as far as it can be described.
 inline constexpr double narrowest_camera_fov_deg = 1e-3;

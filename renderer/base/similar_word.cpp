@@ -9,7 +9,7 @@ namespace foveola {
 namespace {
 
 /// Edits that a slip of the fingers takes. More of them lead to words that nobody meant.
-constexpr std::size_t most_edits = 2;
+constexpr std::size_t max_edits = 2;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::optional<std::string> similar_word(std::string_view word,
                                         const std::vector<std::string>& known) {
   constexpr std::size_t longest = 100;
   std::optional<std::string> nearest;
-  std::size_t fewest = most_edits + 1;
+  std::size_t fewest = max_edits + 1;
   for (const std::string& candidate : known) {
     const std::size_t length = std::max(word.size(), candidate.size());
     if (length > longest) {

@@ -88,7 +88,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = loaded.camera.heading}});
   Preview preview(loaded.tracer,
                   {.render = loaded.rendered_with(settings.progressive),
-                   .view_size = settings.view.value_or(usual_view_size),
+                   .view_size = settings.view.value_or(default_view_size),
                    .exposure_stops = source.exposure_stops.value_or(0.0)},
                   *eye, head, workers);
   const std::uint32_t seed = settings.progressive.trace.seed;

@@ -233,7 +233,7 @@ RenderSettings settings_from(const TracingArguments& arguments) {
 }
 
 /// The numbers of threads that are measured by default: one, and all cores.
-std::vector<int> usual_threads() {
+std::vector<int> default_threads() {
   const int cores = usable_cores();
   return cores == 1 ? std::vector{1} : std::vector{1, cores};
 }
@@ -243,7 +243,7 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene,
   const SceneSource source = find_scene(arguments.scene);
   RenderSettings settings = settings_from(arguments);
   std::vector<TracingFigures> runs;
-  for (const int threads : arguments.threads.empty() ? usual_threads() : arguments.threads) {
+  for (const int threads : arguments.threads.empty() ? default_threads() : arguments.threads) {
     settings.threads = threads;
     runs.push_back(measure(source, settings, arguments.repetitions, arguments.no_fast_path, stop));
   }

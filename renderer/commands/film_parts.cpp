@@ -27,7 +27,7 @@ constexpr const char* by_seeds = "seeds";
 constexpr const char* filmic = "filmic";
 
 /// Of an image that is made: more than 5 GB of memory.
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
 const char* name_of(RenderPart::By by) { return by == RenderPart::By::tiles ? by_tiles : by_seeds; }
 
@@ -262,10 +262,10 @@ MergedRender merged(const std::vector<std::filesystem::path>& parts, const Worke
   }
   require_whole(sources);
   const FilmHeader& header = sources.front().film->header();
-  if (static_cast<std::int64_t>(header.size.x) * header.size.y > most_pixels) {
+  if (static_cast<std::int64_t>(header.size.x) * header.size.y > max_pixels) {
     throw Error(sources.front().path().string(),
                 fmt::format("is an image of more than {} pixels, which one machine cannot hold",
-                            most_pixels),
+                            max_pixels),
                 "render a smaller one");
   }
   MergedRender result{

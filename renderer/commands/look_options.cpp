@@ -65,10 +65,10 @@ double parse_stops(const std::string& text, std::string_view number) {
     number.remove_prefix(1);
   }
   const std::optional<double> stops = parse_finite_number(number);
-  if (!stops || std::abs(*stops) > most_exposure_stops) {
+  if (!stops || std::abs(*stops) > max_exposure_stops) {
     throw UsageError("--exposure", fmt::format("'{}' is no exposure", text),
                      fmt::format("give stops from {:g} to {:g}, auto, auto+1, auto-1, or fixed:2",
-                                 -most_exposure_stops, most_exposure_stops));
+                                 -max_exposure_stops, max_exposure_stops));
   }
   return *stops;
 }

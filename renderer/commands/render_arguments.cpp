@@ -18,7 +18,7 @@ namespace {
 constexpr std::array splits{Word<RenderPart::By>{"tiles", RenderPart::By::tiles},
                             Word<RenderPart::By>{"seeds", RenderPart::By::seeds}};
 constexpr double usual_samples_per_pixel = 32.0;
-constexpr double usual_samples_per_pixel_of_panorama = 16.0;
+constexpr double default_samples_per_pixel_of_panorama = 16.0;
 
 /// Whether a 360-degree image was asked for: by name, or by an option that only that has.
 bool is_panorama(const CLI::App& command, const RenderArguments& arguments) {
@@ -145,7 +145,7 @@ void add_budget_options(CLI::App& command, RenderArguments& arguments) {
   budget->add_option("--spp", arguments.samples_per_pixel,
                      fmt::format("Samples per pixel on average over the image (default: {}, or {} "
                                  "of a 360-degree image)",
-                                 usual_samples_per_pixel, usual_samples_per_pixel_of_panorama));
+                                 usual_samples_per_pixel, default_samples_per_pixel_of_panorama));
   budget->add_option("--samples", arguments.samples, "Number of samples over the whole image");
   budget->add_option("--seconds", arguments.seconds, "Seconds of tracing");
   budget->require_option(0, 1);
@@ -223,7 +223,7 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
                  .samples = arguments.samples,
                  .seconds = arguments.seconds,
                  .default_samples_per_pixel =
-                     panorama ? usual_samples_per_pixel_of_panorama : usual_samples_per_pixel});
+                     panorama ? default_samples_per_pixel_of_panorama : usual_samples_per_pixel});
   require_possible(settings);
   require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
   require(arguments.adaptive_contrast >= 0.0 && arguments.adaptive_contrast < 1.0, "--adaptive",
@@ -246,14 +246,14 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       "--size", arguments.size,
       fmt::format("Size of the image in pixels, WIDTHxHEIGHT (default: {}, cut to the "
                   "camera's aspect ratio, or {} of a 360-degree image)",
-                  size_text(usual_picture_size),
+                  size_text(default_picture_size),
                   size_text(arguments.settings.progressive.film_size)));
   add_viewpoint_options(command, arguments.look);
   add_fov_option(
       command, arguments.look,
       fmt::format("the camera's own, else {} along the larger side; {} of the display in "
                   "a 360-degree image",
-                  usual_picture_fov_deg, arguments.settings.field_of_view.horizontal_deg));
+                  default_picture_fov_deg, arguments.settings.field_of_view.horizontal_deg));
   add_light_options(command, arguments.look);
   add_exposure_option(command, arguments.look);
   add_tone_option(command, arguments.look);

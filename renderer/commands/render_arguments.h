@@ -26,7 +26,7 @@ struct RenderArguments {
   std::string pointer;
   std::string lens;
   std::string view;
-  std::string view_size = size_text(usual_view_size);
+  std::string view_size = size_text(default_view_size);
   bool fill_unsampled = false;
   std::optional<double> samples_per_pixel;
   std::optional<std::int64_t> samples;

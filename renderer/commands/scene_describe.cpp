@@ -130,7 +130,7 @@ void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
   source.described_sha256 = loaded.scene.sha256;
   const Viewport view = viewport_of(loaded.camera, picture_of(loaded.camera, {}).field_of_view);
   source.exposure_stops = std::clamp(chosen_exposure(exposure, loaded, view, {}, workers).stops,
-                                     -most_exposure_stops, most_exposure_stops);
+                                     -max_exposure_stops, max_exposure_stops);
 }
 
 /// What a descriptor names lies in its own folder.

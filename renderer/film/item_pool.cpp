@@ -51,7 +51,7 @@ HugePage HugePages::take() {
 
 void HugePages::make_ready() {
   const std::scoped_lock lock(mutex_);
-  if (taken_ <= taken_without_thread || ready_.size() == most_ready) {
+  if (taken_ <= taken_without_thread || ready_.size() == max_ready) {
     return;
   }
   if (!maker_.joinable()) {
@@ -68,7 +68,7 @@ std::size_t HugePages::ready() const {
 void HugePages::make_pages(const std::stop_token& stop) {
   try {
     std::unique_lock lock(mutex_);
-    const auto lacks_some = [this] { return ready_.size() < most_ready; };
+    const auto lacks_some = [this] { return ready_.size() < max_ready; };
     while (are_wanted_.wait(lock, stop, lacks_some) && !stop.stop_requested()) {
       lock.unlock();
       HugePage page = make_huge_page();

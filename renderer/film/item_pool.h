@@ -33,7 +33,7 @@ using HugePage = std::unique_ptr<std::byte[], UnmapHugePage>;
 class HugePages {
  public:
   /// Pages that are ready at a time: what is never taken costs no more than these.
-  static constexpr std::size_t most_ready = 2;
+  static constexpr std::size_t max_ready = 2;
   /// Who takes no more pages than these does without a thread.
   static constexpr std::size_t taken_without_thread = 3;
 

@@ -119,8 +119,8 @@ void fill(const SpherePlanes<PremultipliedTexel>& cells, const Vec2s& image, Int
 
 void shown_colors(const SpherePlanes<PremultipliedTexel>& cells, std::span<const ViewPoints> points,
                   UnsampledPixels unsampled, std::span<Vec3s> colors) {
-  assert(points.size() <= most_view_points && colors.size() == points.size());
-  std::array<SquaresOfLevels, most_view_points> squares;
+  assert(points.size() <= max_view_points && colors.size() == points.size());
+  std::array<SquaresOfLevels, max_view_points> squares;
   for (std::size_t i = 0; i < points.size(); ++i) {
     find_squares(cells, points[i], squares[i]);
   }

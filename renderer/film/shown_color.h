@@ -54,11 +54,11 @@ struct ViewPoints {
 };
 
 /// As many groups of eight pixels as shown_colors takes.
-inline constexpr std::size_t most_view_points = 8;
+inline constexpr std::size_t max_view_points = 8;
 
 /// For each group of eight pixels, the trilinear mean of the cells around each pixel, over that of
 /// the cells' weights; what is not known is black, or filled. Linear radiance. As many `colors` as
-/// `points`: up to most_view_points, for which memory is asked before the first are worked out.
+/// `points`: up to max_view_points, for which memory is asked before the first are worked out.
 void shown_colors(const SpherePlanes<PremultipliedTexel>& cells, std::span<const ViewPoints> points,
                   UnsampledPixels unsampled, std::span<Vec3s> colors);
 

@@ -208,11 +208,11 @@ void FilmResampler<Image>::find_squares(const Workers& workers) {
 
 template <typename Image>
 void FilmResampler<Image>::paint_all(std::size_t begin, std::size_t end) {
-  std::array<EightPixels, most_view_points> pixels;
-  std::array<ViewPoints, most_view_points> points;
+  std::array<EightPixels, max_view_points> pixels;
+  std::array<ViewPoints, max_view_points> points;
   while (begin < end) {
     std::size_t count = 0;
-    for (; count < most_view_points && begin < end; begin += lane_count) {
+    for (; count < max_view_points && begin < end; begin += lane_count) {
       pixels[count] = eight_from(begin);
       points[count++] = pixels_.points_from(begin);
     }
@@ -230,11 +230,11 @@ void FilmResampler<Image>::paint_changed(std::size_t begin, std::size_t end) {
   }
   // The last group is made whole with pixels that are there.
   std::fill_n(changed.begin() + count, lane_count, static_cast<std::uint32_t>(begin));
-  std::array<EightPixels, most_view_points> pixels;
-  std::array<ViewPoints, most_view_points> points;
+  std::array<EightPixels, max_view_points> pixels;
+  std::array<ViewPoints, max_view_points> points;
   for (std::size_t first = 0; first < count;) {
     std::size_t groups = 0;
-    for (; groups < most_view_points && first < count; first += lane_count) {
+    for (; groups < max_view_points && first < count; first += lane_count) {
       std::copy_n(changed.begin() + first, lane_count, pixels[groups].begin());
       points[groups] = pixels_.points(pixels[groups]);
       ++groups;
@@ -246,7 +246,7 @@ void FilmResampler<Image>::paint_changed(std::size_t begin, std::size_t end) {
 template <typename Image>
 void FilmResampler<Image>::paint(std::span<const EightPixels> pixels,
                                  std::span<const ViewPoints> points) {
-  std::array<Vec3s, most_view_points> colors;
+  std::array<Vec3s, max_view_points> colors;
   shown_colors(copy_.cells(), points, unsampled_, std::span(colors).first(points.size()));
   for (std::size_t group = 0; group < pixels.size(); ++group) {
     Vec3s color = colors[group];

@@ -18,7 +18,7 @@
 namespace foveola {
 
 /// Pixels of a display's image where nobody asks for others.
-inline constexpr IVec2 usual_view_size{640, 640};
+inline constexpr IVec2 default_view_size{640, 640};
 
 /// Resamples the film to a view of width x height pixels, trilinearly: a pixel of the display is
 /// read from the levels of the film's pyramid whose cells are as high as it is. Film pixels are

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Nanoseconds longest_to_fit = std::chrono::milliseconds(100);
 constexpr Nanoseconds shortest_to_fit = std::chrono::milliseconds(40);
-constexpr std::size_t fewest_to_fit = 5;
+constexpr std::size_t min_to_fit = 5;
 /// In standard errors: what is no faster may be noise.
 constexpr double doubted_velocity = 4.0;
 constexpr double largest_turn_rad = radians(2.0);
@@ -82,7 +82,7 @@ DVec3 limited(const DVec3& turn_rad) {
 }
 
 bool suffice(std::span<const GazeSample> samples) {
-  return samples.size() >= fewest_to_fit &&
+  return samples.size() >= min_to_fit &&
          samples.back().time - samples.front().time >= shortest_to_fit;
 }
 

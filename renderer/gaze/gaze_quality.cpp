@@ -12,12 +12,12 @@ namespace foveola {
 namespace {
 
 /// The fewest samples: those of a fixation at the slowest trackers, 30 Hz (assumed).
-constexpr std::size_t fewest_samples = 10;
+constexpr std::size_t min_samples = 10;
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
 /// The intervals between samples that arrived one after the other, valid or not.
-std::optional<double> usual_interval_s(std::span<const WatchedTarget> watched) {
+std::optional<double> default_interval_s(std::span<const WatchedTarget> watched) {
   std::vector<double> intervals_s;
   for (const WatchedTarget& target : watched) {
     for (std::size_t i = 1; i < target.samples.size(); ++i) {
@@ -118,7 +118,7 @@ double deviation_deg(const std::vector<Vec3>& directions, const Vec3& mean) {
 
 std::optional<SeenTarget> seen_target(const WatchedTarget& target) {
   const Fixated gaze = fixated(target.samples);
-  if (gaze.directions.size() < fewest_samples || gaze.steps_deg.empty()) {
+  if (gaze.directions.size() < min_samples || gaze.steps_deg.empty()) {
     return std::nullopt;
   }
   const Vec3 mean = mean_direction(gaze.directions);
@@ -152,7 +152,7 @@ std::optional<GazeFigures> figures_of(const std::vector<TargetQuality>& targets)
 
 GazeQuality gaze_quality(std::span<const WatchedTarget> watched) {
   assert(!watched.empty());
-  const std::optional<double> interval_s = usual_interval_s(watched);
+  const std::optional<double> interval_s = default_interval_s(watched);
   GazeQuality quality;
   double losses = 0.0;
   for (const WatchedTarget& target : watched) {
@@ -184,8 +184,8 @@ void InterSampleIntervals::add(const GazeSample& sample) {
   if (last_time_) {
     constexpr double gap_intervals = 1.5;
     const double interval_s = seconds(sample.time - *last_time_);
-    const std::optional<double> usual_s = median_interval_s();
-    gaps_ += usual_s && interval_s > gap_intervals * *usual_s ? 1 : 0;
+    const std::optional<double> default_s = median_interval_s();
+    gaps_ += default_s && interval_s > gap_intervals * *default_s ? 1 : 0;
     intervals_s_.push_back(interval_s);
     if (intervals_s_.size() > window) {
       intervals_s_.pop_front();
@@ -200,13 +200,13 @@ std::optional<double> InterSampleIntervals::rate_hz() const {
 }
 
 std::optional<double> InterSampleIntervals::jitter_ms() const {
-  const std::optional<double> usual_s = median_interval_s();
-  if (!usual_s) {
+  const std::optional<double> default_s = median_interval_s();
+  if (!default_s) {
     return std::nullopt;
   }
   double sum_s = 0.0;
   for (const double interval_s : intervals_s_) {
-    sum_s += std::abs(interval_s - *usual_s);
+    sum_s += std::abs(interval_s - *default_s);
   }
   constexpr double ms_per_s = 1e3;
   return ms_per_s * sum_s / static_cast<double>(intervals_s_.size());

@@ -11,15 +11,15 @@ constexpr Nanoseconds longest_delay = std::chrono::seconds(1);
 
 }  // namespace
 
-HeadsetMotion::HeadsetMotion() { past_.reserve(most_kept); }
+HeadsetMotion::HeadsetMotion() { past_.reserve(max_kept); }
 
 void HeadsetMotion::head_was(Nanoseconds time, const Quat& room_from_head) {
   const std::scoped_lock lock(mutex_);
   while (!past_.empty() && past_.back().time >= time) {
     past_.pop_back();
   }
-  if (past_.size() == most_kept) {
-    past_.erase(past_.begin(), past_.begin() + most_kept / 2);
+  if (past_.size() == max_kept) {
+    past_.erase(past_.begin(), past_.begin() + max_kept / 2);
   }
   past_.push_back({.time = time, .room_from_head = room_from_head});
 }

@@ -15,7 +15,7 @@ namespace foveola {
 class HeadsetMotion {
  public:
   /// How many orientations are kept at most, of the newest of times: those of a second or two.
-  static constexpr std::size_t most_kept = 1024;
+  static constexpr std::size_t max_kept = 1024;
 
   HeadsetMotion();
 

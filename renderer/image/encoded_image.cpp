@@ -28,7 +28,7 @@ struct Format {
   const char* name;  ///< OpenImageIO's
   std::string_view magic;
   unsigned uses;  ///< a bit for each of ImageFormats
-  std::size_t most_pixels_per_byte;
+  std::size_t max_pixels_per_byte;
 };
 
 constexpr std::size_t any_number = std::numeric_limits<std::uint32_t>::max();
@@ -158,10 +158,10 @@ std::size_t webp_pixels(std::span<const unsigned char> encoded) {
 }
 
 void require_modest_webp(std::span<const unsigned char> encoded) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 26;
-  if (const std::size_t pixels = webp_pixels(encoded); pixels > most_pixels) {
+  constexpr std::size_t max_pixels = std::size_t{1} << 26;
+  if (const std::size_t pixels = webp_pixels(encoded); pixels > max_pixels) {
     throw std::runtime_error(
-        fmt::format("has {} pixels; up to {} of a WebP image are read", pixels, most_pixels));
+        fmt::format("has {} pixels; up to {} of a WebP image are read", pixels, max_pixels));
   }
 }
 
@@ -178,9 +178,9 @@ void require_whole(std::span<const unsigned char> encoded, std::string_view form
 void require_plausible_size(const ImageHeader& header, const Format& format,
                             std::size_t encoded_size) {
   constexpr std::size_t always_shown = std::size_t{1} << 26;  // of which a file may hold a part
-  const std::size_t most_stored = format.most_pixels_per_byte * encoded_size;
+  const std::size_t max_stored = format.max_pixels_per_byte * encoded_size;
   const std::size_t shown = static_cast<std::size_t>(header.width) * header.height;
-  if (header.stored_pixels > most_stored || shown > std::max(always_shown, most_stored)) {
+  if (header.stored_pixels > max_stored || shown > std::max(always_shown, max_stored)) {
     throw std::runtime_error(fmt::format("is damaged: {} bytes cannot hold {} pixels", encoded_size,
                                          std::max(header.stored_pixels, shown)));
   }

@@ -35,11 +35,11 @@ Nanoseconds FrameBudget::begin_frame(Nanoseconds left, Nanoseconds interval) {
   if (!is_drawing_too_slow_) {
     return left;
   }
-  const double usual_rest_s = rest_s_.usual();
+  const double default_rest_s = rest_s_.usual();
   // As every frame is late, none keeps what is kept for being in time.
-  const double kept_s = rest_s_.seldom_exceeded() - usual_rest_s + reserve_s_;
+  const double kept_s = rest_s_.seldom_exceeded() - default_rest_s + reserve_s_;
   return left +
-         nanoseconds_from_seconds((refreshes_for(usual_rest_s) - 1.0) * interval_s_ + kept_s);
+         nanoseconds_from_seconds((refreshes_for(default_rest_s) - 1.0) * interval_s_ + kept_s);
 }
 
 double FrameBudget::refreshes_for(double rest_s) const {
@@ -103,13 +103,13 @@ FrameBudget FrameBudget::for_another_preview() const {
 
 void FrameBudget::judge_drawing() {
   constexpr double gain = 1.0 / 16.0;
-  constexpr double most_slow = 0.75;   // reached by 22 slow frames in a row
+  constexpr double max_slow = 0.75;    // reached by 22 slow frames in a row
   constexpr double hysteresis = 0.78;  // so much shorter is fast again
   const double longest_rest_s = (1.0 - traced_share_) * interval_s_;
   const bool is_slow = interval_s_ > 0.0 && rest_s_.mean() >= longest_rest_s;
   slow_share_ += gain * ((is_slow ? 1.0 : 0.0) - slow_share_);
-  is_drawing_too_slow_ = is_drawing_too_slow_ ? rest_s_.mean() >= hysteresis * longest_rest_s
-                                              : slow_share_ > most_slow;
+  is_drawing_too_slow_ =
+      is_drawing_too_slow_ ? rest_s_.mean() >= hysteresis * longest_rest_s : slow_share_ > max_slow;
 }
 
 double FrameBudget::samples_in(Nanoseconds left) const {

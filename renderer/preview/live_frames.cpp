@@ -10,7 +10,7 @@ namespace {
 
 /// The most batches of a frame. The third fills what the second leaves, a sixteenth of the time or
 /// less where costs vary by a tenth; a fourth finds a hundredth.
-constexpr int most_batches = 3;
+constexpr int max_batches = 3;
 
 KnownDuration measured(double duration_s) {
   return {.duration_s = std::max(0.0, duration_s), .provenance = Provenance::measured};
@@ -79,7 +79,7 @@ void LiveFrames::trace(LiveFrame& frame) {
   const Nanoseconds end = start + budget_.begin_frame(frame.deadline - start, refresh_.interval());
   const auto left = [&] { return end - clock_->now(); };
   std::uint64_t samples = budget_.first_batch(left());
-  for (int batch = 0; batch < most_batches && samples > 0; ++batch) {
+  for (int batch = 0; batch < max_batches && samples > 0; ++batch) {
     trace_batch(samples, frame);
     samples = budget_.next_batch(left());
   }

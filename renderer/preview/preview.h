@@ -23,7 +23,7 @@ struct PreviewSettings {
   /// Adaptive sampling judges noise at the exposure below.
   ProgressiveSettings render;
   FieldOfView field_of_view;
-  IVec2 view_size = usual_view_size;                   ///< pixels of the presented image
+  IVec2 view_size = default_view_size;                 ///< pixels of the presented image
   UnsampledPixels unsampled = UnsampledPixels::black;  ///< in the presented image
   double exposure_stops = 0.0;  ///< what is presented is brightened by 2^stops
   /// What the frames' gaze goes through, in the head's axes as the eye tracker gives it. A restart

@@ -91,7 +91,7 @@ std::optional<double> automatic_exposure_stops(std::vector<float> luminances) {
   constexpr double middle_grey = 0.18;
   constexpr double share_below_bright = 0.95;
   constexpr float darkest_of_bright = 1.0F / 256.0F;
-  constexpr double most_for_bright = 2.0;
+  constexpr double max_for_bright = 2.0;
   std::erase_if(luminances, [](float value) { return !(value > 0.0F) || !std::isfinite(value); });
   if (luminances.empty()) {
     return std::nullopt;
@@ -110,10 +110,10 @@ std::optional<double> automatic_exposure_stops(std::vector<float> luminances) {
   }
   const double by_mean = std::log2(middle_grey) - sum / static_cast<double>(counted);
   const double bright_is_white = -std::log2(static_cast<double>(bright));
-  const double stops = std::max(std::min(by_mean, bright_is_white), by_mean - most_for_bright);
+  const double stops = std::max(std::min(by_mean, bright_is_white), by_mean - max_for_bright);
   constexpr double steps_per_stop = 100.0;
   const double rounded = std::round(steps_per_stop * stops) / steps_per_stop;
-  return std::clamp(rounded, -most_exposure_stops, most_exposure_stops) + 0.0;  // and never -0
+  return std::clamp(rounded, -max_exposure_stops, max_exposure_stops) + 0.0;  // and never -0
 }
 
 std::optional<double> automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,

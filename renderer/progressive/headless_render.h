@@ -26,7 +26,7 @@ namespace foveola {
 /// The number in [1, shards] of the part that has `pixel`, the same for all renders. Small tiles
 /// are dealt in turn, row by row, and the turn moves by the golden section of a round from row to
 /// row: wherever there are many tiles, each part has as many of them, far from one another, so that
-/// all trace about as much wherever samples go. shards: in [1, most_shards].
+/// all trace about as much wherever samples go. shards: in [1, max_shards].
 inline std::int64_t shard_of_pixel(const IVec2& pixel, std::int64_t shards) {
   // In pixels. A fovea, which gets a tenth of the samples, has some 50 such tiles in an image of
   // 1024 pixels; larger ones could not be dealt evenly, and smaller ones hardly more so.

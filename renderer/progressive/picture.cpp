@@ -8,7 +8,7 @@ namespace foveola {
 namespace {
 
 IVec2 fitted_size(double aspect_ratio) {
-  const IVec2 most = usual_picture_size;
+  const IVec2 most = default_picture_size;
   const int width = static_cast<int>(std::lround(std::min<double>(most.x, most.y * aspect_ratio)));
   const int height = static_cast<int>(std::lround(std::min<double>(most.y, most.x / aspect_ratio)));
   return glm::max(IVec2(width, height), IVec2(1));
@@ -24,7 +24,7 @@ double half_extent(double fov_deg) { return filled * std::tan(0.5 * radians(fov_
 Picture picture_of(const CameraView& camera, const PictureChoices& choices) {
   Picture picture;
   picture.size = choices.size.value_or(camera.aspect_ratio ? fitted_size(*camera.aspect_ratio)
-                                                           : usual_picture_size);
+                                                           : default_picture_size);
   const double height_by_width = static_cast<double>(picture.size.y) / picture.size.x;
   FieldOfView& fov = picture.field_of_view;
   if (choices.horizontal_fov_deg) {
@@ -33,7 +33,7 @@ Picture picture_of(const CameraView& camera, const PictureChoices& choices) {
     fov.horizontal_deg = fov_across_deg(1.0 / height_by_width, degrees(*camera.vertical_fov_rad));
   } else {
     fov.horizontal_deg =
-        fov_across_deg(std::min(1.0, 1.0 / height_by_width), usual_picture_fov_deg);
+        fov_across_deg(std::min(1.0, 1.0 / height_by_width), default_picture_fov_deg);
   }
   fov.vertical_deg =
       choices.vertical_fov_deg.value_or(fov_across_deg(height_by_width, fov.horizontal_deg));

@@ -14,10 +14,10 @@ namespace foveola {
 
 /// The larger side of what a picture shows where neither the camera nor the user says it. About
 /// what a lens of 31 mm shows in front of a sensor 36 mm wide.
-inline constexpr double usual_picture_fov_deg = 60.0;
+inline constexpr double default_picture_fov_deg = 60.0;
 
 /// A picture has at most so many pixels each way unless the user gives its size.
-inline constexpr IVec2 usual_picture_size{1280, 720};
+inline constexpr IVec2 default_picture_size{1280, 720};
 
 /// What a user may choose of a picture.
 struct PictureChoices {

@@ -68,11 +68,11 @@ struct RayThrough {
 
 RayThrough follow(const RayScene& scene, const Groups& groups, const Vec3& origin,
                   const Vec3& direction) {
-  constexpr int most_surfaces = 64;
+  constexpr int max_surfaces = 64;
   constexpr float beyond = 1.0F + 1e-4F;  // further than the rounding of a hit's distance
   RayThrough through;
   Ray ray{.origin = origin, .direction = direction};
-  for (int surface = 0; surface < most_surfaces; ++surface) {
+  for (int surface = 0; surface < max_surfaces; ++surface) {
     const Hit hit = scene.closest_hit(ray);
     if (hit.missed()) {
       break;
@@ -160,8 +160,8 @@ struct Candidate {
 
 std::optional<Candidate> candidate(const LoadedScene& loaded, const Group& group, const Seen& seen,
                                    const View& view, const ProposalRule& rule) {
-  constexpr std::size_t fewest_rays = 12;
-  if (group.shines || seen.first_met.size() < fewest_rays || glm::length(seen.sum) == 0.0) {
+  constexpr std::size_t min_rays = 12;
+  if (group.shines || seen.first_met.size() < min_rays || glm::length(seen.sum) == 0.0) {
     return std::nullopt;
   }
   const auto first_met = static_cast<double>(seen.first_met.size());
@@ -198,14 +198,14 @@ bool are_apart(const Candidate& a, const Candidate& b) {
 
 /// The best that lie apart, of candidates in the order of their scores.
 std::vector<ProposedObject> best_of(const std::vector<Candidate>& candidates,
-                                    std::size_t most_objects) {
+                                    std::size_t max_objects) {
   std::vector<Candidate> chosen;
   std::vector<ProposedObject> proposed;
   for (const Candidate& next : candidates) {
     const bool is_apart = std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& better) {
       return are_apart(better, next);
     });
-    if (is_apart && chosen.size() < most_objects) {
+    if (is_apart && chosen.size() < max_objects) {
       chosen.push_back(next);
       proposed.push_back(next.proposed);
     }
@@ -227,7 +227,7 @@ std::vector<ProposedObject> propose_objects(const LoadedScene& loaded, const Wor
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-  return best_of(candidates, rule.most_objects);
+  return best_of(candidates, rule.max_objects);
 }
 
 }  // namespace foveola

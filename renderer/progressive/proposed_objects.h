@@ -28,7 +28,7 @@ struct ProposalRule {
   /// Of the circle of its radius, the least share that what is seen of it fills: neither cables nor
   /// frames.
   double least_fill = 0.15;
-  std::size_t most_objects = 12;
+  std::size_t max_objects = 12;
 };
 
 /// Proposes objects, the best first. An object is what bears one name in the file, or if it has no

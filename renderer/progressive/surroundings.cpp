@@ -191,17 +191,17 @@ std::vector<Outlook> wide_outlooks(const std::vector<Outlook>& narrow) {
 double best_azimuth_rad(const RayScene& rays, const Vec3& eye, double furthest_m) {
   const std::vector<Outlook> all = wide_outlooks(outlooks(rays, eye, furthest_m));
   double deepest = all.front().log_depth;
-  std::size_t most_objects = 1;
+  std::size_t max_objects = 1;
   for (const Outlook& outlook : all) {
     deepest = std::max(deepest, outlook.log_depth);
-    most_objects = std::max(most_objects, outlook.objects.size());
+    max_objects = std::max(max_objects, outlook.objects.size());
   }
   std::size_t best = 0;
   double most = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double seen =
         std::exp(all[i].log_depth - deepest) +
-        static_cast<double>(all[i].objects.size()) / static_cast<double>(most_objects);
+        static_cast<double>(all[i].objects.size()) / static_cast<double>(max_objects);
     constexpr double rounding = 1e-6;
     if (seen > most + rounding) {
       most = seen;

@@ -14,8 +14,8 @@ namespace foveola {
 namespace {
 
 // Fractions of a second's work.
-constexpr std::size_t most_vertices = 30'000'000;
-constexpr std::size_t most_comparisons = 10'000'000;
+constexpr std::size_t max_vertices = 30'000'000;
+constexpr std::size_t max_comparisons = 10'000'000;
 
 struct Volume {
   std::uint32_t object = 0;
@@ -33,7 +33,7 @@ std::vector<Volume> volumes_of(const Scene& scene) {
       continue;
     }
     vertices += mesh.positions.size();
-    if (vertices > most_vertices) {
+    if (vertices > max_vertices) {
       break;
     }
     volumes.push_back({.object = object, .bounds = scene.bounds_of(object)});
@@ -64,7 +64,7 @@ std::optional<std::string> warning_of_nested_volumes(const Scene& scene) {
     const Bounds& bounds = volumes[i].bounds;
     for (std::size_t k = i + 1; k < volumes.size() && volumes[k].bounds.lower.x <= bounds.upper.x;
          ++k) {
-      if (++comparisons > most_comparisons) {
+      if (++comparisons > max_comparisons) {
         return std::nullopt;
       }
       if (lies_within(volumes[k].bounds, bounds)) {

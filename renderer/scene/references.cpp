@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/confined_path.h"
+#include "renderer/base/files/file_access.h"
 #include "renderer/scene/sanitised.h"
 
 namespace foveola {

@@ -28,7 +28,7 @@ struct StabilityEffort {
   /// Relative tolerance of radiance with a known answer, which is sampled until five of its
   /// standard errors are below this.
   double tolerance = 0.01;
-  std::uint64_t most_samples = 1 << 22;  ///< most samples for one such radiance
+  std::uint64_t max_samples = 1 << 22;  ///< most samples for one such radiance
   int picture_width = 64;  ///< width of compared pictures, twice their height; multiple of 32
   int picture_samples_per_pixel = 64;        ///< in pictures that are compared with each other
   std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
@@ -40,14 +40,14 @@ struct StabilityEffort {
 constexpr StabilityEffort quick_effort{};
 /// For the figures of a release: about an hour on two cores.
 constexpr StabilityEffort thorough_effort{.tolerance = 0.001,
-                                          .most_samples = std::uint64_t{1} << 28,
+                                          .max_samples = std::uint64_t{1} << 28,
                                           .picture_samples_per_pixel = 1024,
                                           .leak_paths = 10'000'000,
                                           .scene_paths = 10'000'000,
                                           .film_samples = 1'000'000'000};
 /// Hours.
 constexpr StabilityEffort full_effort{.tolerance = 0.001,
-                                      .most_samples = std::uint64_t{1} << 30,
+                                      .max_samples = std::uint64_t{1} << 30,
                                       .picture_samples_per_pixel = 16384,
                                       .leak_paths = 100'000'000,
                                       .scene_paths = 1'000'000'000,

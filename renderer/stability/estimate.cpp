@@ -166,7 +166,7 @@ RadianceEstimate measure(const PathTracer& tracer, const Measurement& measuremen
     sums.add(round);
     const RadianceEstimate estimate = sums.estimate();
     const bool is_done = !is_number(estimate.mean) || largest(estimate.standard_error) < target ||
-                         estimate.samples >= run.effort.most_samples;
+                         estimate.samples >= run.effort.max_samples;
     if (is_done || run.stop.stop_requested()) {
       return estimate;
     }

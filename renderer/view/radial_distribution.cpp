@@ -164,8 +164,8 @@ double AcuityDistribution::eccentricity_deg(double u) const {
   double high = nodes_deg_[panel + 1];
   double e =
       low + (high - low) * std::sqrt((target - sums_[panel]) / (sums_[panel + 1] - sums_[panel]));
-  constexpr int most_steps = 60;
-  for (int step = 0; step < most_steps && low < high; ++step) {
+  constexpr int max_steps = 60;
+  for (int step = 0; step < max_steps && low < high; ++step) {
     const double excess = sums_[panel] + integral(nodes_deg_[panel], e) - target;
     (excess > 0.0 ? high : low) = e;
     const double slope = weight(e);
@@ -208,7 +208,7 @@ void EccentricityTable::add_pieces(const RadialDistribution& distribution, doubl
   constexpr double largest_error = 2e-7;  // relative, of the cubics alone
   // At the end even of a tail that thins out by twenty powers of ten, cells are then a hundredth of
   // what two floats below 1 are apart.
-  constexpr int most_halvings = 26;
+  constexpr int max_halvings = 26;
   const double cell = (end - begin) / cells_in_piece;
   // What holds at the ends of a piece is what holds inside it: at a knee the radius may jump, and
   // of the two radii there either is the neighbour's. A few roundings inside is inside for s^2 too.
@@ -224,7 +224,7 @@ void EccentricityTable::add_pieces(const RadialDistribution& distribution, doubl
     // Between its four points a cubic is farthest off near the ends.
     constexpr double t = 1.0 / 8.0;
     const double error = c[0] + t * (c[1] + t * (c[2] + t * c[3])) - exact(t);
-    if (std::abs(error) > largest_error * exact(t) && halvings < most_halvings) {
+    if (std::abs(error) > largest_error * exact(t) && halvings < max_halvings) {
       const double middle = 0.5 * (begin + end);
       add_pieces(distribution, begin, middle, halvings + 1);
       add_pieces(distribution, middle, end, halvings + 1);

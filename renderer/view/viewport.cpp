@@ -14,8 +14,8 @@ namespace foveola {
 namespace {
 
 constexpr std::size_t cells_of_digit = 4;
-constexpr std::size_t most_digits = 256;
-constexpr std::size_t most_rows = 1024;
+constexpr std::size_t max_digits = 256;
+constexpr std::size_t max_rows = 1024;
 
 bool is_grid(const std::vector<std::string>& rows) {
   const auto is_row = [&](const std::string& row) {
@@ -23,8 +23,8 @@ bool is_grid(const std::vector<std::string>& rows) {
              return std::isxdigit(static_cast<unsigned char>(digit)) != 0;
            });
   };
-  return !rows.empty() && rows.size() <= most_rows && !rows.front().empty() &&
-         rows.front().size() <= most_digits && std::all_of(rows.begin(), rows.end(), is_row);
+  return !rows.empty() && rows.size() <= max_rows && !rows.front().empty() &&
+         rows.front().size() <= max_digits && std::all_of(rows.begin(), rows.end(), is_row);
 }
 
 /// 1 for each cell that is seen, row by row.
@@ -87,8 +87,8 @@ double on_display(const RadialLens& lens, double distance, double furthest) {
   double low = 0.0;
   double high = furthest;
   double d = std::min(distance, high);
-  constexpr int most_steps = 60;
-  for (int step = 0; step < most_steps; ++step) {
+  constexpr int max_steps = 60;
+  for (int step = 0; step < max_steps; ++step) {
     const double excess = d * magnification(lens, d * d) - distance;
     (excess > 0.0 ? high : low) = d;
     const double newton = d - excess / growth(lens, d * d);

@@ -12,14 +12,14 @@
 namespace foveola {
 namespace {
 
-constexpr std::int64_t most_pixels = std::int64_t{64} << 20;
+constexpr std::int64_t max_pixels = std::int64_t{64} << 20;
 
 /// Before the pixels are read: a header can promise more of them than there is memory.
 void require_moderate_size(const std::filesystem::path& path) {
   const IVec2 size = image_size(path);
-  if (std::int64_t{size.x} * size.y > most_pixels) {
+  if (std::int64_t{size.x} * size.y > max_pixels) {
     throw Error(path.string(), fmt::format("{} x {} pixels are too many weights", size.x, size.y),
-                fmt::format("scale it down to at most {} million pixels", most_pixels >> 20));
+                fmt::format("scale it down to at most {} million pixels", max_pixels >> 20));
   }
 }
 

@@ -91,7 +91,7 @@ struct KeyTimes::Noted {
     bool is_down = false;
     Nanoseconds time{0};
   };
-  static constexpr std::size_t most_events = 256;  ///< events that GLFW has not come to
+  static constexpr std::size_t max_events = 256;  ///< events that GLFW has not come to
 
   Noted(Display* display_in, ::Window window, const Clock& clock_in)
       : display(display_in), clock(&clock_in), source(source_for(display_in, window, clock_in)) {
@@ -157,7 +157,7 @@ struct KeyTimes::Noted {
     const std::scoped_lock lock(mutex);
     events.push_back(
         {.keycode = static_cast<int>(event.keycode), .is_down = is_down, .time = time});
-    if (events.size() > most_events) {
+    if (events.size() > max_events) {
       events.pop_front();
     }
   }

@@ -46,10 +46,10 @@ std::vector<std::string> keyboard_names(Display* display) {
   unsigned long count = 0;
   unsigned long left = 0;
   unsigned char* bytes = nullptr;
-  constexpr long most_words = 256;
+  constexpr long max_words = 256;
   std::vector<std::string> names;
   if (name != 0 &&
-      XGetWindowProperty(display, DefaultRootWindow(display), name, 0, most_words, 0, XA_STRING,
+      XGetWindowProperty(display, DefaultRootWindow(display), name, 0, max_words, 0, XA_STRING,
                          &type, &format, &count, &left, &bytes) == 0 &&
       bytes != nullptr) {
     std::istringstream text(std::string(reinterpret_cast<char*>(bytes), count));

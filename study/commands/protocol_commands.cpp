@@ -42,10 +42,10 @@ std::vector<Plan> plans_of(const Protocol& protocol, int participants, std::uint
 /// As many as are planned, else one of each row of the design; 0 if neither says a number. Fewer if
 /// their trials would not fit in memory.
 int expected_participants(const Protocol& protocol) {
-  constexpr int most_trials = 2'000'000;
+  constexpr int max_trials = 2'000'000;
   const auto trials = static_cast<int>(protocol.scenes.size() * protocol.methods.size());
   return std::min(protocol.analysis.participants.value_or(design_rows(protocol)),
-                  most_trials / trials);
+                  max_trials / trials);
 }
 
 std::string balance_heading(const Protocol& protocol, int participants) {

@@ -63,8 +63,8 @@ struct Happened {
   /// The beginning: an amended protocol's note holds its whole text, and that of a session which
   /// goes on all about its devices.
   std::string operator()(const NoteWritten& note) const {
-    constexpr std::size_t most_characters = 160;
-    return "Note: " + beginning_of(note.text, most_characters);
+    constexpr std::size_t max_characters = 160;
+    return "Note: " + beginning_of(note.text, max_characters);
   }
   std::string operator()(const Withdrawn& /*event*/) const {
     return "The participant stopped taking part.";

@@ -53,7 +53,7 @@ void LineWriter::run() {
     if (text_.empty() || (is_closing_ && now - last_taken > patience)) {
       return;
     }
-    const std::string next = text_.substr(written_, most_taken_at_once);
+    const std::string next = text_.substr(written_, max_taken_at_once);
     lock.unlock();
     const std::size_t taken = write_taken(descriptor_, next, moment);
     lock.lock();
@@ -69,7 +69,7 @@ void LineWriter::run() {
 }
 
 std::size_t write_taken(int descriptor, std::string_view text, std::chrono::milliseconds longest) {
-  const std::string_view next = text.substr(0, most_taken_at_once);
+  const std::string_view next = text.substr(0, max_taken_at_once);
   pollfd output{.fd = descriptor, .events = POLLOUT, .revents = 0};
   if (::poll(&output, 1, static_cast<int>(longest.count())) == 0) {
     return 0;

@@ -41,7 +41,7 @@ class LineWriter {
 };
 
 /// A terminal that has room for any has room for so many bytes; a pipe for more.
-inline constexpr std::size_t most_taken_at_once = 256;
+inline constexpr std::size_t max_taken_at_once = 256;
 
 /// Writes the beginning of `text` once `descriptor` takes any. Returns how many bytes were taken: 0
 /// if none were within `longest`, all if none ever will be again.

@@ -86,11 +86,11 @@ std::string words_for(const GazeStatus& gaze) {
 }
 
 std::optional<StatusWarning> warning_of(const FrameStatus& frames) {
-  constexpr double most_late = 0.01;
+  constexpr double max_late = 0.01;
   // A single one says nothing about the machine.
   constexpr std::uint64_t fewest = 3;
   if (frames.late < fewest ||
-      static_cast<double>(frames.late) <= most_late * static_cast<double>(frames.frames)) {
+      static_cast<double>(frames.late) <= max_late * static_cast<double>(frames.frames)) {
     return std::nullopt;
   }
   return StatusWarning{

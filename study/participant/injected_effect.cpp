@@ -15,7 +15,7 @@ namespace foveola::study {
 namespace {
 
 constexpr double largest_factor = 1e3;
-constexpr double most_points = 1e6;
+constexpr double max_points = 1e6;
 
 [[noreturn]] void refuse(std::string_view part, const std::string& what) {
   throw UsageError(fmt::format("--inject {}", part), what,
@@ -38,10 +38,10 @@ double factor_from(std::string_view text, std::string_view part) {
   return number_from(text, 1.0 / largest_factor, largest_factor, part);
 }
 
-/// From -most_points to most_points, with or without a sign.
+/// From -max_points to max_points, with or without a sign.
 double points_from(std::string_view text, std::string_view part) {
   const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
-  return number_from(text.substr(has_plus ? 1 : 0), -most_points, most_points, part);
+  return number_from(text.substr(has_plus ? 1 : 0), -max_points, max_points, part);
 }
 
 /// The text of one effect, divided at its first and its last colon.

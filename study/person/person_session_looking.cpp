@@ -67,7 +67,7 @@ void PersonSession::judge_gaze() {
 }
 
 void PersonSession::follow_up(const std::string& finding, Remedy remedy, TimedAgain reason) {
-  const bool is_timed_again = remedy == Remedy::retime && driver_.state().timing <= most_retimings;
+  const bool is_timed_again = remedy == Remedy::retime && driver_.state().timing <= max_retimings;
   driver_.feed(NoteWritten{finding + (is_timed_again ? "; it is timed again" : "")});
   if (is_timed_again) {
     prompt_.timed_again = reason;

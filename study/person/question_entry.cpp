@@ -22,8 +22,8 @@ std::size_t points_of(const Question& question) {
 ScreenField::Kind kind_of(const Question& question) {
   switch (question.kind) {
     case QuestionKind::likert:
-      return points_of(question) <= QuestionEntry::most_points ? ScreenField::Kind::scale
-                                                               : ScreenField::Kind::line;
+      return points_of(question) <= QuestionEntry::max_points ? ScreenField::Kind::scale
+                                                              : ScreenField::Kind::line;
     case QuestionKind::choice:
       return ScreenField::Kind::choice;
     case QuestionKind::text:
@@ -61,11 +61,11 @@ std::vector<std::string> point_labels(const Question& question) {
 
 /// With the digits that choose them.
 std::vector<std::string> option_labels(const Question& question) {
-  constexpr std::size_t most_digits = 9;
+  constexpr std::size_t max_digits = 9;
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const std::string& label = question.options[i].label;
-    labels.push_back(i < most_digits ? fmt::format("{}  {}", i + 1, label) : label);
+    labels.push_back(i < max_digits ? fmt::format("{}  {}", i + 1, label) : label);
   }
   return labels;
 }

@@ -39,7 +39,7 @@ class QuestionEntry {
   const Question& question() const { return question_; }
 
   /// Scales with more points than this are typed in as numbers.
-  static constexpr std::size_t most_points = 21;
+  static constexpr std::size_t max_points = 21;
 
  private:
   bool is_listed() const { return !labels_.empty(); }

@@ -10,9 +10,9 @@
 namespace foveola::study {
 namespace {
 
-constexpr const char* usual_tracker = "pointer";
+constexpr const char* default_tracker = "pointer";
 constexpr const char* headsets_tracker = "openxr";
-constexpr const char* usual_display = "desktop";
+constexpr const char* default_display = "desktop";
 
 }  // namespace
 
@@ -20,7 +20,7 @@ DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol)
   if (settings.display.empty() && protocol.display.profile) {
     return *protocol.display.profile;
   }
-  return read_display_profile(settings.display.empty() ? usual_display : settings.display);
+  return read_display_profile(settings.display.empty() ? default_display : settings.display);
 }
 
 TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol) {
@@ -31,7 +31,7 @@ TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol)
     return read_tracker_profile(settings.tracker);
   }
   const bool is_headset = display_of(settings, protocol).kind == DisplayKind::openxr;
-  return read_tracker_profile(is_headset ? headsets_tracker : usual_tracker);
+  return read_tracker_profile(is_headset ? headsets_tracker : default_tracker);
 }
 
 Protocol protocol_of(const RunSettings& settings) {

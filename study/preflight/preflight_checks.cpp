@@ -18,15 +18,15 @@ using Json = nlohmann::ordered_json;
 
 // Usual limits, ours, where the protocol asks for none: those that the analysis flags, or that a
 // validation of the gaze has.
-constexpr double usual_late_percent = 1.0;
-constexpr double usual_gaze_loss = 0.3;
-constexpr double usual_gaze_age_s = 0.05;
-constexpr double usual_free_gb = 1.0;
+constexpr double default_late_percent = 1.0;
+constexpr double default_gaze_loss = 0.3;
+constexpr double default_gaze_age_s = 0.05;
+constexpr double default_free_gb = 1.0;
 /// Of the 360-degree image on the horizon. Where an eye looks it resolves thirty times finer, so
 /// that coarser pixels are seen as blocks however long is rendered.
-constexpr double usual_film_pixel_deg = 0.5;
+constexpr double default_film_pixel_deg = 0.5;
 /// The part of its profile's rate at which a tracker should run.
-constexpr double usual_gaze_rate = 0.9;
+constexpr double default_gaze_rate = 0.9;
 
 constexpr double bytes_per_gb = 1e9;
 constexpr IVec2 min_window_px{160, 120};
@@ -47,7 +47,7 @@ PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gat
   const auto slowest = std::min_element(
       preflight.speeds.begin(), preflight.speeds.end(),
       [](const auto& a, const auto& b) { return a.frame_rate_hz() < b.frame_rate_hz(); });
-  const double limit = gate.max_late_percent.value_or(usual_late_percent);
+  const double limit = gate.max_late_percent.value_or(default_late_percent);
   return {.name = "frames in time",
           .found = fmt::format("{:.1f} % late at most ({} with {}); {:.1f} frames a second of "
                                "{:.1f} at least",
@@ -101,7 +101,7 @@ PreflightCheck check_eye(const Preflight& preflight, const PreflightGate& gate) 
 
 PreflightCheck check_gaze_rate(const Preflight& preflight, const PreflightGate& gate) {
   const double least_hz =
-      gate.min_gaze_rate_hz.value_or(usual_gaze_rate * preflight.tracker.rate_hz);
+      gate.min_gaze_rate_hz.value_or(default_gaze_rate * preflight.tracker.rate_hz);
   const LiveGaze& gaze = preflight.gaze;
   return {.name = "gaze rate",
           .found = fmt::format("{:.1f} Hz{}", gaze.rate_hz(),
@@ -112,7 +112,7 @@ PreflightCheck check_gaze_rate(const Preflight& preflight, const PreflightGate& 
 }
 
 PreflightCheck check_gaze_loss(const Preflight& preflight, const PreflightGate& gate) {
-  const double limit = gate.max_gaze_loss.value_or(usual_gaze_loss);
+  const double limit = gate.max_gaze_loss.value_or(default_gaze_loss);
   return {.name = "gaze lost",
           .found = fmt::format("{:.0f} %", 100.0 * preflight.gaze.loss()),
           .limit = fmt::format("at most {:g} %, {}", 100.0 * limit,
@@ -122,7 +122,7 @@ PreflightCheck check_gaze_loss(const Preflight& preflight, const PreflightGate& 
 
 PreflightCheck check_gaze_age(const Preflight& preflight, const PreflightGate& gate) {
   constexpr double ms_per_s = 1e3;
-  const double limit_s = gate.max_gaze_age_s.value_or(usual_gaze_age_s);
+  const double limit_s = gate.max_gaze_age_s.value_or(default_gaze_age_s);
   const std::optional<double>& age_s = preflight.gaze.median_age_s;
   return {.name = "gaze age",
           .found = age_s ? fmt::format("{:.1f} ms, the median", ms_per_s * *age_s)
@@ -176,13 +176,13 @@ PreflightCheck check_film(const Preflight& preflight) {
   return {.name = "film",
           .found = fmt::format("{} x {} pixels of {:.2g} degrees", preflight.film_px.x,
                                preflight.film_px.y, pixel_deg),
-          .limit = fmt::format("at most {:g} degrees, ours: see [film]", usual_film_pixel_deg),
-          .verdict = judged(false, pixel_deg <= usual_film_pixel_deg)};
+          .limit = fmt::format("at most {:g} degrees, ours: see [film]", default_film_pixel_deg),
+          .verdict = judged(false, pixel_deg <= default_film_pixel_deg)};
 }
 
 PreflightCheck check_disk(const Preflight& preflight, const PreflightGate& gate) {
   const double free_gb = static_cast<double>(preflight.free_bytes) / bytes_per_gb;
-  const double limit_gb = gate.min_free_gb.value_or(usual_free_gb);
+  const double limit_gb = gate.min_free_gb.value_or(default_free_gb);
   return {
       .name = "disk",
       .found = fmt::format("{:.1f} GB free", free_gb),

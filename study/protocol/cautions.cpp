@@ -137,7 +137,7 @@ void add_few_scenes(const Protocol& protocol, const ProtocolPlaces& places,
                     std::vector<std::string>& warnings) {
   const bool are_random = protocol.analysis.scenes == SceneEffects::random;
   if (are_random && !protocol.analysis.primary.empty() &&
-      protocol.scenes.size() < fewest_random_scenes) {
+      protocol.scenes.size() < min_random_scenes) {
     warnings.emplace_back(
         Error(places.of("analysis"),
               fmt::format("{} too few to speak of others like them: a 95 % interval covers less",
@@ -145,14 +145,14 @@ void add_few_scenes(const Protocol& protocol, const ProtocolPlaces& places,
                               ? std::string("one scene is")
                               : fmt::format("{} scenes are", protocol.scenes.size())),
               fmt::format("have {} scenes, or speak of these alone: scenes = \"fixed\"",
-                          fewest_random_scenes))
+                          min_random_scenes))
             .what());
   }
 }
 
 void add_untranslated(const Protocol& protocol, const ProtocolPlaces& places,
                       std::vector<std::string>& warnings) {
-  constexpr std::size_t most_listed = 10;
+  constexpr std::size_t max_listed = 10;
   const UntranslatedTexts texts = untranslated_texts(protocol);
   if (texts.keys.empty()) {
     return;
@@ -161,10 +161,10 @@ void add_untranslated(const Protocol& protocol, const ProtocolPlaces& places,
       Error(places.of("language"),
             fmt::format("the language is {}, and {} of the {} texts of the screens stay English{}",
                         protocol.language, texts.keys.size(), texts.of,
-                        texts.keys.size() <= most_listed
+                        texts.keys.size() <= max_listed
                             ? fmt::format(": {}", fmt::join(texts.keys, ", "))
                             : ""),
-            texts.keys.size() <= most_listed
+            texts.keys.size() <= max_listed
                 ? "give the protocol its own words for them"
                 : "give the protocol its own words for them; --json lists them as untranslated")
           .what());

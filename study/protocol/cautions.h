@@ -12,7 +12,7 @@ namespace foveola::study {
 
 /// With fewer scenes, an interval for others like them covers less than its 95 %: 92 % with three,
 /// 87 % with two (data/golden/README.md).
-inline constexpr std::size_t fewest_random_scenes = 5;
+inline constexpr std::size_t min_random_scenes = 5;
 
 /// Warnings, each as "FILE:LINE:COLUMN: WHAT; WHAT TO DO", of methods that choose the same samples
 /// with the same settings, of hybrids whose weights do not add up to 1, of a scene under two names

@@ -14,7 +14,7 @@
 namespace foveola::study {
 namespace {
 
-constexpr std::size_t most_counted_points = 20;
+constexpr std::size_t max_counted_points = 20;
 
 constexpr std::array measure_kinds{Word<MeasureKind>{"time", MeasureKind::time},
                                    Word<MeasureKind>{"response", MeasureKind::response},
@@ -68,7 +68,7 @@ bool Measure::is_numeric() const {
 std::vector<double> Measure::points() const {
   std::vector<double> points;
   if (question.kind == QuestionKind::likert) {
-    if (question.maximum - question.minimum < static_cast<double>(most_counted_points)) {
+    if (question.maximum - question.minimum < static_cast<double>(max_counted_points)) {
       for (double point = question.minimum; point <= question.maximum; point += 1.0) {
         points.push_back(point);
       }
@@ -78,7 +78,7 @@ std::vector<double> Measure::points() const {
       points.push_back(*option.value);
     }
   }
-  return points.size() <= most_counted_points ? points : std::vector<double>();
+  return points.size() <= max_counted_points ? points : std::vector<double>();
 }
 
 std::string Measure::label_of(double point) const {

@@ -155,12 +155,12 @@ struct ReactionSettings {
 /// What follows when a mark shows that a participant did not see the trial's object.
 enum class Remedy {
   flag,    ///< A note in the record says so, and the analysis.
-  retime,  ///< The trial is timed again as well, up to most_retimings times.
+  retime,  ///< The trial is timed again as well, up to max_retimings times.
 };
 
 /// How often a trial is timed again because the object was not looked at: whoever then still looks
 /// elsewhere has a reason for it.
-inline constexpr int most_retimings = 2;
+inline constexpr int max_retimings = 2;
 
 /// What follows when a participant did not look at a trial's object.
 struct LookingSettings {

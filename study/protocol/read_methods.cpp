@@ -175,18 +175,18 @@ MethodFile read_method_file(const std::string& method, const std::string& file,
 
 /// What is made of a protocol may take each of its methods and trials with each other.
 void require_moderate_number(const TomlReader& reader, std::size_t scenes, std::size_t methods) {
-  constexpr std::size_t most_methods = 100;
-  constexpr std::size_t most_trials = 1000;
-  if (methods > most_methods) {
+  constexpr std::size_t max_methods = 100;
+  constexpr std::size_t max_trials = 1000;
+  if (methods > max_methods) {
     reader.fail(reader.source("methods"),
-                fmt::format("{} methods, and a study has at most {}", methods, most_methods),
+                fmt::format("{} methods, and a study has at most {}", methods, max_methods),
                 "name fewer");
   }
-  if (scenes * methods > most_trials) {
+  if (scenes * methods > max_trials) {
     reader.fail(
         reader.source("methods"),
         fmt::format("{} scenes with {} methods make {} trials, and a session has at most {}",
-                    scenes, methods, scenes * methods, most_trials),
+                    scenes, methods, scenes * methods, max_trials),
         "name fewer");
   }
 }

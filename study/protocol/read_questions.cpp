@@ -24,7 +24,7 @@ namespace foveola::study {
 namespace {
 
 constexpr double largest_number = 1e6;
-constexpr int most_points = 101;  // A scale from 0 to 100.
+constexpr int max_points = 101;  // A scale from 0 to 100.
 
 bool is_id_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -58,9 +58,9 @@ void read_range(TomlReader& reader, Question& question) {
 void require_points(const TomlReader& reader, const Question& question) {
   const double points = question.maximum - question.minimum + 1.0;
   if (question.minimum != std::round(question.minimum) || points != std::round(points) ||
-      points > most_points) {
+      points > max_points) {
     reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
-                fmt::format("a scale has whole points, at most {}", most_points),
+                fmt::format("a scale has whole points, at most {}", max_points),
                 "give whole ends, or ask for a number");
   }
   const std::size_t labels = question.labels.size();
@@ -328,14 +328,14 @@ QuestionnaireFiles questionnaire_files_in(const fs::path& folder) {
 std::vector<Questionnaire> read_questionnaires(TomlReader& reader,
                                                const QuestionnaireFiles& files) {
   std::vector<Questionnaire> questionnaires;
-  constexpr std::size_t most_questionnaires = 100;  // Each may be a large file.
+  constexpr std::size_t max_questionnaires = 100;  // Each may be a large file.
   std::vector<std::string> ids{"consent", "validation", "reaction", "trials"};
   std::vector<TomlReader> entries =
       reader.tables("questionnaire", "Forms that participants fill in.");
-  if (entries.size() > most_questionnaires) {
+  if (entries.size() > max_questionnaires) {
     reader.fail(reader.source("questionnaire"),
                 fmt::format("{} questionnaires, and a study has at most {}", entries.size(),
-                            most_questionnaires),
+                            max_questionnaires),
                 "leave some out");
   }
   for (TomlReader& entry : entries) {

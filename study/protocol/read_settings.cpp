@@ -21,11 +21,11 @@ namespace {
 
 constexpr int largest_film_side = 65536;
 /// Of a film of 23170 x 11585 pixels, 64 in a degree: more than any eye resolves.
-constexpr double most_film_pixels = 268'435'456.0;
+constexpr double max_film_pixels = 268'435'456.0;
 constexpr int largest_view_side = 8192;
 constexpr double narrowest_deg = 1.0;
 constexpr double widest_deg = 170.0;
-constexpr int most_samples = std::numeric_limits<int>::max();
+constexpr int max_samples = std::numeric_limits<int>::max();
 
 /// The profile that the table names, by `read`; empty if it names none.
 template <typename Profile>
@@ -63,12 +63,12 @@ RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
 }
 
 void require_moderate_film(const TomlReader& reader, const FilmSettings& film) {
-  if (static_cast<double>(film.width) * film.height > most_film_pixels) {
+  if (static_cast<double>(film.width) * film.height > max_film_pixels) {
     reader.fail(reader.source(reader.has("width") ? "width" : "height"),
                 fmt::format("a film of {} x {} pixels would take {:.0f} GB of memory", film.width,
                             film.height, 1e-9 * memory_of(film)),
                 fmt::format("make it smaller: films have at most {:.0f} million pixels, of 11 GB",
-                            1e-6 * most_film_pixels));
+                            1e-6 * max_film_pixels));
   }
 }
 
@@ -326,7 +326,7 @@ ReferenceQuality read_reference(TomlReader reader) {
   ReferenceQuality reference;
   reader.read("samples_per_pixel", reference.samples_per_pixel, 1, 1 << 20,
               "Samples per pixel of the whole image.");
-  reader.read("samples_per_object", reference.samples_per_object, 0, most_samples,
+  reader.read("samples_per_object", reference.samples_per_object, 0, max_samples,
               "Additional samples on the chosen object.");
   reader.reject_unknown_keys();
   return reference;

@@ -9,13 +9,13 @@
 namespace foveola::study {
 namespace {
 
-constexpr int fewest_pixels_aside = 8;
+constexpr int min_pixels_aside = 8;
 
 int scaled_side(int side, double scale) {
   const int scaled = static_cast<int>(std::lround(side / std::sqrt(scale)));
-  if (scaled < fewest_pixels_aside) {
+  if (scaled < min_pixels_aside) {
     throw UsageError("--scale", fmt::format("leaves {} pixels of {}; {} are the fewest", scaled,
-                                            side, fewest_pixels_aside));
+                                            side, min_pixels_aside));
   }
   return scaled;
 }
@@ -26,15 +26,15 @@ double pixels_of(const FilmSettings& film) {
 
 void scale_film(FilmSettings& film, double scale) {
   // Of 9 degrees each: hardly an object is as large as one, and none has an outline.
-  constexpr double fewest_pixels = 500.0;
+  constexpr double min_pixels = 500.0;
   const std::string full = fmt::format("{} x {}", film.width, film.height);
   film.width = scaled_side(film.width, scale);
   film.height = scaled_side(film.height, scale);
-  if (pixels_of(film) < fewest_pixels) {
+  if (pixels_of(film) < min_pixels) {
     throw UsageError("--scale",
                      fmt::format("leaves a film of {} x {} pixels of one of {}, on which nothing "
                                  "can be made out; choose one that leaves {:.0f} pixels or more",
-                                 film.width, film.height, full, fewest_pixels));
+                                 film.width, film.height, full, min_pixels));
   }
 }
 

@@ -103,10 +103,10 @@ AttemptFigures figures_of(const KeptAttempt& kept) {
 
 /// As many attempts as are decoded at the same time: enough for every core, little enough to hold.
 std::vector<KeptAttempt> next_batch(KeptAttempts& attempts) {
-  constexpr std::size_t most_attempts = 256;
-  constexpr std::int64_t most_rows = 1'000'000;
+  constexpr std::size_t max_attempts = 256;
+  constexpr std::int64_t max_rows = 1'000'000;
   std::vector<KeptAttempt> batch;
-  for (std::int64_t rows = 0; batch.size() < most_attempts && rows < most_rows;) {
+  for (std::int64_t rows = 0; batch.size() < max_attempts && rows < max_rows;) {
     std::optional<KeptAttempt> attempt = attempts.next();
     if (!attempt) {
       break;

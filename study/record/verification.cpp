@@ -210,10 +210,10 @@ Verification check_sessions_in(const fs::path& path, std::span<const SessionKey>
 /// them at a time.
 void check_file_and_sessions(const fs::path& path, const std::vector<SessionKey>& sessions,
                              Verification& found) {
-  constexpr std::size_t most_at_once = 128;  // what they are before events is in memory
+  constexpr std::size_t max_at_once = 128;  // what they are before events is in memory
   const auto threads = static_cast<std::size_t>(usable_cores());
   const std::size_t at_once =
-      std::clamp<std::size_t>((sessions.size() + threads - 1) / threads, 1, most_at_once);
+      std::clamp<std::size_t>((sessions.size() + threads - 1) / threads, 1, max_at_once);
   const std::size_t pieces = (sessions.size() + at_once - 1) / at_once;
   OrderedJobs<Verification> checks(1 + pieces, pieces + 1, [&](std::size_t index) {
     if (index == 0) {

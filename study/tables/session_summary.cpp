@@ -220,12 +220,12 @@ std::string reactions_of(const DataQualityRecords& quality, const std::string& p
 
 /// Notes with their times. A note's first line says what it is about.
 std::string notes_of(const std::vector<LoggedEvent>& events) {
-  constexpr std::size_t most_characters = 160;
+  constexpr std::size_t max_characters = 160;
   std::string text;
   for (const LoggedEvent& logged : events) {
     if (const auto* note = std::get_if<NoteWritten>(&logged.event)) {
       text += fmt::format("  {:9.3f} s  {}\n", seconds(logged.time),
-                          beginning_of(note->text, most_characters));
+                          beginning_of(note->text, max_characters));
     }
   }
   return text.empty() ? "No notes.\n" : "Notes:\n" + text;

@@ -193,7 +193,7 @@ TEST_F(Kill, AtAnyMomentNothingIsLost) {
   std::mt19937 random(2018);
   std::uniform_real_distribution<double> moment(0.0, 1.0);
   const int kills_here = kills() - std::min(kills() / 2, events_);
-  constexpr int most_in_a_study = 6;
+  constexpr int max_in_a_study = 6;
   Clock::duration run_time = uninterrupted().run_time;
   int killed_in_study = 0;
   int studies = 0;
@@ -206,10 +206,10 @@ TEST_F(Kill, AtAnyMomentNothingIsLost) {
       ++killed_in_study;
       run_time += run_time / 50;
     } else {
-      killed_in_study = most_in_a_study;  // it has come to its end
+      killed_in_study = max_in_a_study;  // it has come to its end
       run_time = Clock::now() - start;
     }
-    if (killed_in_study == most_in_a_study || killed == kills_here) {
+    if (killed_in_study == max_in_a_study || killed == kills_here) {
       finish_and_compare();
       killed_in_study = 0;
       ++studies;

@@ -39,7 +39,7 @@ position = [0.0, 1.9, -0.5]
 radius_deg = 8.0
 )";
 
-constexpr int usual_refresh_rate_hz = 60;
+constexpr int default_refresh_rate_hz = 60;
 
 /// The refresh rate is to be filled in.
 constexpr const char* small_display = R"(
@@ -76,7 +76,7 @@ std::string picture_of_page(const fs::path& folder, int number) {
 
 SeatedParticipant::SeatedParticipant() {
   folder().write("share/scenes/hall.toml", std::string(hall_descriptor) + lamp);
-  set_refresh_rate(usual_refresh_rate_hz);
+  set_refresh_rate(default_refresh_rate_hz);
   folder().write("share/data/trackers/pointer.toml", tracker_profile("pointer", 125));
 }
 

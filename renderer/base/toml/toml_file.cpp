@@ -46,7 +46,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
 /// toml++ reads and destroys them by recursion: deep ones would exhaust the stack. It limits how
 /// deep values nest, but neither the parts of a key nor both together.
 void require_shallow(const std::string& file, std::string_view text, const std::string& remedy) {
-  constexpr std::size_t most_parts = 16;
+  constexpr std::size_t max_parts = 16;
   constexpr int deepest_nesting = 16;
   std::size_t parts = 1;
   int nesting = 0;
@@ -60,8 +60,8 @@ void require_shallow(const std::string& file, std::string_view text, const std::
       i = std::min(text.find('\n', i), text.size());
       continue;
     }
-    if (letter == '.' && ++parts > most_parts) {
-      throw Error(place_of(file, text, i), fmt::format("a key of over {} parts", most_parts),
+    if (letter == '.' && ++parts > max_parts) {
+      throw Error(place_of(file, text, i), fmt::format("a key of over {} parts", max_parts),
                   remedy);
     }
     if ((letter == '[' || letter == '{') && ++nesting > deepest_nesting) {

@@ -30,11 +30,11 @@ Shard parse_shard(const std::string& option, const std::string& text) {
   const Shard shard{
       .number = number_in(std::string_view(text).substr(0, slash)),
       .count = slash < text.size() ? number_in(std::string_view(text).substr(slash + 1)) : 0};
-  if (shard.number < 1 || shard.count > most_shards || shard.number > shard.count) {
+  if (shard.number < 1 || shard.count > max_shards || shard.number > shard.count) {
     throw UsageError(option,
                      fmt::format("\"{}\" is no shard and how many there are; write 3/16 for "
                                  "the third of 16 (at most {})",
-                                 text, most_shards));
+                                 text, max_shards));
   }
   return shard;
 }

@@ -9,12 +9,12 @@ namespace foveola {
 /// One of `count` parts of some work.
 struct Shard {
   std::int64_t number = 1;  ///< in [1, count]
-  std::int64_t count = 1;   ///< in [1, most_shards]
+  std::int64_t count = 1;   ///< in [1, max_shards]
 
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-inline constexpr std::int64_t most_shards = 100'000;
+inline constexpr std::int64_t max_shards = 100'000;
 
 /// Items [begin, end) of a list.
 struct ItemRange {

@@ -98,7 +98,7 @@ class Elements {
  public:
   Elements(const GltfModel& model, int index, const std::string& place)
       : count_(accessor_at(model, index).count) {
-    constexpr std::size_t most_zeros = std::size_t{1} << 22;
+    constexpr std::size_t max_zeros = std::size_t{1} << 22;
     const GltfAccessor& accessor = accessor_at(model, index);
     if (accessor.sparse) {
       sparse_.emplace(model, index, place);
@@ -109,10 +109,10 @@ class Elements {
       stride_ = view.stride != 0 ? view.stride : size;
       first_ = bytes_in_view(model, accessor.view, accessor.offset, count_, stride_, size,
                              fmt::format("accessors[{}]", index), place);
-    } else if (count_ > most_zeros) {
+    } else if (count_ > max_zeros) {
       throw GltfFault(place, fmt::format("accessors[{}] has {} elements without data; up to {} are "
                                          "read",
-                                         index, count_, most_zeros));
+                                         index, count_, max_zeros));
     }
   }
 
@@ -292,12 +292,12 @@ void VertexReader::require_count(int index, const std::string& place) const {
 
 std::vector<float> read_numbers(const GltfModel& model, int index, int components,
                                 const std::string& place) {
-  constexpr int most_in_columns_without_padding = 4;
+  constexpr int max_in_columns_without_padding = 4;
   const Elements source(model, index, place);
   const GltfAccessor& accessor = accessor_at(model, index);
   const bool is_float = accessor.component == GltfComponent::float32;
   if (accessor.components != components || accessor.component == GltfComponent::uint32 ||
-      (!is_float && components > most_in_columns_without_padding)) {
+      (!is_float && components > max_in_columns_without_padding)) {
     refuse_type(accessor, index, place, fmt::format("{} x float", components));
   }
   std::vector<float> numbers;

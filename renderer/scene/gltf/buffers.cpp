@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
-#include "renderer/base/output_guard.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/file_access.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/gltf/data_uri.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/references.h"

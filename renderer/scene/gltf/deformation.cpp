@@ -126,7 +126,7 @@ bool is_skinned(const GltfModel& model, const GltfNode& node) {
 }
 
 void separate_deformed_meshes(GltfModel& model) {
-  constexpr std::size_t most_copies = std::size_t{1} << 20;
+  constexpr std::size_t max_copies = std::size_t{1} << 20;
   std::vector<std::size_t> users(model.meshes.size(), 0);
   for (const GltfNode& node : model.nodes) {
     if (node.mesh >= 0) {
@@ -143,10 +143,10 @@ void separate_deformed_meshes(GltfModel& model) {
     if (users[mesh] > 1) {
       --users[mesh];
       copies += model.meshes[mesh].primitives.size();
-      if (copies > most_copies) {
+      if (copies > max_copies) {
         throw GltfFault(
             fmt::format("nodes[{}]", i),
-            fmt::format("brings the deformed copies of primitives to more than {}", most_copies));
+            fmt::format("brings the deformed copies of primitives to more than {}", max_copies));
       }
       node.mesh = static_cast<int>(model.meshes.size());
       model.meshes.push_back(GltfMesh(model.meshes[mesh]));

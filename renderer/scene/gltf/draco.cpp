@@ -32,8 +32,8 @@ constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr std::size_t bytes_per_triangle = 128;
 
 struct DracoLimits {
-  std::size_t most_points = 0;
-  std::size_t most_triangles = 0;
+  std::size_t max_points = 0;
+  std::size_t max_triangles = 0;
   std::size_t most_bytes = 0;  ///< of all attributes while they are decoded, estimated
 };
 
@@ -81,11 +81,11 @@ class LimitedDecoder : public Decoder {
   }
 
   bool counts_are_allowed(std::size_t points, std::size_t triangles) {
-    if (points > limits_.most_points || triangles > limits_.most_triangles) {
+    if (points > limits_.max_points || triangles > limits_.max_triangles) {
       return refuse(
           fmt::format("has {} vertices and {} triangles, more than the {} and {} that its "
                       "accessors state",
-                      points, triangles, limits_.most_points, limits_.most_triangles));
+                      points, triangles, limits_.max_points, limits_.max_triangles));
     }
     return true;
   }
@@ -231,8 +231,8 @@ class DracoDecompressor {
     const std::size_t triangles =
         primitive.indices >= 0 ? accessor(primitive.indices).count / 3 : points;
     take(triangles * bytes_per_triangle, place);
-    return {.most_points = points,
-            .most_triangles = triangles,
+    return {.max_points = points,
+            .max_triangles = triangles,
             .most_bytes = most_bytes - std::min(most_bytes, decoded_bytes_)};
   }
 

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/animation.h"

@@ -157,12 +157,12 @@ void read_sheen(const MaterialPart& extension, Material& material) {
 /// renderer's dielectric takes what it reflects at each angle.
 void read_specular_glossiness(const MaterialPart& extension, Material& material) {
   /// What a dielectric of index 1.5 reflects at normal incidence.
-  constexpr float usual_reflectance = 0.04F;
+  constexpr float default_reflectance = 0.04F;
   material.base_color = extension.color("diffuseFactor", 1.0);
   material.alpha = extension.alpha("diffuseFactor");
   material.base_color_texture = extension.texture("diffuseTexture", base_color_encoding(material));
   material.metallic = 0.0F;
-  material.specular_color = extension.color("specularFactor", 1.0) / usual_reflectance;
+  material.specular_color = extension.color("specularFactor", 1.0) / default_reflectance;
   material.specular_color_texture = extension.texture("specularGlossinessTexture", Encoding::srgb);
   const float glossiness = extension.factor("glossinessFactor", 1.0);
   material.metallic_roughness_texture = extension.context().use_glossiness(

@@ -111,11 +111,10 @@ class MeshPlacer {
     if (placements.empty() || meshes.empty()) {
       return;
     }
-    constexpr std::size_t most_added = 65536;
-    constexpr std::size_t most_added_by_all = std::size_t{1} << 22;
+    constexpr std::size_t max_added = 65536;
+    constexpr std::size_t max_added_by_all = std::size_t{1} << 22;
     const std::size_t added = (placements.size() - 1) * triangle_count(meshes);
-    if (placing_ == Placing::instances || added > most_added ||
-        added + added_ > most_added_by_all) {
+    if (placing_ == Placing::instances || added > max_added || added + added_ > max_added_by_all) {
       add_instances(index, std::move(meshes), placements);
       return;
     }

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
-#include "renderer/base/files.h"
+#include "renderer/base/files/digest.h"
+#include "renderer/base/files/files.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/gltf/values.h"
 #include "renderer/scene/references.h"

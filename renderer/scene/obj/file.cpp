@@ -30,7 +30,7 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 
 /// Objects cost far more memory than the line that names one.
-constexpr std::size_t most_parts = std::size_t{1} << 20;
+constexpr std::size_t max_parts = std::size_t{1} << 20;
 
 /// Takes what tinyobjloader finds, line by line. Its own reader of whole files is not used: it
 /// loses polygons whose ears it cannot find, and cannot be made to stop at a bad index.
@@ -89,8 +89,8 @@ class Collector {
           index_of_part_.try_emplace({object_, material_}, obj_.parts.size());
       part_ = known->second;
       if (is_new) {
-        if (part_ == most_parts) {
-          fail(fmt::format("there are more than {} objects and materials in use", most_parts));
+        if (part_ == max_parts) {
+          fail(fmt::format("there are more than {} objects and materials in use", max_parts));
         }
         obj_.parts.push_back({.object = object_, .material = material_});
       }

@@ -130,9 +130,9 @@ class MaterialReader {
 
   /// 1 is what is written where nothing is meant.
   void read_ior(Material& material) const {
-    constexpr float most_ior = 10.0F;
+    constexpr float max_ior = 10.0F;
     if (values_.ior > 1.0F) {
-      material.ior = limited(values_.ior, 1.0F, most_ior, "Ni");
+      material.ior = limited(values_.ior, 1.0F, max_ior, "Ni");
     }
   }
 

@@ -132,7 +132,7 @@ Triangles triangulate(std::span<const Vec3> corners) {
   if (is_convex(flat)) {
     return fan(corners.size());
   }
-  if (corners.size() > most_concave_corners) {
+  if (corners.size() > max_concave_corners) {
     throw std::length_error("a polygon that is not convex has too many corners");
   }
   return EarCutter(flat).cut();

@@ -76,7 +76,7 @@ std::string digest_of(const ObjTexture& texture, bool with_mips) {
 }
 
 /// A texture of two images is as large as the larger of them, and has up to four channels.
-std::size_t most_bytes_of(const ObjTexture& texture, const std::map<fs::path, ImageSize>& sizes) {
+std::size_t max_bytes_of(const ObjTexture& texture, const std::map<fs::path, ImageSize>& sizes) {
   if (texture.content == ObjTexture::Content::unchanged) {
     return sizes.at(texture.first).bytes();
   }
@@ -147,7 +147,7 @@ void ObjTextureSet::require_modest_size(const std::string& place) const {
   }
   std::size_t decoded_bytes = 0;
   for (const ObjTexture& texture : textures_.contents()) {
-    decoded_bytes += most_bytes_of(texture, sizes);
+    decoded_bytes += max_bytes_of(texture, sizes);
   }
   try {
     require_modest_memory(decoded_bytes, encoded_bytes);

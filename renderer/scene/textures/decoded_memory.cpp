@@ -23,7 +23,7 @@ constexpr std::size_t modest_bytes = std::size_t{1} << 28;
 
 /// Deflate shrinks to no less than 1/1032 (zlib, "Technical Details"), and half floats and usual
 /// palettes grow two- to fourfold when they are decoded.
-constexpr std::size_t most_growth = 4096;
+constexpr std::size_t max_growth = 4096;
 
 }  // namespace
 
@@ -34,11 +34,11 @@ void require_modest_memory(std::size_t decoded_bytes, std::size_t encoded_bytes)
         fmt::format("would take {:.0f} MiB of memory; up to {:.0f} are allowed here",
                     in_mib(decoded_bytes), in_mib(max_bytes)));
   }
-  if (decoded_bytes > modest_bytes && decoded_bytes / most_growth > encoded_bytes) {
+  if (decoded_bytes > modest_bytes && decoded_bytes / max_growth > encoded_bytes) {
     throw std::runtime_error(
         fmt::format("would take {:.0f} MiB of memory, more than {:.0f} and more than {} times the "
                     "{} bytes of the files",
-                    in_mib(decoded_bytes), in_mib(modest_bytes), most_growth, encoded_bytes));
+                    in_mib(decoded_bytes), in_mib(modest_bytes), max_growth, encoded_bytes));
   }
 }
 

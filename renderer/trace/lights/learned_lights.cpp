@@ -19,7 +19,7 @@ constexpr double prior_draws = 4.0;
 /// The part of each choice that is made as if nothing were known. With half of it, the variance of
 /// the built-in scenes was 3 % less where the camera stood, and more can go wrong where it moves
 /// to.
-constexpr double usual_part = 0.1;
+constexpr double default_part = 0.1;
 
 /// How often a light, or some part of the lights, was drawn, and the sum of what it gave.
 struct Tally {
@@ -96,7 +96,7 @@ KindProbabilities kinds_of(const Experience& region, const Experience& all,
   if (total > 0.0 && std::isfinite(total)) {
     for (std::size_t i = 0; i < kind_count; ++i) {
       probabilities[i] =
-          static_cast<float>(usual_part * drawn[i] + (1.0 - usual_part) * weights[i] / total);
+          static_cast<float>(default_part * drawn[i] + (1.0 - default_part) * weights[i] / total);
     }
   }
   return {probabilities[0], probabilities[1], probabilities[2]};
@@ -111,7 +111,7 @@ SquareWarp sky_of(const Experience& region, const Experience& all) {
   const bool is_known = total > 0.0 && std::isfinite(total);
   for (double& weight : weights) {
     const double learned = is_known ? weight / total : 1.0 / SquareWarp::squares;
-    weight = usual_part / SquareWarp::squares + (1.0 - usual_part) * learned;
+    weight = default_part / SquareWarp::squares + (1.0 - default_part) * learned;
   }
   return SquareWarp(weights);
 }
@@ -122,7 +122,7 @@ LightTree::Preferences preferences_of(const Experience& region, const Experience
     for (std::size_t child = 0; child < preferences[node].size(); ++child) {
       const double arrived = region.tree[node][child].mean_with(all.tree[node][child].mean());
       preferences[node][child] =
-          static_cast<float>(usual_part + (1.0 - usual_part) * std::sqrt(arrived));
+          static_cast<float>(default_part + (1.0 - default_part) * std::sqrt(arrived));
     }
   }
   return preferences;

@@ -32,9 +32,9 @@ AliasTable::AliasTable(std::span<const double> weights) : slots_(weights.size())
 }
 
 LightChoice::LightChoice(std::span<const double> powers, std::span<const LightBounds> bounds,
-                         std::size_t most_in_table) {
+                         std::size_t max_in_table) {
   assert(powers.size() == bounds.size());
-  if (powers.size() > most_in_table) {
+  if (powers.size() > max_in_table) {
     method_.emplace<LightTree>(bounds);
     return;
   }

@@ -43,12 +43,12 @@ class LightChoice {
   /// The most lights that are drawn from the table. Measured in a room lit by lamps of two
   /// triangles each: the tree halves the product of time and variance with two lamps, and quarters
   /// it with eight.
-  static constexpr std::size_t usual_most_in_table = 2;
+  static constexpr std::size_t default_max_in_table = 2;
 
   /// One power and one element of bounds a light; without power there is no intensity. Not all
   /// powers are zero.
   LightChoice(std::span<const double> powers, std::span<const LightBounds> bounds,
-              std::size_t most_in_table);
+              std::size_t max_in_table);
 
   /// u: in the unit square. Empty if no light can reach the shading point. preferences: the tree's,
   /// or null.

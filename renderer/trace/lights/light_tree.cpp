@@ -15,7 +15,7 @@ namespace {
 /// degenerate into a list.
 constexpr int deepest_cost_split = 40;
 
-constexpr int most_bins = 12;
+constexpr int max_bins = 12;
 
 /// Cosines of angles are wrong by up to this: a cosine next to 1 that is wrong by 1e-7 stands for
 /// an angle that is wrong by 4e-4. Nothing is left out for being turned away by less.
@@ -190,7 +190,7 @@ class LightTree::Builder {
   };
 
   static int bin_at(double position, double lower, double bins_per_metre) {
-    return std::clamp(static_cast<int>((position - lower) * bins_per_metre), 0, most_bins - 1);
+    return std::clamp(static_cast<int>((position - lower) * bins_per_metre), 0, max_bins - 1);
   }
   int bin_of(std::uint32_t light, int axis, double lower, double bins_per_metre) const {
     return bin_at(lights_[light].centre()[axis], lower, bins_per_metre);
@@ -221,21 +221,21 @@ class LightTree::Builder {
 
   CostSplit best_split_along(std::span<const std::uint32_t> items, int axis, double lower,
                              double extent) const {
-    CostSplit best{.axis = axis, .lower = lower, .bins_per_metre = most_bins / extent};
-    std::array<LightBounds, most_bins> bins;
+    CostSplit best{.axis = axis, .lower = lower, .bins_per_metre = max_bins / extent};
+    std::array<LightBounds, max_bins> bins;
     for (const std::uint32_t light : items) {
       LightBounds& bin =
           bins[static_cast<std::size_t>(bin_of(light, axis, lower, best.bins_per_metre))];
       bin = merge(bin, lights_[light]);
     }
-    std::array<double, most_bins> cost_above{};  ///< cost of all bins above this one
+    std::array<double, max_bins> cost_above{};  ///< cost of all bins above this one
     LightBounds above;
-    for (std::size_t i = most_bins - 1; i > 0; --i) {
+    for (std::size_t i = max_bins - 1; i > 0; --i) {
       above = merge(above, bins[i]);
       cost_above[i - 1] = cost_of(above);
     }
     LightBounds below;
-    for (std::size_t i = 0; i + 1 < most_bins; ++i) {
+    for (std::size_t i = 0; i + 1 < max_bins; ++i) {
       below = merge(below, bins[i]);
       const double cost = cost_of(below) + cost_above[i];
       if (bins[i].intensity > 0.0 && cost < best.cost) {

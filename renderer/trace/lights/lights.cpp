@@ -37,8 +37,8 @@ double cross_section(const Scene& scene) {
 
 }  // namespace
 
-Lights::Lights(const Scene& scene, const LightSampling& sampling, std::size_t most_in_table)
-    : suns_(scene, sampling.selection), local_(scene, sampling, most_in_table), learned_({}) {
+Lights::Lights(const Scene& scene, const LightSampling& sampling, std::size_t max_in_table)
+    : suns_(scene, sampling.selection), local_(scene, sampling, max_in_table), learned_({}) {
   if (scene.environment) {
     environment_.emplace(*scene.environment);
     if (!(environment_->total_luminance() > 0.0)) {
@@ -47,10 +47,11 @@ Lights::Lights(const Scene& scene, const LightSampling& sampling, std::size_t mo
   }
   empty_ = !environment_ && suns_.empty() && local_.empty() && !local_.has_unlisted();
   draws_bright_sky_ = environment_ && !sampling.environment_by_cosine;
-  learned_ = LearnedLights(usual_probabilities(scene, sampling.selection));
+  learned_ = LearnedLights(default_probabilities(scene, sampling.selection));
 }
 
-KindProbabilities Lights::usual_probabilities(const Scene& scene, LightSelection selection) const {
+KindProbabilities Lights::default_probabilities(const Scene& scene,
+                                                LightSelection selection) const {
   struct Source {
     std::size_t lights;
     double power;

@@ -47,9 +47,9 @@ struct LightNumbers {
 /// uniform selection a kind has as large a share as of the lights.
 class Lights {
  public:
-  /// The scene must outlive this object. most_in_table: see LocalLights.
+  /// The scene must outlive this object. max_in_table: see LocalLights.
   explicit Lights(const Scene& scene, const LightSampling& sampling = {},
-                  std::size_t most_in_table = LightChoice::usual_most_in_table);
+                  std::size_t max_in_table = LightChoice::default_max_in_table);
 
   /// Nothing shines: every radiance is zero.
   bool empty() const { return empty_; }
@@ -130,7 +130,7 @@ class Lights {
  private:
   using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn
 
-  KindProbabilities usual_probabilities(const Scene& scene, LightSelection selection) const;
+  KindProbabilities default_probabilities(const Scene& scene, LightSelection selection) const;
   /// What the environment alone says of the direction, as with_suns() takes it.
   DistantLight sky_at(const ShadingPoint& shading_point, const Vec3& direction) const;
   EnvironmentLight::Sample sample_sky(const ShadingPoint& shading_point, const Vec2& u) const;

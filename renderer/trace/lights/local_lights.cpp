@@ -15,7 +15,7 @@ constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
 LocalLights::LocalLights(const Scene& scene, const LightSampling& sampling,
-                         std::size_t most_in_table)
+                         std::size_t max_in_table)
     : triangles_(scene, sampling.triangles_by_area), punctual_(scene) {
   std::vector<double> powers;
   std::vector<LightBounds> bounds;
@@ -35,7 +35,7 @@ LocalLights::LocalLights(const Scene& scene, const LightSampling& sampling,
   size_ = static_cast<std::size_t>(std::count_if(powers.begin(), powers.end(), has_power));
   switch (sampling.selection) {
     case LightSelection::usual:
-      choice_.emplace(powers, bounds, most_in_table);
+      choice_.emplace(powers, bounds, max_in_table);
       break;
     case LightSelection::by_power_alone:
       choice_.emplace(powers, bounds, any_number);

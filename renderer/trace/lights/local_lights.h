@@ -15,8 +15,8 @@ namespace foveola {
 
 class LocalLights {
  public:
-  /// The scene must outlive this object. most_in_table: see LightChoice; of the usual selection.
-  LocalLights(const Scene& scene, const LightSampling& sampling, std::size_t most_in_table);
+  /// The scene must outlive this object. max_in_table: see LightChoice; of the usual selection.
+  LocalLights(const Scene& scene, const LightSampling& sampling, std::size_t max_in_table);
 
   /// There is nothing to draw.
   bool empty() const { return !choice_; }

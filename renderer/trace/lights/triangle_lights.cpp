@@ -146,7 +146,7 @@ TriangleLights::TriangleLights(const Scene& scene, bool by_area)
     if (is_invisible(scene, mesh) || !shines(material_of(scene, mesh))) {
       continue;
     }
-    if (radiance[material] > 0.0F && emitters_.size() + mesh.triangles.size() <= most_triangles) {
+    if (radiance[material] > 0.0F && emitters_.size() + mesh.triangles.size() <= max_triangles) {
       radiance_of_object_[object] = radiance[material];
       add_object(object, by_area);
     } else {

@@ -146,10 +146,10 @@ struct EmitterOf {
 /// texture's mean, and what is not opaque as if it were.
 ///
 /// Not in the list, though they shine: unlit materials, textures whose mean is black, and objects
-/// that would make it longer than `most_triangles`. Rays find their light, without help.
+/// that would make it longer than `max_triangles`. Rays find their light, without help.
 class TriangleLights {
  public:
-  static constexpr std::size_t most_triangles = 4'000'000;
+  static constexpr std::size_t max_triangles = 4'000'000;
   static constexpr std::uint32_t nothing = ~0U;
 
   /// The scene must outlive this object. by_area: points are uniform in the area of all triangles.

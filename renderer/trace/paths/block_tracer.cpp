@@ -13,7 +13,7 @@ namespace foveola {
 
 RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jobs,
                              std::span<Rgb> radiance) {
-  assert(jobs.size() <= most_paths);
+  assert(jobs.size() <= max_paths);
   radiance_ = radiance;
   std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
   start(viewpoint, jobs);
@@ -297,7 +297,7 @@ Rgb BlockTracer::glass_transmittance(const Ray& shadow_ray, std::uint32_t job) {
   };
   const Rgb unhindered = arriving();
   int vertex = vertex_;
-  for (int surfaces = 0; surfaces < most_thin_surfaces; ++surfaces) {
+  for (int surfaces = 0; surfaces < max_thin_surfaces; ++surfaces) {
     const Hit hit = closest_hit(path.ray);
     ++counts_.transmittance;
     if (notes_.rays != nullptr) {
@@ -336,7 +336,7 @@ Rgb BlockTracer::glass_transmittance(const Ray& shadow_ray, std::uint32_t job) {
 Rgb BlockTracer::thin_transmittance(Ray ray) {
   Rgb transmittance(1.0F);
   const Vec3 direction = glm::normalize(ray.direction);
-  for (int thin_surfaces = 0; thin_surfaces < most_thin_surfaces; ++thin_surfaces) {
+  for (int thin_surfaces = 0; thin_surfaces < max_thin_surfaces; ++thin_surfaces) {
     const Hit hit = traced_.rays.closest_hit(ray);
     ++counts_.transmittance;
     if (notes_.rays != nullptr) {

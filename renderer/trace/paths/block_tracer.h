@@ -36,7 +36,7 @@ struct TraceNotes {
 class BlockTracer {
  public:
   /// Jobs in a block, so few that the state of all paths stays in the second-level cache.
-  static constexpr std::size_t most_paths = PathStates::capacity;
+  static constexpr std::size_t max_paths = PathStates::capacity;
 
   /// The scene, and what is noted, must outlive this object.
   BlockTracer(const TracedScene& traced, const TraceSettings& settings, TraceNotes notes = {})
@@ -49,11 +49,11 @@ class BlockTracer {
         notes_(notes),
         paths_(std::make_unique_for_overwrite<PathStates>()),
         hits_(std::make_unique_for_overwrite<PathHits>()),
-        shadow_rays_(most_paths) {
-    pending_.reserve(most_paths);
+        shadow_rays_(max_paths) {
+    pending_.reserve(max_paths);
   }
 
-  /// To be called once, for at most most_paths jobs.
+  /// To be called once, for at most max_paths jobs.
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance);
 
  private:

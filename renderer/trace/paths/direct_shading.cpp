@@ -63,7 +63,7 @@ Rgb direct_color(const Scene& scene, const RayScene& rays, const Vec3& viewpoint
   Rgb color(0.0F);
   Rgb passed(1.0F);
   Ray ray{.origin = viewpoint, .direction = direction};
-  for (int layers = 0; layers < most_thin_surfaces && passed != Rgb(0.0F); ++layers) {
+  for (int layers = 0; layers < max_thin_surfaces && passed != Rgb(0.0F); ++layers) {
     const Hit hit = rays.closest_hit_of_any_opacity(ray);
     if (hit.missed()) {
       return color + passed * direct_background;

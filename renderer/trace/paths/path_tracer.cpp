@@ -14,7 +14,7 @@ namespace {
 
 /// Paths that are traced together: enough shadow rays for Embree's streams, and at the end so few
 /// that no thread waits long for another.
-constexpr BlockSizes block_sizes = {.smallest = 64, .largest = BlockTracer::most_paths};
+constexpr BlockSizes block_sizes = {.smallest = 64, .largest = BlockTracer::max_paths};
 
 /// The paths that are traced to learn from.
 constexpr std::size_t learning_paths = 1U << 14U;
@@ -37,7 +37,7 @@ std::vector<SampleJob> jobs_in_all_directions(std::size_t count) {
 std::vector<LightOutcome> light_outcomes(const TracedScene& traced, const Vec3& viewpoint,
                                          const Workers& workers) {
   const std::vector<SampleJob> jobs = jobs_in_all_directions(learning_paths);
-  constexpr std::size_t block = BlockTracer::most_paths;
+  constexpr std::size_t block = BlockTracer::max_paths;
   std::vector<std::vector<LightOutcome>> outcomes((jobs.size() + block - 1) / block);
   workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
     std::vector<Rgb> radiance(end - begin);

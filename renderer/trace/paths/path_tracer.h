@@ -17,7 +17,7 @@
 
 namespace foveola {
 
-inline constexpr int usual_vertices_before_roulette = 1;
+inline constexpr int default_vertices_before_roulette = 1;
 inline constexpr int no_roulette = std::numeric_limits<int>::max();
 
 struct TraceSettings {
@@ -32,7 +32,7 @@ struct TraceSettings {
   /// every vertex take the general path.
   float largest_light_sample = std::numeric_limits<float>::infinity();
   /// After how many vertices dim paths begin to be ended at random.
-  int vertices_before_roulette = usual_vertices_before_roulette;
+  int vertices_before_roulette = default_vertices_before_roulette;
   /// Without multiple importance sampling: light samples count in full, and what scattered rays
   /// meet counts only where no light sample finds it. Every vertex then takes the general path.
   bool light_samples_alone = false;

@@ -42,7 +42,7 @@ LaneMask BlockTracer::advance_alone(const Group& group, const LaneMask& lanes,
 bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
   Path path = paths_->at(index);
   Hit hit = hits_->at(index);
-  for (int thin_surfaces = 0; thin_surfaces < most_thin_surfaces; ++thin_surfaces) {
+  for (int thin_surfaces = 0; thin_surfaces < max_thin_surfaces; ++thin_surfaces) {
     const Step step = scatter(path, hit, object_of(hit), numbers);
     if (step != Step::passed) {
       paths_->put(index, path);

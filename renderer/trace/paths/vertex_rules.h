@@ -124,7 +124,7 @@ inline Number survival(const Number& brightest) {
 
 /// Thin transmissive surfaces in line that a ray may pass without a vertex, so that no scene traps
 /// a path.
-inline constexpr int most_thin_surfaces = 256;
+inline constexpr int max_thin_surfaces = 256;
 
 /// The density of a direction that no light sample could have given: a camera's or a mirror's.
 inline constexpr float certain = std::numeric_limits<float>::infinity();

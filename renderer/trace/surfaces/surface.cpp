@@ -93,9 +93,9 @@ Vec3 mapped_normal(const Scene& scene, const NormalMap& map, const MeshPoint& po
 }
 
 float relative_width(float ray_width_m, float facing, float double_area) {
-  constexpr float most_grazing = 0.05F;
+  constexpr float max_grazing = 0.05F;
   // The ray's width along the surface, between its narrow and its long axis.
-  return ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), most_grazing));
+  return ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), max_grazing));
 }
 
 namespace {

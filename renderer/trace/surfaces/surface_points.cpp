@@ -54,7 +54,7 @@ void SurfaceHits::expect_instances() {
   has_instances_ = true;
   largest_term_.store(
       largest_coordinate(corners_.p0.load(), corners_.p1.load(), corners_.p2.load()));
-  roundings_.fill(Triangle::usual_roundings);
+  roundings_.fill(Triangle::default_roundings);
   winding_.fill(1.0F);
 }
 
@@ -69,7 +69,7 @@ TriangleOf<Floats> SurfaceHits::triangles() const {
           p1,
           p2,
           largest_coordinate(p0, p1, p2),
-          all_lanes(Triangle::usual_roundings),
+          all_lanes(Triangle::default_roundings),
           all_lanes(1.0F)};
 }
 

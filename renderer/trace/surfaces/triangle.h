@@ -28,7 +28,7 @@ struct TriangleOf {
   static constexpr float largest_square = 1e30F;
 
   /// Of a mesh that stands in the world as it is, and of instances of one.
-  static constexpr float usual_roundings = 2.5F;
+  static constexpr float default_roundings = 2.5F;
   static constexpr float instances_roundings = 10.0F;
 
   Vector p0, p1, p2;
@@ -83,7 +83,7 @@ struct Triangle : TriangleOf<float> {
                    .p1 = mesh.positions[mesh.triangles[index][1]],
                    .p2 = mesh.positions[mesh.triangles[index][2]],
                    .largest_term = 0.0F,
-                   .roundings = usual_roundings,
+                   .roundings = default_roundings,
                    .winding = 1.0F} {
     largest_term = largest_coordinate(p0, p1, p2);
   }

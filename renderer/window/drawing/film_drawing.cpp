@@ -38,7 +38,7 @@ bool have_same_size(const ViewImage& a, const ViewImage& b) {
 
 }  // namespace
 
-FilmDrawer usual_drawer(std::string_view graphics) {
+FilmDrawer default_drawer(std::string_view graphics) {
   constexpr std::array<std::string_view, 4> software = {"llvmpipe", "softpipe", "SWR",
                                                         "Software Rasterizer"};
   const bool is_software = std::any_of(

@@ -20,7 +20,7 @@ namespace foveola {
 /// The processor where OpenGL itself is computed by it, which Mesa's software drivers say in their
 /// names ("llvmpipe", "softpipe", "SWR"): their shaders take ten times as long as our resampling,
 /// which does again only what changed.
-FilmDrawer usual_drawer(std::string_view graphics);
+FilmDrawer default_drawer(std::string_view graphics);
 
 /// For frames that are drawn so.
 FrameBudget frame_budget_for(FilmDrawer drawer);

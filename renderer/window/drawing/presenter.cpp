@@ -85,7 +85,7 @@ WindowPresenter::WindowPresenter(Window& window, const IVec2& framebuffer, const
 
 WindowPresenter::~WindowPresenter() = default;
 
-FilmDrawer WindowPresenter::film_drawer() const { return usual_drawer(graphics_); }
+FilmDrawer WindowPresenter::film_drawer() const { return default_drawer(graphics_); }
 
 void WindowPresenter::run(const IVec2& framebuffer, const std::stop_token& stop) {
   try {

@@ -114,7 +114,7 @@ void WindowView::zoom(double steps) {
 }
 
 void WindowView::show_first() {
-  larger_fov_deg_ = first_fov_deg_.value_or(usual_picture_fov_deg);
+  larger_fov_deg_ = first_fov_deg_.value_or(default_picture_fov_deg);
   update();
 }
 

@@ -217,13 +217,13 @@ bool FreeCamera::steer(Nanoseconds /*time*/, const CharacterTyped& /*typed*/) co
 
 bool FreeCamera::steer(Nanoseconds time, const WheelTurned& wheel) {
   constexpr double step = 1.25;
-  constexpr double most_times = 1000.0;  // as fast or as slow as to begin with
+  constexpr double max_times = 1000.0;  // as fast or as slow as to begin with
   if (!holds(modifiers_, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) {
     return false;
   }
   walk_until(time);
   speed_m_per_s_ = std::clamp(speed_m_per_s_ * std::pow(step, wheel.away),
-                              first_speed_m_per_s_ / most_times, first_speed_m_per_s_ * most_times);
+                              first_speed_m_per_s_ / max_times, first_speed_m_per_s_ * max_times);
   note_ = fmt::format("speed {:.3g} m/s", speed_m_per_s_);
   return true;
 }

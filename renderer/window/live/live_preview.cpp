@@ -231,7 +231,7 @@ void LivePreview::keep(const LiveFrame& frame) {
   ++report_.frame_count;
   report_.late_frames += frame.is_late() ? 1 : 0;
   report_.frames.push_back(frame);
-  forget_old(report_.frames, LivePreviewReport::most_frames);
+  forget_old(report_.frames, LivePreviewReport::max_frames);
   is_done_ = is_done_ || (settings_.frames && report_.frame_count >= *settings_.frames);
 }
 

@@ -72,7 +72,7 @@ struct LivePreviewSettings {
 
 /// What happened in a live preview.
 struct LivePreviewReport {
-  std::vector<LiveFrame> frames;  ///< at least the last most_frames of them
+  std::vector<LiveFrame> frames;  ///< at least the last max_frames of them
   std::uint64_t frame_count = 0;
   std::uint64_t late_frames = 0;
   std::vector<std::string> methods;  ///< as they were rendered, one for each start
@@ -90,7 +90,7 @@ struct LivePreviewReport {
   std::optional<RgbImage> last_picture;        ///< sRGB in [0, 1]
   /// The last view as options that show it again: --camera, --head, and a monitor's --fov.
   std::string last_view;
-  static constexpr std::size_t most_frames = 1 << 16;
+  static constexpr std::size_t max_frames = 1 << 16;
 };
 
 /// Runs in one thread, beside the one that passes on the window's events and the one that draws.

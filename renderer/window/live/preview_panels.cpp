@@ -16,7 +16,7 @@
 namespace foveola {
 namespace {
 
-constexpr std::size_t most_messages = 4;
+constexpr std::size_t max_messages = 4;
 
 std::optional<Nanoseconds> end_of(Nanoseconds now, MessageStay stay) {
   switch (stay) {
@@ -80,7 +80,7 @@ void PreviewMessages::tell(Nanoseconds now, std::string text, MessageStay stay) 
     return one.text == text || (one.end && *one.end <= now);
   });
   messages_.push_back({.text = std::move(text), .end = end_of(now, stay)});
-  if (messages_.size() > most_messages) {
+  if (messages_.size() > max_messages) {
     messages_.erase(messages_.begin());
   }
 }

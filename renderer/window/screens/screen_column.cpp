@@ -57,7 +57,7 @@ class LineFiller {
 
  private:
   bool fits(std::string_view line) const {
-    return count_characters(line) <= most_line_characters && (*width_of_)(line) <= width_px_;
+    return count_characters(line) <= max_line_characters && (*width_of_)(line) <= width_px_;
   }
 
   /// The piece has one character at least, even where there is no room for any.

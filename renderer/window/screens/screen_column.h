@@ -14,13 +14,13 @@ namespace foveola {
 
 /// Lines longer than this are hard to find the way back from (Bringhurst, "The Elements of
 /// Typographic Style", 2.1.2: 45 to 75 characters).
-inline constexpr std::size_t most_line_characters = 70;
+inline constexpr std::size_t max_line_characters = 70;
 
 /// Pixels that a line of text takes.
 using LineWidth = std::function<float(std::string_view line)>;
 
 /// Breaks UTF-8 at its spaces, and at its line breaks, into lines of at most `width_px` and
-/// most_line_characters; a word that is longer is broken within, and a letter that is wider stands
+/// max_line_characters; a word that is longer is broken within, and a letter that is wider stands
 /// in a line by itself. At least one line.
 std::vector<std::string> wrap_to_width(std::string_view text, float width_px,
                                        const LineWidth& width_of);

@@ -146,8 +146,8 @@ class PointRow {
 std::vector<PointRow> point_rows(const ScreenColumn& column, const ScreenField& field) {
   constexpr std::size_t longest_short_scale = 7;
   const std::size_t points = field.labels.size();
-  const std::size_t most_rows = points > longest_short_scale ? 3 : 1;
-  for (std::size_t count = 1; count <= most_rows; ++count) {
+  const std::size_t max_rows = points > longest_short_scale ? 3 : 1;
+  for (std::size_t count = 1; count <= max_rows; ++count) {
     const std::size_t in_a_row = (points + count - 1) / count;
     std::vector<PointRow> rows;
     for (std::size_t first = 0; first < points; first += in_a_row) {

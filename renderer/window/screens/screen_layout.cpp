@@ -12,7 +12,7 @@ namespace {
 
 // In heights of a line of text.
 constexpr float margin = 1.2F;
-constexpr float widest_column = 34.0F;  // about most_line_characters
+constexpr float widest_column = 34.0F;  // about max_line_characters
 constexpr float progress_height = 0.3F;
 constexpr float above_content = 2.7F;
 constexpr float above_keys = 1.2F;

@@ -213,7 +213,7 @@ TEST(Figures, ManyParticipantsOnAWideScaleAreDrawnWithoutDots) {
     return draw_figures(tabulate_study(study_on_a_wide_scale(participants))).back().script;
   };
   EXPECT_THAT(script_of(2), HasSubstr("with lines"));
-  EXPECT_THAT(script_of(static_cast<int>(most_dots) + 1), Not(HasSubstr("with lines")));
+  EXPECT_THAT(script_of(static_cast<int>(max_dots) + 1), Not(HasSubstr("with lines")));
   EXPECT_THAT(script_of(1), HasSubstr("10 10 10 -0.34")) << "a mean without an interval";
 }
 

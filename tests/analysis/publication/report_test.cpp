@@ -62,7 +62,7 @@ TEST(Report, CaptionsSayWhatWasLeftOutOfTheFigures) {
   change_values(records, "material", [](study::Value& value) { value = {}; });
   EXPECT_THAT(report_of(records), HasSubstr("Not drawn, as nobody has both times in a scene: "
                                             "material."));
-  EXPECT_THAT(report_of(complete_study(static_cast<int>(most_dots) + 1)),
+  EXPECT_THAT(report_of(complete_study(static_cast<int>(max_dots) + 1)),
               HasSubstr("With more than 500 participants, the points of single participants are "
                         "left out. Filled points are"));
 }

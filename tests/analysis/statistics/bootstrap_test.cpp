@@ -53,9 +53,9 @@ TEST(Bootstrap, IsNearTheTIntervalOfManyValues) {
 
 TEST(Bootstrap, ConstantOrFewValuesHaveNoInterval) {
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>(16, 2.0)));
-  const std::span<const double> few = std::span(times).first(fewest_for_bca - 1);
+  const std::span<const double> few = std::span(times).first(min_for_bca - 1);
   EXPECT_FALSE(bca_geometric_mean(few));
-  EXPECT_TRUE(bca_geometric_mean(std::span(times).first(fewest_for_bca)));
+  EXPECT_TRUE(bca_geometric_mean(std::span(times).first(min_for_bca)));
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>{2.0, 3.0}));
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>{}));
 }

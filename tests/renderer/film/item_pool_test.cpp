@@ -112,7 +112,7 @@ std::vector<HugePage> take_until_a_thread_helps(HugePages& from) {
 }
 
 void wait_until_all_are_ready(const HugePages& pages) {
-  test::wait_until("pages that are ready", [&] { return pages.ready() == HugePages::most_ready; });
+  test::wait_until("pages that are ready", [&] { return pages.ready() == HugePages::max_ready; });
 }
 
 /// The numbers of this process's threads. Joined threads may be there for a moment longer.
@@ -133,7 +133,7 @@ TEST(HugePages, WhatIsTakenIsZeros) {
   std::vector<HugePage> taken = take_until_a_thread_helps(pages);
   pages.make_ready();
   wait_until_all_are_ready(pages);
-  for (HugePage& page : take(pages, HugePages::most_ready + 1)) {
+  for (HugePage& page : take(pages, HugePages::max_ready + 1)) {
     taken.push_back(std::move(page));
   }
   for (const HugePage& page : taken) {
@@ -153,7 +153,7 @@ TEST(HugePages, MemoryOfThoseThatAreReadyIsThere) {
   }
   pages.make_ready();
   wait_until_all_are_ready(pages);
-  for (const HugePage& page : take(pages, HugePages::most_ready)) {
+  for (const HugePage& page : take(pages, HugePages::max_ready)) {
     EXPECT_TRUE(is_there(page));
   }
   EXPECT_FALSE(is_there(pages.take()));
@@ -167,7 +167,7 @@ TEST(HugePages, NoMoreAreReadyThanSaid) {
   for (int i = 0; i < 5; ++i) {
     pages.make_ready();
     std::this_thread::sleep_for(std::chrono::milliseconds(10));  // time enough for a page
-    EXPECT_EQ(pages.ready(), HugePages::most_ready);
+    EXPECT_EQ(pages.ready(), HugePages::max_ready);
   }
   EXPECT_TRUE(is_there(pages.take()));
   pages.make_ready();

@@ -16,7 +16,7 @@ namespace foveola {
 namespace {
 
 constexpr double rate_hz = 120.0;
-constexpr Nanoseconds usual_horizon = std::chrono::milliseconds(30);
+constexpr Nanoseconds default_horizon = std::chrono::milliseconds(30);
 constexpr double horizon_s = 0.03;
 
 /// Azimuth and elevation in degrees.
@@ -50,7 +50,7 @@ double time_s_of(std::size_t sample) { return static_cast<double>(sample) / rate
 double pursuit_deg(double time_s) { return 20.0 * time_s - 15.0; }
 
 std::vector<Vec3> all_extrapolated(const std::vector<GazeSample>& samples,
-                                   Nanoseconds horizon = usual_horizon) {
+                                   Nanoseconds horizon = default_horizon) {
   GazeExtrapolation extrapolation(horizon);
   std::vector<Vec3> directions;
   for (const GazeSample& sample : samples) {
@@ -75,7 +75,7 @@ TEST(GazeExtrapolation, IsWhereAPursuingEyeWillBe) {
 TEST(GazeExtrapolation, GoesOnAlongAnyGreatCircle) {
   const DVec3 start = glm::normalize(DVec3(0.3, 0.8, -0.4));
   const DVec3 axis = glm::normalize(glm::cross(start, DVec3(0.5, -0.2, -0.9)));
-  GazeExtrapolation extrapolation(usual_horizon);
+  GazeExtrapolation extrapolation(default_horizon);
   const auto direction = [&](double time_s) {
     return Vec3(rotated(start, axis * (radians(30.0) * time_s)));
   };
@@ -91,7 +91,7 @@ TEST(GazeExtrapolation, GoesOnAlongAnyGreatCircle) {
 
 TEST(GazeExtrapolation, TakesIrregularIntervalsAsTheyAre) {
   Pcg32 random(3);
-  GazeExtrapolation extrapolation(usual_horizon);
+  GazeExtrapolation extrapolation(default_horizon);
   double time_s = 0.0;
   for (int i = 0; i < 200; ++i, time_s += 0.003 + 0.02 * random.uniform()) {
     const Vec3 later = extrapolation.extrapolated(valid_at(time_s, {pursuit_deg(time_s), 0.0}));
@@ -204,7 +204,7 @@ TEST(GazeExtrapolation, LeavesTheSamplesOfASaccadeAndTheFirstAfterIt) {
 
 /// Whether the sample after `pause_s` of a pursuit's is turned on.
 bool goes_on_after(double pause_s, bool is_blink) {
-  GazeExtrapolation extrapolation(usual_horizon);
+  GazeExtrapolation extrapolation(default_horizon);
   for (int i = 0; i <= 12; ++i) {
     extrapolation.extrapolated(valid_at(i / rate_hz, {pursuit_deg(i / rate_hz), 0.0}));
   }
@@ -230,8 +230,8 @@ TEST(GazeExtrapolation, BeginsAnewAfterABlinkAndAGap) {
 }
 
 TEST(GazeExtrapolation, ARepeatedTimeChangesNothing) {
-  GazeExtrapolation once(usual_horizon);
-  GazeExtrapolation twice(usual_horizon);
+  GazeExtrapolation once(default_horizon);
+  GazeExtrapolation twice(default_horizon);
   for (const GazeSample& sample : samples_of(pursuit_deg, 0.3, 0.1)) {
     const Vec3 direction = once.extrapolated(sample);
     EXPECT_EQ(twice.extrapolated(sample), direction);
@@ -240,7 +240,7 @@ TEST(GazeExtrapolation, ARepeatedTimeChangesNothing) {
 }
 
 TEST(GazeExtrapolation, BeginsAnewWhenTimeGoesBack) {
-  GazeExtrapolation extrapolation(usual_horizon);
+  GazeExtrapolation extrapolation(default_horizon);
   for (const GazeSample& sample : samples_of(pursuit_deg, 0.3)) {
     extrapolation.extrapolated(sample);
   }
@@ -252,7 +252,7 @@ TEST(GazeExtrapolation, BeginsAnewWhenTimeGoesBack) {
 }
 
 TEST(GazeExtrapolation, NeedsFiveSamples) {
-  GazeExtrapolation of_thirty_hz(usual_horizon);
+  GazeExtrapolation of_thirty_hz(default_horizon);
   for (int i = 0; i < 30; ++i) {
     const GazeSample sample = valid_at(i / 30.0, {pursuit_deg(i / 30.0), 0.0});
     EXPECT_EQ(of_thirty_hz.extrapolated(sample), sample.direction);

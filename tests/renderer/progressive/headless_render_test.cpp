@@ -64,7 +64,7 @@ TEST(TileDealing, AllPartsHaveAboutAsManySamples) {
 TEST(TileDealing, EveryPixelIsOfOnePart) {
   EXPECT_EQ(shard_of_pixel({700, 300}, 1), 1);
   const IVec2 last(EquirectFilm::largest_side - 1);
-  for (const std::int64_t shards : {std::int64_t{7}, most_shards}) {
+  for (const std::int64_t shards : {std::int64_t{7}, max_shards}) {
     for (const IVec2 pixel : {IVec2(0), IVec2(last.x, 0), IVec2(0, last.y), last}) {
       EXPECT_GE(shard_of_pixel(pixel, shards), 1);
       EXPECT_LE(shard_of_pixel(pixel, shards), shards);

@@ -122,7 +122,7 @@ TEST(ProposedObjects, AreTheBestFirstAndNotTooMany) {
                          {5.0F * std::sin(azimuth), 0.0F, -5.0F * std::cos(azimuth)},
                          0.1F + 0.02F * static_cast<float>(i)));
   }
-  const std::vector<std::string> names = names_of(proposed_in(meshes, {.most_objects = 3}));
+  const std::vector<std::string> names = names_of(proposed_in(meshes, {.max_objects = 3}));
   EXPECT_THAT(names, SizeIs(3));
   EXPECT_THAT(names, Not(Contains("box 0")));
 }

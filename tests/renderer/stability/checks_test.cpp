@@ -11,7 +11,7 @@ namespace foveola {
 namespace {
 
 constexpr StabilityEffort test_effort{.tolerance = 0.05,
-                                      .most_samples = 1 << 20,
+                                      .max_samples = 1 << 20,
                                       .picture_width = 32,
                                       .picture_samples_per_pixel = 32,
                                       .leak_paths = 30'000,

@@ -12,9 +12,9 @@ namespace foveola::study {
 namespace {
 
 /// Attempts are counted without end: this many are looked at.
-constexpr int most_attempts = 3;
+constexpr int max_attempts = 3;
 /// More than there can be: a machine that forgets to count has no end otherwise.
-constexpr std::size_t most_states = 20'000;
+constexpr std::size_t max_states = 20'000;
 
 /// Each kind of event, with times before, at and after what they could follow.
 std::vector<Event> every_event() {
@@ -199,10 +199,10 @@ class ModelCheck : public testing::Test {
  protected:
   ModelCheck() {
     reach({});
-    while (!waiting_.empty() && reached_.size() < most_states) {
+    while (!waiting_.empty() && reached_.size() < max_states) {
       const Watched watched = waiting_.back();
       waiting_.pop_back();
-      if (watched.state.attempt <= most_attempts) {
+      if (watched.state.attempt <= max_attempts) {
         leave(watched);
       }
     }
@@ -261,13 +261,13 @@ TEST_F(ModelCheck, EveryEventInEveryState) {
   }
   EXPECT_EQ(phases.size(), 16U) << "every phase was reached";
   EXPECT_GT(reached_.size(), 300U);
-  EXPECT_LT(reached_.size(), most_states);
+  EXPECT_LT(reached_.size(), max_states);
 }
 
 TEST_F(ModelCheck, ThereAreNoDeadEnds) {
   const std::set<Watched> complete = can_complete();
   for (const Watched& watched : reached_) {
-    if (!watched.state.is_over() && watched.state.attempt <= most_attempts) {
+    if (!watched.state.is_over() && watched.state.attempt <= max_attempts) {
       EXPECT_TRUE(complete.contains(watched))
           << name_of(watched.state.phase) << " of step " << watched.state.step;
     }

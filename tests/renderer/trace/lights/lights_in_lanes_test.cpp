@@ -54,15 +54,15 @@ void expect_samples_of_single_points(const Lights& lights) {
 
 TEST(LightsInLanesTest, SamplesAreThoseOfSingleShadingPoints) {
   const Scene scene = every_light();
-  for (const std::size_t most_in_table : {0U, 100U}) {
-    expect_samples_of_single_points(Lights(scene, {}, most_in_table));
+  for (const std::size_t max_in_table : {0U, 100U}) {
+    expect_samples_of_single_points(Lights(scene, {}, max_in_table));
   }
 }
 
 TEST(LightsInLanesTest, SamplesAreThoseOfSingleShadingPointsWhereLightsAreLearned) {
   const Scene scene = every_light();
-  for (const std::size_t most_in_table : {0U, 100U}) {
-    Lights lights(scene, {}, most_in_table);
+  for (const std::size_t max_in_table : {0U, 100U}) {
+    Lights lights(scene, {}, max_in_table);
     test::learn_two_sides(lights);
     EXPECT_NE(lights.region_of(Vec3(1, 0, 0), Vec3(0, 1, 0)),
               lights.region_of(Vec3(-1, 0, 0), Vec3(0, 1, 0)));

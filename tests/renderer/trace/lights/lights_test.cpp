@@ -132,8 +132,8 @@ TEST(LightsTest, AnInfiniteTriangleDoesNotHideTheOtherLights) {
   scene.meshes.push_back(quad(Vec3(0.0F), Vec3(INFINITY, 0, 0), Vec3(0, 0, 1), 0));
   scene.environment = constant_environment(0.25F);
   const double expected = std::numbers::pi * (4.0 * corner_form_factor(0.5, 1.5) + 0.25);
-  for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-    expect_mean(irradiance_at(Lights(scene, {}, most_in_table), Vec3(0.0F), 40000), expected);
+  for (const std::size_t max_in_table : {std::size_t{32}, std::size_t{0}}) {
+    expect_mean(irradiance_at(Lights(scene, {}, max_in_table), Vec3(0.0F), 40000), expected);
   }
 }
 
@@ -216,8 +216,8 @@ void expect_drawn_by_their_densities(const Lights& lights, const ShadingPoint& s
 TEST(LightsTest, DirectionsAreDrawnByTheSumOfAllDensities) {
   const Scene scene = visible_lights();
   const ShadingPoint shading_point{.position = Vec3(0.2F, 0.3F, 0.1F), .normal = Vec3(0, 1, 0)};
-  for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-    expect_drawn_by_their_densities(Lights(scene, {}, most_in_table), shading_point, 2);
+  for (const std::size_t max_in_table : {std::size_t{32}, std::size_t{0}}) {
+    expect_drawn_by_their_densities(Lights(scene, {}, max_in_table), shading_point, 2);
   }
 }
 
@@ -312,8 +312,8 @@ TEST(LightsTest, InvisibleLightsAddUp) {
        .intensity = Rgb(30.0F)}};
   const double expected = std::numbers::pi * (4.0 * corner_form_factor(0.5, 1.5) + 0.25) -
                           3.0 * direction.y + 50.0 * 0.8 / 25.0 + 2.0 + 30.0 / 25.0;
-  for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-    expect_mean(irradiance_at(Lights(scene, {}, most_in_table), Vec3(0.0F), 100000), expected);
+  for (const std::size_t max_in_table : {std::size_t{32}, std::size_t{0}}) {
+    expect_mean(irradiance_at(Lights(scene, {}, max_in_table), Vec3(0.0F), 100000), expected);
   }
 }
 
@@ -400,9 +400,9 @@ TEST(LightsTest, InstancesShineAsIfTheyWereBaked) {
       instanced.instances.push_back({.prototype = prototype, .world_from_local = where});
       world.meshes.push_back(baked(instanced.prototypes[prototype], where));
     }
-    for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-      const Lights of_instances(instanced, {}, most_in_table);
-      const Lights of_meshes(world, {}, most_in_table);
+    for (const std::size_t max_in_table : {std::size_t{32}, std::size_t{0}}) {
+      const Lights of_instances(instanced, {}, max_in_table);
+      const Lights of_meshes(world, {}, max_in_table);
       for (const Vec3& position : {Vec3(0.0F), Vec3(1, 0.5F, -2), Vec3(0.3F, 1.6F, -0.4F)}) {
         const MeanEstimate expected = irradiance_at(of_meshes, position, 20000);
         const MeanEstimate estimate = irradiance_at(of_instances, position, 20000);
@@ -435,8 +435,8 @@ TEST(LightsTest, EverySampleIsFinite) {
                     quad(Vec3(0.0F), Vec3(0.0F), scale * Vec3(0, 1, 0), 0)};
     scene.lights = {{.position = Vec3(0.0F), .intensity = Rgb(1.0F)},
                     {.position = scale * Vec3(1, 0, 0), .intensity = Rgb(1.0F), .radius_m = scale}};
-    for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-      const Lights lights(scene, {}, most_in_table);
+    for (const std::size_t max_in_table : {std::size_t{32}, std::size_t{0}}) {
+      const Lights lights(scene, {}, max_in_table);
       for (const Vec3& place :
            {Vec3(0.0F), Vec3(1, 0, 1), Vec3(0.5F, 0, 0.5F), Vec3(0.3F, 0, 0.6F), Vec3(7, 0, -3),
             Vec3(0.3F, 1e-7F, 0.6F), Vec3(0.3F, -1e-3F, 0.6F), Vec3(0, 1e-20F, 0), Vec3(3e3F)}) {

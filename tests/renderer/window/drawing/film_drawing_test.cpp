@@ -13,12 +13,12 @@ namespace foveola {
 namespace {
 
 TEST(UsualDrawer, IsTheProcessorWhereOpenGlIsSoftware) {
-  EXPECT_EQ(usual_drawer("llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 Mesa 22.3.6"),
+  EXPECT_EQ(default_drawer("llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 Mesa 22.3.6"),
             FilmDrawer::processor);
-  EXPECT_EQ(usual_drawer("softpipe, OpenGL 3.3"), FilmDrawer::processor);
-  EXPECT_EQ(usual_drawer("Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6"),
+  EXPECT_EQ(default_drawer("softpipe, OpenGL 3.3"), FilmDrawer::processor);
+  EXPECT_EQ(default_drawer("Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6"),
             FilmDrawer::graphics_card);
-  EXPECT_EQ(usual_drawer("NVIDIA GeForce RTX 3060/PCIe/SSE2, OpenGL 3.3.0"),
+  EXPECT_EQ(default_drawer("NVIDIA GeForce RTX 3060/PCIe/SSE2, OpenGL 3.3.0"),
             FilmDrawer::graphics_card);
 }
 
