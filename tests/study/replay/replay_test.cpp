@@ -98,14 +98,17 @@ class ReplayTest : public ::testing::Test {
     }
   }
 
-  ReplayReport replay(std::optional<std::size_t> trial = {}) {
-    return replay_session(
-        {.database = path_, .participant = "P1", .trial = trial, .folder = folder_.path()},
-        [this](const std::string& name, const auto& /*folder*/) {
-          loaded_.push_back(name);
-          return source_of(name);
-        },
-        {});
+  ReplayReport replay(std::optional<std::size_t> trial = {}, std::optional<int> attempt = {}) {
+    return replay_session({.database = path_,
+                           .participant = "P1",
+                           .trial = trial,
+                           .attempt = attempt,
+                           .folder = folder_.path()},
+                          [this](const std::string& name, const auto& /*folder*/) {
+                            loaded_.push_back(name);
+                            return source_of(name);
+                          },
+                          {});
   }
 
   /// Replays it all, and expects it to be the same. Returns its attempts, as "trial.attempt".
@@ -143,6 +146,7 @@ TEST_F(ReplayTest, AWholeSessionIsMadeAgain) {
   ASSERT_EQ(take_part(), Phase::completed);
   EXPECT_THAT(same_attempts(), ElementsAre("0.1", "0.2", "1.1", "2.1"));
   EXPECT_THAT(replay().attempts, Each(Field(&ReplayedAttempt::frames, testing::Gt(0U))));
+  EXPECT_THAT(replay({}, 2).attempts, ElementsAre(Field(&ReplayedAttempt::trial, 0U)));
 }
 
 // The films are of the filtered gaze.

@@ -198,6 +198,8 @@ TEST(EnvironmentLightTest, IrradianceOfAKnownMap) {
   }
   expect_mean(irradiance, 2.0 * pi / 3.0, 1e-4, 0.005);
   EXPECT_NEAR(light.total_luminance(), pi, 1e-3);
+  environment.radiance = Rgb(3.0F);
+  EXPECT_NEAR(EnvironmentLight(environment).total_luminance(), 3.0 * pi, 3e-3);
 }
 
 TEST(EnvironmentLightTest, RotationMovesTheMapTowardsPlusX) {

@@ -14,6 +14,11 @@
 #include "renderer/trace/surfaces/triangle.h"
 #include "tests/renderer/trace/scenes.h"
 #include "tests/renderer/trace/shadow_answers.h"
+#include "renderer/base/work_scope.h"
+#include "renderer/trace/kept_hierarchies.h"
+#include "renderer/trace/triangle.h"
+#include "scenes.h"
+#include "shadow_answers.h"
 
 namespace foveola {
 namespace {
@@ -220,6 +225,18 @@ TEST(RaySceneTest, ThinSurfacesAreMetButDoNotBlock) {
   EXPECT_TRUE(answers[0].met_thin_surface);
   EXPECT_FALSE(answers[1].is_blocked);
   EXPECT_FALSE(answers[1].met_thin_surface);
+}
+
+TEST(RaySceneTest, AKeptHierarchyIsOfItsSurfaceToo) {
+  Scene scene = one_quad();
+  scene.prototypes.swap(scene.meshes);
+  scene.instances = {{.prototype = 0}};
+  KeptHierarchies kept;
+  const std::vector<Ray> ray{{.direction = Vec3(0.1F, 0.2F, -1.0F)}};
+  EXPECT_TRUE(ask_blocked(RayScene(scene, workers(), &kept), ray)[0].is_blocked);
+  scene.materials[0].transmission = 1.0F;
+  scene.materials[0].roughness = 0.0F;
+  EXPECT_FALSE(ask_blocked(RayScene(scene, workers(), &kept), ray)[0].is_blocked);
 }
 
 TEST(RaySceneTest, BehindAThinSurfaceTheRaysOwnKeysDecide) {
