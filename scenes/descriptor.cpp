@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/light_unit_words.h"
 #include "renderer/base/toml/toml_file.h"

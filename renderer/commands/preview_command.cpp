@@ -14,6 +14,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
+#include "renderer/base/work/programs.h"
 #include "renderer/commands/preview_arguments.h"
 #include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"

@@ -9,16 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/clock.h"
 #include "renderer/base/random.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/trace/surfaces/triangle.h"
 #include "tests/renderer/trace/scenes.h"
 #include "tests/renderer/trace/shadow_answers.h"
-#include "renderer/base/work_scope.h"
-#include "renderer/trace/kept_hierarchies.h"
-#include "renderer/trace/triangle.h"
-#include "scenes.h"
-#include "shadow_answers.h"
 
 namespace foveola {
 namespace {
