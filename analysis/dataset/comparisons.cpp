@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/statistics/bootstrap.h"
 #include "analysis/statistics/correlation.h"
