@@ -66,7 +66,7 @@ std::string check_whole_number(std::string& text) {
 }
 
 void state_default(CLI::Option& option) {
-  if (option.get_description().find("default") == std::string::npos) {
+  if (!option.get_required() && option.get_description().find("default") == std::string::npos) {
     option.capture_default_str();
   }
   if (option.get_default_str() == "[]") {
