@@ -165,7 +165,6 @@ int run(int argc, char** argv) {
   CLI::App app("A laboratory for foveated previews: renderer, user study, statistics.", "foveola");
   app.set_version_flag("--version", "foveola " + build_info().version + " (computing with " +
                                         build_info().instruction_set + ")");
-  app.option_defaults()->always_capture_default();  // Before the commands, which inherit it.
   app.require_subcommand(1);
   app.parse_complete_callback([&] { keep_outputs_apart(app); });
   const SceneFinder find_scene = [](const std::string& name) {
@@ -204,7 +203,7 @@ int run(int argc, char** argv) {
     return EXIT_SUCCESS;
   }
   try {
-    check_numbers(app);
+    complete_options(app);
     reject_unknown_commands(app, {argv + 1, argv + argc});
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

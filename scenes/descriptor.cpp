@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <system_error>
@@ -40,28 +39,20 @@ bool is_digest(const std::string& text) {
 /// Without any folder: nobody can be made to read or write elsewhere.
 bool is_plain_name(const fs::path& path) { return path.filename() == path; }
 
-void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
-  for (const std::string_view key : keys) {
-    table.require(key);
-  }
-}
-
 /// In metres. Throws Error if the key is absent.
 Vec3 read_position(TomlReader& table, std::string_view key, double metres_per_unit) {
   Vec3 position;
-  table.require(key);
-  table.read(key, position, -largest_coordinate, largest_coordinate);
+  table.read(required(key), position, -largest_coordinate, largest_coordinate);
   return static_cast<float>(metres_per_unit) * position;
 }
 
 RectangleLight read_light(TomlReader table, double metres_per_unit) {
   RectangleLight light;
-  require(table, {"size", "normal", "radiance"});
   light.center = read_position(table, "center", metres_per_unit);
-  table.read("size", light.size, 1e-6, largest_coordinate);
+  table.read(required("size"), light.size, 1e-6, largest_coordinate);
   light.size *= static_cast<float>(metres_per_unit);
-  table.read("normal", light.normal, -1.0, 1.0);
-  table.read("radiance", light.radiance, 0.0, largest_radiance);
+  table.read(required("normal"), light.normal, -1.0, 1.0);
+  table.read(required("radiance"), light.radiance, 0.0, largest_radiance);
   if (!is_axis(light.normal)) {
     table.fail(table.source("normal"), "normal must be an axis", "for instance [0, -1, 0]");
   }
@@ -72,19 +63,17 @@ RectangleLight read_light(TomlReader table, double metres_per_unit) {
 /// The angles in degrees under these names, in radians.
 AzimuthElevation read_angles(TomlReader& table, std::string_view azimuth,
                              std::string_view elevation) {
-  require(table, {azimuth, elevation});
   double azimuth_deg = 0.0;
   double elevation_deg = 0.0;
-  table.read(azimuth, azimuth_deg, -180.0, 180.0);
-  table.read(elevation, elevation_deg, -90.0, 90.0);
+  table.read(required(azimuth), azimuth_deg, -180.0, 180.0);
+  table.read(required(elevation), elevation_deg, -90.0, 90.0);
   return {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)};
 }
 
 Sun read_sun(TomlReader table) {
   Sun sun;
-  table.require("irradiance");
   sun.place = read_angles(table, "azimuth_deg", "elevation_deg");
-  table.read("irradiance", sun.irradiance, 0.0, largest_radiance);
+  table.read(required("irradiance"), sun.irradiance, 0.0, largest_radiance);
   double angular_radius_deg = degrees(sun.angular_radius_rad);
   table.read("angular_radius_deg", angular_radius_deg, 0.0, 45.0);
   sun.angular_radius_rad = radians(angular_radius_deg);
@@ -94,11 +83,10 @@ Sun read_sun(TomlReader table) {
 
 ObjectOfInterest read_object(TomlReader table, double metres_per_unit) {
   ObjectOfInterest object;
-  require(table, {"name", "radius_deg"});
   object.name = table.require_text("name");
   object.position = read_position(table, "position", metres_per_unit);
   double radius_deg = 0.0;
-  table.read("radius_deg", radius_deg, 0.1, 90.0);
+  table.read(required("radius_deg"), radius_deg, 0.1, 90.0);
   object.radius_deg = static_cast<float>(radius_deg);
   table.reject_unknown_keys();
   return object;
@@ -130,10 +118,8 @@ void read_picture(TomlReader& table, SceneSource& source) {
     table.read("vertical_fov_deg", fov_deg, narrowest_camera_fov_deg, widest_camera_fov_deg);
     source.camera_vertical_fov_rad = radians(fov_deg);
   }
-  if (table.has("aspect_ratio")) {
-    table.read("aspect_ratio", source.camera_aspect_ratio.emplace(1.0), least_camera_aspect_ratio,
-               largest_camera_aspect_ratio);
-  }
+  table.read("aspect_ratio", source.camera_aspect_ratio, least_camera_aspect_ratio,
+             largest_camera_aspect_ratio);
 }
 
 void read_camera(TomlReader table, SceneSource& source) {
@@ -194,9 +180,7 @@ void read_light_from_outside(TomlReader& table, const fs::path& folder, SceneSou
     table.read("environment_radiance", radiance, 0.0, largest_radiance);
     source.environment_radiance = radiance;
   }
-  if (table.has("sky")) {
-    source.sky = read_sky(table.table("sky"));
-  }
+  table.read_table("sky", source.sky, read_sky);
   for (const TomlReader& sun : table.tables("sun")) {
     source.suns.push_back(read_sun(sun));
   }
@@ -221,12 +205,8 @@ void read_light_sizes(TomlReader& table, SceneSource& source) {
 }
 
 void read_viewpoint(TomlReader& table, SceneSource& source) {
-  table.require("camera");
-  read_camera(table.table("camera"), source);
-  if (table.has("exposure_stops")) {
-    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -max_exposure_stops,
-               max_exposure_stops);
-  }
+  read_camera(table.table(required("camera")), source);
+  table.read("exposure_stops", source.exposure_stops, -max_exposure_stops, max_exposure_stops);
 }
 
 void read_lights_and_objects(TomlReader& table, SceneSource& source) {

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/light_unit_words.h"
 #include "renderer/base/utf8.h"
 #include "scenes/descriptor.h"
 

@@ -1,6 +1,7 @@
 // A scene as people name it: a file, where to stand in it, and what to add to it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/words.h"
 
 namespace foveola {
 
@@ -48,6 +50,9 @@ enum class LightUnits : std::uint8_t {
   /// Irradiances and radiant intensities: taken as they are.
   radiometric
 };
+inline constexpr std::array light_unit_words{
+    Word<LightUnits>{"photometric", LightUnits::photometric},
+    Word<LightUnits>{"radiometric", LightUnits::radiometric}};
 
 /// Something in the scene that a participant may choose to look at.
 struct ObjectOfInterest {

@@ -8,10 +8,6 @@ void add_scene_option(CLI::App& command, std::string& scene) {
   command.add_option("SCENE", scene, "A scene's name, or a .glb, .gltf or .obj file")->required();
 }
 
-void add_film_size_option(CLI::App& command, std::string& size) {
-  command.add_option("--size", size, "Size of the film in pixels, WIDTHxHEIGHT");
-}
-
 void add_max_depth_option(CLI::App& command, int& max_depth) {
   command
       .add_option("--max-depth", max_depth,

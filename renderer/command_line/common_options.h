@@ -12,8 +12,6 @@ namespace foveola {
 
 /// SCENE, which is required.
 void add_scene_option(CLI::App& command, std::string& scene);
-/// --size, as parse_size() reads it.
-void add_film_size_option(CLI::App& command, std::string& size);
 /// --max-depth, from 1 on.
 void add_max_depth_option(CLI::App& command, int& max_depth);
 /// --threads, 0 to 1024.

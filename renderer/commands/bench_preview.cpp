@@ -15,6 +15,7 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
+#include "renderer/commands/look_options.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/gaze/gaze_source.h"
@@ -28,23 +29,18 @@ using Json = nlohmann::ordered_json;
 
 struct PreviewArguments {
   std::string scene;
-  std::string method = "fv";
-  std::string size = size_text(live_film_size);
+  RenderSettings settings{.method = "fv", .progressive = {.film_size = live_film_size}};
   std::string view;
   std::string tracker = "fove0";
   std::string display = "fove0";
   std::optional<double> rate_hz;
   int frames = 700;
   int restart_every = 100;
-  int threads = 0;
   bool json = false;
 };
 
 RenderSettings settings_of(const PreviewArguments& arguments) {
-  RenderSettings settings;
-  settings.method = arguments.method;
-  settings.progressive.film_size = parse_size("--size", arguments.size);
-  settings.threads = arguments.threads;
+  RenderSettings settings = arguments.settings;
   if (!arguments.view.empty()) {
     settings.view = parse_size("--view", arguments.view);
   }
@@ -113,8 +109,8 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
 Json json_of(const PreviewRun& run, const PreviewArguments& arguments) {
   Json json = bench_facts();
   json.update({{"scene", arguments.scene},
-               {"method", arguments.method},
-               {"size", arguments.size},
+               {"method", arguments.settings.method},
+               {"size", size_text(arguments.settings.progressive.film_size)},
                {"view", arguments.view}});
   json.update(preview_json(run));
   return json;
@@ -143,8 +139,8 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
       "Measure without a window whether a live preview's frames are in time, and the latency from "
       "the eye to the display's light");
   add_scene_option(*command, arguments->scene);
-  command->add_option("--method", arguments->method, "The method, as render's --method");
-  add_film_size_option(*command, arguments->size);
+  command->add_option("--method", arguments->settings.method, "The method, as render's --method");
+  add_film_size_option(*command, arguments->settings.progressive.film_size);
   command->add_option(
       "--view", arguments->view,
       "Resample every frame to a view of so many pixels, WIDTHxHEIGHT (default: do not; "
@@ -161,7 +157,7 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
       ->add_option("--restart-every", arguments->restart_every,
                    "Begin a new picture after so many frames")
       ->check(CLI::Range(1, 10'000'000));
-  add_threads_option(*command, arguments->threads);
+  add_threads_option(*command, arguments->settings.threads);
   add_json_option(*command, arguments->json);
   command->footer("Example: foveola bench preview arcade --frames 10000");
   command->callback([arguments, find = with_scene_file_options(*command, find_scene), stop] {

@@ -162,7 +162,7 @@ void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes
                       "Run only the stress tests whose name contains this");
   add_threads_option(*command, arguments->threads);
   command->add_option("--paths", arguments->scene_paths,
-                      "Number of paths over the scenes, instead of what --quick or --full say");
+                      "Number of paths over the scenes (default: as --quick and --full say)");
   command->add_option(
       "--seed", arguments->scene_seed,
       "Seed of these paths: many can be traced in several runs, each with its own seed");

@@ -17,6 +17,7 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
+#include "renderer/commands/look_options.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/tracing_figures.h"
 #include "renderer/progressive/headless_render.h"
@@ -30,12 +31,10 @@ constexpr std::uint64_t pass_points = 1 << 16;
 
 struct TracingArguments {
   std::string scene;
-  std::string method = RenderSettings{}.method;
-  std::string size = size_text(ProgressiveSettings{}.film_size);
+  RenderSettings settings{.progressive = {.trace = {.seed = 1}},
+                          .budget = {.samples = std::uint64_t{1} << 18}};
   std::string camera;
   std::vector<int> threads;
-  std::uint64_t paths = 1 << 18;
-  TraceSettings trace{.seed = 1};
   int repetitions = 7;
   bool no_fast_path = false;
   bool json = false;
@@ -221,14 +220,10 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
 }
 
 RenderSettings settings_from(const TracingArguments& arguments) {
-  RenderSettings settings;
-  settings.method = arguments.method;
-  settings.progressive.film_size = parse_size("--size", arguments.size);
+  RenderSettings settings = arguments.settings;
   if (!arguments.camera.empty()) {
     settings.scene.camera = parse_vec3("--camera", arguments.camera);
   }
-  settings.budget.samples = arguments.paths;
-  settings.progressive.trace = arguments.trace;
   return settings;
 }
 
@@ -264,8 +259,8 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
   CLI::App* command = bench.add_subcommand(
       "tracing", "Measure what a path costs, beside what Embree alone takes for the same rays");
   add_scene_option(*command, arguments->scene);
-  command->add_option("--method", arguments->method, "The method, as render's --method");
-  add_film_size_option(*command, arguments->size);
+  command->add_option("--method", arguments->settings.method, "The method, as render's --method");
+  add_film_size_option(*command, arguments->settings.progressive.film_size);
   command->add_option("--camera", arguments->camera,
                       "Where the camera stands: x,y,z in metres (default: as in render)");
   command
@@ -273,13 +268,13 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
                    "Numbers of threads, each measured (default: 1 and all cores)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
-  command->add_option("--paths", arguments->paths, "Paths of each repetition")
+  command->add_option("--paths", arguments->settings.budget.samples, "Paths of each repetition")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22));
   command
       ->add_option("--repetitions", arguments->repetitions,
                    "Number of repetitions, whose median counts")
       ->check(CLI::Range(1, 1000));
-  add_max_depth_option(*command, arguments->trace.max_depth);
+  add_max_depth_option(*command, arguments->settings.progressive.trace.max_depth);
   command->add_flag("--no-fast-path", arguments->no_fast_path,
                     "Measure the general path too, and what the fast path gains over it");
   add_json_option(*command, arguments->json);

@@ -118,6 +118,14 @@ void add_tone_option(CLI::App& command, LookArguments& arguments) {
       ->check(CLI::IsMember(texts_of(tone_curves)));
 }
 
+void add_film_size_option(CLI::App& command, IVec2& size) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&size](const std::string& text) { size = parse_size("--size", text); },
+          "Size of the film in pixels, WIDTHxHEIGHT")
+      ->default_str(size_text(size));
+}
+
 void add_path_options(CLI::App& command, TraceSettings& trace) {
   add_max_depth_option(command, trace.max_depth);
   command.add_option("--seed", trace.seed,

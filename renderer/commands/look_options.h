@@ -46,6 +46,8 @@ void add_exposure_option(CLI::App& command, LookArguments& arguments);
 /// --tone.
 void add_tone_option(CLI::App& command, LookArguments& arguments);
 
+/// --size of the film, in pixels.
+void add_film_size_option(CLI::App& command, IVec2& size);
 /// --max-depth and --seed.
 void add_path_options(CLI::App& command, TraceSettings& trace);
 

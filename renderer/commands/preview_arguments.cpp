@@ -53,7 +53,7 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
   add_scene_option(command, arguments.scene);
   command.add_option("--method", arguments.method,
                      "The method to begin with, as render's --method");
-  add_film_size_option(command, arguments.size);
+  add_film_size_option(command, arguments.film_size);
   command.add_option("--display", arguments.display,
                      "A display's profile, by name or file: a monitor's window, or a headset's two "
                      "views side by side");
@@ -128,7 +128,7 @@ PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFin
                          .display = read_display_profile(arguments.display),
                          .tracker = read_tracker_profile(arguments.tracker),
                          .gaze_filter = parse_gaze_filter(arguments.gaze_filter)};
-  request.render.film_size = parse_size("--size", arguments.size);
+  request.render.film_size = arguments.film_size;
   request.render.trace = arguments.trace;
   request.render.visits_pixels_in_rounds = true;
   if (!arguments.gaze_file.empty()) {

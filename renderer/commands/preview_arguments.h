@@ -26,7 +26,7 @@ struct PreviewArguments {
   std::string scene;
   LookArguments look;
   std::string method = "fv";
-  std::string size = size_text(live_film_size);
+  IVec2 film_size = live_film_size;
   std::string display = "desktop";
   std::string tracker = "pointer";
   std::string gaze_file;

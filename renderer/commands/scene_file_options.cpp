@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "renderer/base/light_unit_words.h"
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"

@@ -30,9 +30,8 @@ struct SheetArguments {
   LookArguments look;
   std::vector<std::string> scenes;
   std::string output;
-  std::string size = "1024x512";
+  RenderSettings settings{.progressive = {.film_size = {1024, 512}}};
   int samples_per_pixel = 256;
-  int threads = 0;
 };
 
 /// One scene: all of it, and what is seen from its camera without turning the head.
@@ -114,9 +113,7 @@ std::vector<SheetRow> render_rows(const std::vector<SceneSource>& sources,
 }
 
 RenderSettings settings_from(const SheetArguments& arguments) {
-  RenderSettings settings;
-  settings.progressive.film_size = parse_size("--size", arguments.size);
-  settings.threads = arguments.threads;
+  RenderSettings settings = arguments.settings;
   settings.exposure = exposure_choice(arguments.look);
   settings.budget.samples = static_cast<std::uint64_t>(arguments.samples_per_pixel) *
                             static_cast<std::uint64_t>(settings.progressive.film_size.x) *
@@ -153,11 +150,10 @@ void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
                       "Scenes' names or files (default: the built-in ones)");
   command->add_option("-o,--output", arguments->output, "The .png or .exr file to write")
       ->required();
-  command->add_option("--size", arguments->size,
-                      "Size of a scene's 360-degree image in pixels, WIDTHxHEIGHT");
+  add_film_size_option(*command, arguments->settings.progressive.film_size);
   command->add_option("--spp", arguments->samples_per_pixel, "Samples per pixel of that image")
       ->check(CLI::Range(1, 1'000'000));
-  add_threads_option(*command, arguments->threads);
+  add_threads_option(*command, arguments->settings.threads);
   add_light_options(*command, arguments->look);
   add_exposure_option(*command, arguments->look);
   add_tone_option(*command, arguments->look);

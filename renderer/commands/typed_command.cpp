@@ -65,6 +65,15 @@ std::string check_whole_number(std::string& text) {
   return {};
 }
 
+void state_default(CLI::Option& option) {
+  if (!option.get_required() && option.get_description().find("default") == std::string::npos) {
+    option.capture_default_str();
+  }
+  if (option.get_default_str() == "[]") {
+    option.default_str("");
+  }
+}
+
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CommandDescription& command : foveola::describe(app).commands) {
@@ -112,8 +121,9 @@ std::string text_of_extras(const CLI::App& app) {
 
 }  // namespace
 
-void check_numbers(CLI::App& app) {
+void complete_options(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
+    state_default(*option);
     const std::string type = option->get_type_name();
     if (type.starts_with("FLOAT")) {
       option->transform(CLI::Validator(check_number, ""));
@@ -124,7 +134,7 @@ void check_numbers(CLI::App& app) {
     }
   }
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    check_numbers(*command);
+    complete_options(*command);
   }
 }
 

@@ -11,10 +11,11 @@ class ParseError;
 
 namespace foveola {
 
-/// Makes every option of `app` and of its commands that takes numbers say so of what is none ("'5s'
-/// is no number"), and those that take whole numbers accept them as 1e6 too and refuse what 64 bits
-/// do not hold. To be called when all options are there.
-void check_numbers(CLI::App& app);
+/// Has help state the default of every option of `app` and of its commands whose description does
+/// not. Makes options that take numbers say so of what is none ("'5s' is no number"), and those
+/// that take whole numbers accept them as 1e6 too and refuse what 64 bits do not hold. To be called
+/// when all options are there.
+void complete_options(CLI::App& app);
 
 /// The first of the words that stands where a command must, and is none. Throws UsageError that
 /// asks for the one that was meant. words: as typed, without the program's name.

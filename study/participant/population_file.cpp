@@ -135,10 +135,8 @@ std::string name_of(const Parameter& parameter) {
 /// { value = 0.2, source = "assumed" }
 StatedNumber read_number(TomlReader& table, const Parameter& parameter) {
   StatedNumber number{.name = name_of(parameter)};
-  table.require(parameter.key);
-  TomlReader inner = table.table(parameter.key);
-  inner.require("value");
-  inner.read("value", number.value, parameter.minimum, parameter.maximum);
+  TomlReader inner = table.table(required(parameter.key));
+  inner.read(required("value"), number.value, parameter.minimum, parameter.maximum);
   number.source = inner.require_text("source");
   inner.reject_unknown_keys();
   return number;
@@ -146,8 +144,7 @@ StatedNumber read_number(TomlReader& table, const Parameter& parameter) {
 
 /// Reads the numbers of one table, whose parameters follow one another.
 void read_table(TomlReader& file, std::string_view name, People& people) {
-  file.require(name);
-  TomlReader table = file.table(name);
+  TomlReader table = file.table(required(name));
   for (const Parameter& parameter : parameters) {
     if (parameter.table == name) {
       people.numbers.push_back(read_number(table, parameter));

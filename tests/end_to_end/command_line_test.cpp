@@ -140,7 +140,7 @@ TEST(Completion, IsForShellsThatItKnows) {
   expect_one_line(run_foveola({"completion"}), 2, "SHELL is required");
   EXPECT_THAT(output_of({"completion", "zsh"}), HasSubstr("compdef _foveola foveola"));
   EXPECT_THAT(output_of({"completion", "fish"}), HasSubstr("complete -c foveola"));
-  EXPECT_EQ(output_of({"__complete", "study", "r"}).substr(0, 7), "repeat\t");
+  EXPECT_THAT(output_of({"__complete", "study", "re"}), StartsWith("replay\t"));
 }
 
 class BashCompletion : public testing::Test {

@@ -29,7 +29,7 @@ class TypedCommand : public testing::Test {
     study->require_subcommand(1);
     study->add_subcommand("simulate", "");
     study->add_subcommand("run", "");
-    check_numbers(app_);
+    complete_options(app_);
   }
 
   /// What is wrong with the words; empty if nothing is.
