@@ -12,7 +12,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
-#include "renderer/base/light_unit_words.h"
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/toml/toml_reader.h"
 #include "scenes/builtin.h"
