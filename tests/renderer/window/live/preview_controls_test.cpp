@@ -33,6 +33,34 @@ TEST(PreviewControlsTest, EveryLetterDoesSomethingElse) {
   }
 }
 
+TEST(PreviewControlsTest, TheHelpFitsASmallWindow) {
+  // 800x450, in letters of 7x13 pixels.
+  EXPECT_LE(help_lines().size(), 31U);
+  EXPECT_THAT(help_lines(), Each(SizeIs(testing::Le(108U))));
+}
+
+TEST(PreviewControlsTest, OverlaysAndTheToneCurveComeAndGo) {
+  const std::vector<std::pair<PreviewAction, bool PreviewChoices::*>> overlays = {
+      {PreviewAction::show_gaze, &PreviewChoices::shows_gaze},
+      {PreviewAction::show_rings, &PreviewChoices::shows_rings},
+      {PreviewAction::show_density, &PreviewChoices::shows_density},
+      {PreviewAction::show_frame_times, &PreviewChoices::shows_frame_times},
+      {PreviewAction::show_latency, &PreviewChoices::shows_latency},
+      {PreviewAction::show_view, &PreviewChoices::shows_view},
+      {PreviewAction::show_warnings, &PreviewChoices::shows_warnings},
+      {PreviewAction::show_help, &PreviewChoices::shows_help}};
+  PreviewChoices choices = four_methods();
+  for (const bool is_on : {true, false}) {
+    for (const auto& [action, shows] : overlays) {
+      EXPECT_EQ(choices.*shows, !is_on);
+      EXPECT_FALSE(follow(action, choices));
+      EXPECT_EQ(choices.*shows, is_on);
+    }
+    EXPECT_FALSE(follow(PreviewAction::next_curve, choices));
+    EXPECT_EQ(choices.look.curve, is_on ? ToneCurve::filmic : ToneCurve::plain);
+  }
+}
+
 TEST(PreviewControlsTest, SamplesAreCutAtAMultipleOfWhite) {
   PreviewChoices choices = four_methods();
   EXPECT_TRUE(std::isinf(largest_radiance(choices)));
