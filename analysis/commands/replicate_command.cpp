@@ -128,7 +128,8 @@ struct StageResults {
         continue;
       }
       const ResultJson kept = ResultJson::parse(read_file(file), nullptr, false);
-      if (!kept.is_object() || kept.value("version", "") != program_facts()["version"] ||
+      if (!kept.is_object() ||
+          kept.value("version", "") != program_facts()["version"].get<std::string>() ||
           kept.value("claims_sha256", "") != claims.sha256) {
         throw Error(file.string(), "was made by another version, or for other claims",
                     "name another folder");
