@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/view/view_sampler.h"
+#include "study/participant/participant.h"
 #include "study/prediction/noise_atlas.h"
 
 namespace foveola::study {
