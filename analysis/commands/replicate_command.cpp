@@ -1,14 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <future>
-#include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <sstream>
 #include <stop_token>
@@ -20,7 +16,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fnmatch.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/commands.h"
@@ -46,7 +41,6 @@ namespace foveola::analysis {
 namespace {
 
 using ResultJson = nlohmann::ordered_json;
-using Figures = std::vector<BenchFigure>;
 
 struct ReplicateArguments {
   fs::path folder;
@@ -57,60 +51,6 @@ struct ReplicateArguments {
   bool write = false;
   bool json = false;
 };
-
-/// The figure that a pattern matches, in which * is any text; of several, after "min " or "max ",
-/// the least or greatest. Throws Error if it matches none, or too many.
-const BenchFigure& find_figure(const std::string& term, const Figures& figures) {
-  const bool is_least = term.starts_with("min ");
-  const bool is_extreme = is_least || term.starts_with("max ");
-  std::string glob;
-  for (const char c : std::string_view(term).substr(is_extreme ? 4 : 0)) {
-    glob += std::string_view("?[]\\").find(c) == std::string_view::npos ? "" : "\\";
-    glob += c;
-  }
-  const BenchFigure* found = nullptr;
-  for (const BenchFigure& figure : figures) {
-    if (::fnmatch(glob.c_str(), figure.place.c_str(), 0) != 0) {
-      continue;
-    }
-    if (found != nullptr && !is_extreme) {
-      throw Error(term, "matches several figures of what was made", "mend the claim");
-    }
-    found = found == nullptr || (figure.value < found->value) == is_least ? &figure : found;
-  }
-  if (found == nullptr) {
-    throw Error(term, "matches no figure of what was made", "mend the claim");
-  }
-  return *found;
-}
-
-/// Evaluates patterns and numbers between " * " and " / " from left to right, and so its interval
-/// at both ends of the figures' intervals.
-ClaimValue make_value(const std::string& expression, const Figures& figures) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::array<double, 3> value_low_high = {1.0, 1.0, 1.0};
-  bool is_quotient = false;
-  for (std::size_t begin = 0; begin < expression.size();) {
-    const std::size_t end =
-        std::min({expression.find(" * ", begin), expression.find(" / ", begin), expression.size()});
-    const std::string term = expression.substr(begin, end - begin);
-    char* rest = nullptr;
-    const double number = std::strtod(term.c_str(), &rest);
-    std::array<double, 3> factor = {number, number, number};
-    if (*rest != '\0') {
-      const BenchFigure& figure = find_figure(term, figures);
-      const Interval interval = figure.interval.value_or(Interval{unknown, unknown});
-      factor = {figure.value, interval.low, interval.high};
-    }
-    for (std::size_t i = 0; i < factor.size(); ++i) {
-      value_low_high[i] *= is_quotient ? 1.0 / factor[i] : factor[i];
-    }
-    is_quotient = expression.compare(end, 3, " / ") == 0;
-    begin = end + 3;
-  }
-  const auto [low, high] = std::minmax(value_low_high[1], value_low_high[2]);
-  return {value_low_high[0], low <= high ? std::optional(Interval{low, high}) : std::nullopt};
-}
 
 /// The results of stages, each of which is kept in a folder.
 struct StageResults {
@@ -127,10 +67,10 @@ struct StageResults {
       if (made.contains(stage.id) || !fs::exists(file)) {
         continue;
       }
-      const ResultJson kept = ResultJson::parse(read_file(file), nullptr, false);
-      if (!kept.is_object() ||
-          kept.value("version", "") != program_facts()["version"].get<std::string>() ||
-          kept.value("claims_sha256", "") != claims.sha256) {
+      ResultJson kept = ResultJson::parse(read_file(file), nullptr, false);
+      if (!kept.is_object() || !kept.contains("result") ||
+          kept["version"] != program_facts()["version"] ||
+          kept["claims_sha256"] != ResultJson(claims.sha256)) {
         throw Error(file.string(), "was made by another version, or for other claims",
                     "name another folder");
       }
@@ -221,7 +161,7 @@ struct Replication {
 
   /// result: null if the stage was not run.
   void add_stage(const ClaimStage& stage, ResultJson result) {
-    Figures figures;
+    std::vector<BenchFigure> figures;
     const bool is_made = result.contains("result");
     const bool has_failed = !result.is_null() && !is_made;
     std::string reason = stage.needs;
@@ -239,32 +179,25 @@ struct Replication {
       NewValues values{&claim};
       const auto& [absolute, relative, errors] = claim.tolerance;
       for (const ClaimedNumber& number : claim.numbers) {
-        std::string text;
-        std::string remark = reason;
-        bool is_outside = has_failed && stage.needs.empty();
-        if (is_made) {
-          try {
-            const ClaimValue value = make_value(number.figure, figures);
-            values.values.push_back(value);
-            text = shown_like(number.shown, value);
-            remark = fmt::format("{:g}", value.value);
-            is_outside = !is_within(claim.tolerance, number, value);
-          } catch (const Error& fault) {
-            remark = fault.what();
-            is_outside = true;
-          }
+        const JudgedNumber judged =
+            is_made
+                ? judge(number, claim.tolerance, figures)
+                : JudgedNumber{.remark = reason, .is_outside = has_failed && stage.needs.empty()};
+        if (judged.value) {
+          values.values.push_back(*judged.value);
         }
-        const char* verdict = is_outside ? "outside" : is_made ? "within" : "not made here";
+        const char* verdict = judged.is_outside ? "outside" : is_made ? "within" : "not made here";
         ++verdicts[verdict];
-        page["Claims"].push_back({{"claim", claim.id},
-                                  {"document", claim.document},
-                                  {"text", fmt::format("{}", fmt::join(claim.words, "…"))},
-                                  {"claimed", number.shown},
-                                  {"made", text},
-                                  {"verdict", verdict},
-                                  {"tolerance", fmt::format("{:g} + {:g} % + {:g} standard errors",
-                                                            absolute, 100.0 * relative, errors)},
-                                  {"remark", remark}});
+        page["Claims"].push_back(
+            {{"claim", claim.id},
+             {"document", claim.document},
+             {"text", fmt::format("{}", fmt::join(claim.words, "…"))},
+             {"claimed", number.shown},
+             {"made", judged.value ? shown_like(number.shown, *judged.value) : ""},
+             {"verdict", verdict},
+             {"tolerance", fmt::format("{:g} + {:g} % + {:g} standard errors", absolute,
+                                       100.0 * relative, errors)},
+             {"remark", judged.remark}});
       }
       if (values.values.size() == claim.numbers.size()) {
         made.push_back(std::move(values));

@@ -1,14 +1,18 @@
 #include "analysis/replication/claims.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <regex>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/digest.h"
@@ -168,6 +172,60 @@ NumberSpans find_claim(const fs::path& file, const Claim& claim) {
 /// New texts in place of parts of a text, by where these begin and end.
 using Edits = std::map<std::pair<std::size_t, std::size_t>, std::string>;
 
+/// The figure that a pattern matches, in which * is any text; of several, after "min " or "max ",
+/// the least or greatest. Throws Error if it matches none, or too many.
+const BenchFigure& find_figure(const std::string& term, const std::vector<BenchFigure>& figures) {
+  const bool is_least = term.starts_with("min ");
+  const bool is_extreme = is_least || term.starts_with("max ");
+  std::string glob;
+  for (const char c : std::string_view(term).substr(is_extreme ? 4 : 0)) {
+    glob += std::string_view("?[]\\").find(c) == std::string_view::npos ? "" : "\\";
+    glob += c;
+  }
+  const BenchFigure* found = nullptr;
+  for (const BenchFigure& figure : figures) {
+    if (::fnmatch(glob.c_str(), figure.place.c_str(), 0) != 0) {
+      continue;
+    }
+    if (found != nullptr && !is_extreme) {
+      throw Error(term, "matches several figures of what was made", "mend the claim");
+    }
+    found = found == nullptr || (figure.value < found->value) == is_least ? &figure : found;
+  }
+  if (found == nullptr) {
+    throw Error(term, "matches no figure of what was made", "mend the claim");
+  }
+  return *found;
+}
+
+/// Evaluates patterns and numbers between " * " and " / " from left to right, and so its interval
+/// at both ends of the figures' intervals.
+ClaimValue make_value(const std::string& expression, const std::vector<BenchFigure>& figures) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, 3> value_low_high = {1.0, 1.0, 1.0};
+  bool is_quotient = false;
+  for (std::size_t begin = 0; begin < expression.size();) {
+    const std::size_t end =
+        std::min({expression.find(" * ", begin), expression.find(" / ", begin), expression.size()});
+    const std::string term = expression.substr(begin, end - begin);
+    char* rest = nullptr;
+    const double number = std::strtod(term.c_str(), &rest);
+    std::array<double, 3> factor = {number, number, number};
+    if (*rest != '\0') {
+      const BenchFigure& figure = find_figure(term, figures);
+      const Interval interval = figure.interval.value_or(Interval{unknown, unknown});
+      factor = {figure.value, interval.low, interval.high};
+    }
+    for (std::size_t i = 0; i < factor.size(); ++i) {
+      value_low_high[i] *= is_quotient ? 1.0 / factor[i] : factor[i];
+    }
+    is_quotient = expression.compare(end, 3, " / ") == 0;
+    begin = end + 3;
+  }
+  const auto [low, high] = std::minmax(value_low_high[1], value_low_high[2]);
+  return {value_low_high[0], low <= high ? std::optional(Interval{low, high}) : std::nullopt};
+}
+
 }  // namespace
 
 Claims read_claims(const fs::path& file) {
@@ -226,6 +284,16 @@ bool is_within(const Tolerance& tolerance, const ClaimedNumber& number, const Cl
   return std::abs(made.value - value) <= tolerance.absolute + tolerance.relative * std::abs(value) +
                                              tolerance.standard_errors * error +
                                              0.5000001 * std::pow(10.0, -decimals);
+}
+
+JudgedNumber judge(const ClaimedNumber& number, const Tolerance& tolerance,
+                   const std::vector<BenchFigure>& figures) {
+  try {
+    const ClaimValue value = make_value(number.figure, figures);
+    return {value, fmt::format("{:g}", value.value), !is_within(tolerance, number, value)};
+  } catch (const Error& fault) {
+    return {.remark = fault.what(), .is_outside = true};
+  }
 }
 
 void write_values(const Claims& claims, const std::vector<NewValues>& made) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/replication/bench_ratios.h"
 #include "analysis/statistics/descriptive.h"
 
 namespace foveola::analysis {
@@ -70,6 +71,19 @@ std::string shown_like(const std::string& shown, const ClaimValue& value);
 /// Whether `made` is as far from what is claimed as the tolerance, and half a unit of the last
 /// digit that is shown, at most. Without an interval, `made` has a standard error of 0.
 bool is_within(const Tolerance& tolerance, const ClaimedNumber& number, const ClaimValue& made);
+
+/// What was made of a claimed number.
+struct JudgedNumber {
+  std::optional<ClaimValue> value{};  ///< none if the results do not have the claim's figure
+  std::string remark;                 ///< the value with more digits, or why there is none
+  bool is_outside = false;
+};
+
+/// Evaluates the number's figure: places of `figures` (patterns in which * is any text; after "min
+/// " or "max " the least or greatest match) and numbers, between " * " and " / ", from left to
+/// right. Its interval is evaluated from both ends of theirs.
+JudgedNumber judge(const ClaimedNumber& number, const Tolerance& tolerance,
+                   const std::vector<BenchFigure>& figures);
 
 /// New values of a claim's numbers, in their order.
 struct NewValues {

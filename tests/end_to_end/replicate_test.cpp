@@ -120,6 +120,10 @@ TEST_F(Replicate, RefusesInOneLine) {
   succeeded(run("made", {"--quick"}));
   claims(replaced(film_claims, "relative = 0.01", "relative = 0.02"));
   expect_one_line(run("made"), 1, "film.json: was made by another version, or for other claims");
+  for (const char* const kept : {R"({"version": 1, "result": 2})", "[]", "no JSON"}) {
+    folder_.write("made/stages/film.json", kept);
+    expect_one_line(run("made"), 1, "film.json: was made by another version, or for other claims");
+  }
   claims(replaced(film_claims, "relative = 0.01", ""));
   expect_one_line(run("made"), 1, "claims.toml:8:1: claim 'film-bytes' has no tolerance");
 }
