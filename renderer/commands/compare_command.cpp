@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,11 +65,7 @@ VdpDisplay vdp_display(const DisplayProfile& profile) {
 }
 
 double mean(const std::vector<float>& values) {
-  double sum = 0.0;
-  for (const float value : values) {
-    sum += value;
-  }
-  return sum / static_cast<double>(values.size());
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 SeenDifference seen_difference(const CompareArguments& arguments, const RgbImage& image,
@@ -179,10 +176,11 @@ void add_compare(CLI::App& app) {
                    "Measure FLIP too, seen at this density, and HDR-FLIP of two .exr files; of "
                    "views, not of 360-degree images (default: the display's)")
       ->check(CLI::Range(0.1, 1000.0));
-  CLI::Option* display = command->add_option(
-      "--display", arguments->display,
-      "Measure FLIP and FovVideoVDP, on the display of this profile, which the image covers; of "
-      "100 cd/m2 unless the profile has a measured luminance");
+  CLI::Option* display =
+      command->add_option("--display", arguments->display,
+                          "Measure FLIP and FovVideoVDP on the display of this profile, which the "
+                          "image covers. Its white "
+                          "has 100 cd/m2 unless it was measured; an .exr is shown with exposure 0");
   command
       ->add_option("--fixation", arguments->fixation_px,
                    "Where the eye looks: x,y in pixels from the upper left corner (default: "

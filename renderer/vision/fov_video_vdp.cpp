@@ -96,7 +96,7 @@ Plane reduced(const Plane& plane, const Workers& workers) {
 }
 
 /// The samples of a coarser row that a finer one is made of, with their weights. Beyond its borders
-/// the outermost sample goes on.
+/// the outermost sample is repeated.
 struct Taps {
   std::array<int, 3> at;
   std::array<float, 3> weights;
@@ -212,8 +212,7 @@ FovVideoVdp::FovVideoVdp(const VdpDisplay& display, const IVec2& size,
     : display_(display),
       size_(size),
       workers_(workers),
-      sensitivity_{VdpSensitivityTable(VdpChannel::sustained),
-                   VdpSensitivityTable(VdpChannel::transient)},
+      half_pixel_(static_cast<float>(std::tan(radians(0.5 / display.pixels_per_degree)))),
       filters_(rate_hz ? temporal_filters(*rate_hz) : std::vector<std::vector<float>>{{1.0F}}) {
   check(display.pixels_per_degree > 0.0 && display.pixels_per_degree < 1e4 &&
             display.half_size.x > 0.0F && display.half_size.y > 0.0F,
@@ -224,6 +223,10 @@ FovVideoVdp::FovVideoVdp(const VdpDisplay& display, const IVec2& size,
   check(!fixation_px || (fixation_px->x >= 0.0F && fixation_px->x <= static_cast<float>(size.x) &&
                          fixation_px->y >= 0.0F && fixation_px->y <= static_cast<float>(size.y)),
         "fixation", fmt::format("is outside of the picture of {} x {} pixels", size.x, size.y));
+  sensitivity_.emplace_back(VdpChannel::sustained);
+  if (rate_hz) {
+    sensitivity_.emplace_back(VdpChannel::transient);
+  }
   if (fixation_px) {
     const Vec2 place = (*fixation_px + 0.5F) / Vec2(size);
     fixation_deg_ =
@@ -306,9 +309,8 @@ float FovVideoVdp::sensitivity(const VdpSensitivityTable& table, const Band& ban
   }
   const Vec2 from_middle_deg(band.columns_deg[static_cast<std::size_t>(x)],
                              band.rows_deg[static_cast<std::size_t>(y)]);
-  const auto half_pixel = static_cast<float>(std::tan(radians(0.5 / display_.pixels_per_degree)));
-  return table.at(band.frequency_cpd * magnification(from_middle_deg, half_pixel), background_cd_m2,
-                  glm::length(from_middle_deg - *fixation_deg_));
+  return table.at(band.frequency_cpd * magnification(from_middle_deg, half_pixel_),
+                  background_cd_m2, glm::length(from_middle_deg - *fixation_deg_));
 }
 
 double FovVideoVdp::channel_difference(VdpChannel channel, const Pyramid& image,

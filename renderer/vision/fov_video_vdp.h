@@ -2,7 +2,6 @@
 // look.
 #pragma once
 
-#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -62,9 +61,11 @@ class FovVideoVdp {
   IVec2 size_;
   const Workers& workers_;
   std::optional<Vec2> fixation_deg_;  ///< from the display's middle
+  float half_pixel_;                  ///< tangent of half a pixel, in the display's middle
   std::vector<Band> bands_;
-  std::array<VdpSensitivityTable, 2> sensitivity_;  ///< by VdpChannel
-  std::vector<std::vector<float>> filters_;         ///< by VdpChannel; one alone of still pictures
+  /// By VdpChannel, as filters_ is; still pictures have the sustained one alone.
+  std::vector<VdpSensitivityTable> sensitivity_;
+  std::vector<std::vector<float>> filters_;
   std::deque<Luminance> images_;  ///< newest first, as many as filters have weights
   std::deque<Luminance> references_;
   double sum_ = 0.0;  ///< of the frames' differences
