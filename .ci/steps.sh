@@ -5,7 +5,10 @@ echo kind,name,seconds,processor_seconds >"$minutes_csv"
 
 print_minutes() {
   awk -F'","|",|,"' '
-    $1 == "step" {printf "CI: %3d:%02d min, %5.1f of processors: %s\n", $3 / 60, $3 % 60, $4 / 60, $2}
+    $1 == "step" {
+      split($3, seconds, ",")
+      printf "CI: %3d:%02d min, %5.1f of processors: %s\n", seconds[1] / 60, seconds[1] % 60, seconds[2] / 60, $2
+    }
     $1 == "skipped" {printf "CI:    skipped %s\n", $2}' "$minutes_csv"
   printf 'CI: %3d:%02d min in all\n' $((SECONDS / 60)) $((SECONDS % 60))
 }
