@@ -23,7 +23,6 @@
 #include "analysis/publication/report.h"
 #include "analysis/publication/result_tables.h"
 #include "analysis/publication/summary.h"
-#include "analysis/publication/survival_output.h"
 #include "analysis/r_models/fit_models.h"
 #include "analysis/r_models/models_plan.h"
 #include "analysis/r_models/models_script.h"

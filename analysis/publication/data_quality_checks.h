@@ -10,7 +10,6 @@
 #include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/dataset/mark_survival.h"
 #include "analysis/dataset/study_tables.h"
-#include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
 
@@ -82,11 +81,5 @@ struct DataQualityReport {
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality,
                                      const study::StudyRecords& records);
-
-Table data_quality_table(const StudyTables& tables, const DataQualityReport& report);
-Table latency_table(const StudyTables& tables, const DataQualityReport& report);
-Table catch_trials_table(const StudyTables& tables, const DataQualityReport& report);
-Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report);
-Table reaction_times_table(const StudyTables& tables, const DataQualityReport& report);
 
 }  // namespace foveola::analysis

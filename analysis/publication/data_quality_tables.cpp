@@ -1,4 +1,3 @@
-#include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/result_tables.h"
 
 namespace foveola::analysis {

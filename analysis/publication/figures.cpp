@@ -7,7 +7,6 @@
 #include "analysis/publication/figure_drawing.h"
 #include "analysis/publication/rating_figures.h"
 #include "analysis/publication/scene_figure.h"
-#include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
 #include "renderer/base/work/ordered_jobs.h"
 #include "renderer/base/work/parallel.h"

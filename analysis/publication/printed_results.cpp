@@ -153,6 +153,24 @@ PrintedTable printed_geometric_means(const StudyTables& tables,
   return table;
 }
 
+PrintedTable printed_time_to_mark(const Table& time_to_mark) {
+  return print_rows(
+      {.id = "time-to-mark",
+       .title = "Time to each mark, with trials in which it was never reached.",
+       .note = "Kaplan and Meier’s estimate over trials; restricted means are of times cut off at "
+               "the horizon. They describe these trials: intervals take them as independent, which "
+               "those of one participant are not."},
+      with_method_labels(time_to_mark), "",
+      {{"Mark, method", "{mark}, {method}"},
+       {"trials", "{trials}"},
+       {"not reached", "{right_censored}"},
+       {"median, s [95 %]", "{median_s:.1} [{median_ci95_low_s:.1}, {median_ci95_high_s:.1}]",
+        "{median_s:.1} [{median_ci95_low_s:.1}, ∞]", "{median_s:.1} [–, {median_ci95_high_s:.1}]",
+        "{median_s:.1} [–, ∞]", "not reached"},
+       {"restricted mean, s", "{restricted_mean_s:.1}"},
+       {"horizon, s", "{horizon_s:.1}"}});
+}
+
 PrintedTable printed_ratings(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
   PrintedTable table;

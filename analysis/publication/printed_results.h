@@ -32,6 +32,9 @@ PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark
 PrintedTable printed_geometric_means(const StudyTables& tables,
                                      const std::optional<PublishedStudy>& published);
 
+/// The table time_to_mark.
+PrintedTable printed_time_to_mark(const Table& time_to_mark);
+
 /// One rating's answers and their summary, a row for each method.
 PrintedTable printed_ratings(const StudyTables& tables, std::size_t rating);
 

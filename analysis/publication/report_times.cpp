@@ -10,7 +10,6 @@
 #include "analysis/publication/report_sections.h"
 #include "analysis/publication/result_tables.h"
 #include "analysis/publication/scene_figure.h"
-#include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
 #include "analysis/tables/html.h"
 

@@ -9,7 +9,6 @@
 #include "analysis/dataset/answer_data.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/comparison_tables.h"
-#include "analysis/publication/survival_output.h"
 #include "analysis/r_models/models_plan.h"
 
 namespace foveola::analysis {
@@ -154,6 +153,35 @@ Table times_by_method(const StudyTables& tables) {
        path(&T::percent_of_baseline, &Estimate::interval, &Interval::high)},
       kind_of_all<T>(tables)};
   return tabulate("times_by_method", "mark and method", columns, tables.method_times);
+}
+
+Table time_to_mark_table(const StudyTables& tables) {
+  using S = MarkSurvival;
+  const auto median = path(&S::curve, &SurvivalCurve::median);
+  const ColumnsOf<S> columns = {
+      {"mark", "", "Id of the mark", &S::mark},
+      {"method", "", "Id of the method", &S::method},
+      {"trials", "", "Trials with a time or a right-censored one",
+       path(&S::curve, &SurvivalCurve::n)},
+      {"reached", "", "Trials in which the mark was reached",
+       path(&S::curve, &SurvivalCurve::events)},
+      {"right_censored", "", "Trials in which a time-out came first",
+       path(&S::curve, &SurvivalCurve::censored)},
+      {"median_s", "s", "Median time by Kaplan and Meier; empty if half were never reached",
+       path(median, &SurvivalMedian::value)},
+      {"median_ci95_low_s", "s", "Lower end of its 95 % interval, trials taken as independent",
+       path(median, &SurvivalMedian::low)},
+      {"median_ci95_high_s", "s", "Upper end; empty if there is none",
+       path(median, &SurvivalMedian::high)},
+      {"restricted_mean_s", "s", "Mean of the times, each cut off at horizon_s",
+       path(&S::restricted, &RestrictedMean::mean)},
+      {"restricted_mean_se_s", "s", "Its standard error, trials taken as independent",
+       path(&S::restricted, &RestrictedMean::standard_error)},
+      {"horizon_s", "s",
+       "Earliest right-censored time of any method, or else the longest time of the mark",
+       path(&S::restricted, &RestrictedMean::horizon)},
+      kind_of_all<S>(tables)};
+  return tabulate("time_to_mark", "mark and method", columns, tables.survival);
 }
 
 Table ratings_by_method(const StudyTables& tables) {

@@ -21,6 +21,9 @@ Table times_by_scene(const StudyTables& tables);
 /// times_by_method: as its Fig. 5 (section 5.2), for every mark.
 Table times_by_method(const StudyTables& tables);
 
+/// time_to_mark: for every mark and method, with trials in which the mark was never reached.
+Table time_to_mark_table(const StudyTables& tables);
+
 /// ratings_by_method: as its Fig. 6 (section 5.3), for every rating in numbers.
 Table ratings_by_method(const StudyTables& tables);
 
@@ -29,6 +32,12 @@ Table rating_counts(const StudyTables& tables);
 
 /// background_correlation.
 Table background_correlation(const StudyTables& tables, const Background& background);
+
+Table data_quality_table(const StudyTables& tables, const DataQualityReport& report);
+Table latency_table(const StudyTables& tables, const DataQualityReport& report);
+Table catch_trials_table(const StudyTables& tables, const DataQualityReport& report);
+Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report);
+Table reaction_times_table(const StudyTables& tables, const DataQualityReport& report);
 
 /// exclusions: sessions and values that no number uses.
 Table exclusions(const StudyTables& tables);

@@ -129,6 +129,28 @@ std::optional<MethodRows> method_rows(const StudyTables& tables, const TimeScale
   return drawn;
 }
 
+/// The curve as points of (time, share without a mark), from `start` on; of thousands of steps only
+/// so many as can be seen.
+std::string curve_data(const SurvivalCurve& curve, std::size_t method, double start) {
+  std::string data = fmt::format("$method{} << END\n{} 1\n", method, start);
+  constexpr std::size_t max_steps = 1000;
+  const std::size_t stride = 1 + curve.steps.size() / max_steps;
+  for (std::size_t i = 0; i < curve.steps.size(); i += stride) {
+    data += fmt::format("{} {}\n", curve.steps[i].time, curve.steps[i].survival);
+  }
+  data += fmt::format("{} {}\n", curve.steps.back().time, curve.steps.back().survival);
+  return data + "END\n";
+}
+
+/// The points of the curve at which trials were right-censored.
+std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
+  std::string data = fmt::format("$censored{} << END\n", method);
+  for (const SurvivalStep& step : curve.steps) {
+    data += step.censored > 0 ? fmt::format("{} {}\n", step.time, step.survival) : "";
+  }
+  return data + "END\n";
+}
+
 }  // namespace
 
 std::vector<std::size_t> marks_over_all_scenes(const StudyTables& tables) {
@@ -163,6 +185,55 @@ std::optional<Figure> seconds_figure(const StudyTables& tables) {
       "times_in_seconds", *drawn,
       logarithmic_axis(drawn->range) + "set xlabel 'Time, seconds (logarithmic)'\nset tmargin 2\n",
       lower_axis_height + 24);
+}
+
+std::string survival_figure_name(const Measure& mark) { return "time_to_" + mark.id(); }
+
+std::optional<Figure> survival_figure(const StudyTables& tables, std::size_t mark) {
+  const std::size_t methods = tables.set.methods.size();
+  const auto curve_of = [&](std::size_t method) -> const SurvivalCurve& {
+    return tables.survival.at(mark * methods + method).curve;
+  };
+  std::vector<double> ends;
+  for (std::size_t method = 0; method < methods; ++method) {
+    const std::vector<SurvivalStep>& steps = curve_of(method).steps;
+    if (!steps.empty()) {
+      ends.insert(ends.end(), {steps.front().time, steps.back().time});
+    }
+  }
+  const std::optional<Interval> range = reach_of(ends, {});
+  if (!range || range->low <= 0.0) {
+    return std::nullopt;
+  }
+  std::string data;
+  std::vector<std::string> layers;
+  for (std::size_t method = 0; method < methods; ++method) {
+    const SurvivalCurve& curve = curve_of(method);
+    if (curve.steps.empty()) {
+      continue;
+    }
+    const std::string_view color = method_color(method).rgb;
+    data += curve_data(curve, method, range->low);
+    layers.push_back(fmt::format(
+        "$method{} using 1:2 with steps linewidth 2 dashtype {} linecolor rgb '{}' title {}",
+        method, 1 + method % 5, color, gnuplot_quoted(method_label(tables.set.methods[method]))));
+    if (curve.censored > 0) {
+      data += censored_data(curve, method);
+      layers.push_back(fmt::format(
+          "$censored{} using 1:2 with points pointtype 1 linewidth 1.5 linecolor rgb '{}' notitle",
+          method, color));
+    }
+  }
+  return drawn_figure(
+      survival_figure_name(tables.set.measures[mark]), figure_width, 320,
+      figure_preamble(tables) + logarithmic_axis(*range) +
+          fmt::format("set yrange [0:1.02]\nset xlabel 'Time, seconds (logarithmic)'\n"
+                      "set ylabel 'Trials without the mark' textcolor rgb '{}'\n"
+                      "set format y '%.1f'\n"
+                      "set key outside top right horizontal Left reverse samplen 2.5 width 1\n"
+                      "set grid ytics linetype 1 linewidth 1 linecolor rgb '{}'\n",
+                      palette::ink.rgb, palette::grid.rgb) +
+          data + fmt::format("plot {}\n", fmt::join(layers, ", \\\n")));
 }
 
 }  // namespace foveola::analysis

@@ -1,8 +1,9 @@
-// The figures of the times of all marks, each mark a group of rows.
+// The figures of the times of all marks: each mark a group of rows, or a figure of curves.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/publication/figures.h"
@@ -19,5 +20,13 @@ std::optional<Figure> relative_figure(const StudyTables& tables);
 
 /// times_in_seconds: as relative_times, in seconds, with the baseline. Empty without values.
 std::optional<Figure> seconds_figure(const StudyTables& tables);
+
+/// time_to_MARK: the share of trials without the mark by time, a Kaplan-Meier curve for each
+/// method; `mark` is an index of the set's measures. Empty without times. Throws Error if gnuplot
+/// is missing.
+std::optional<Figure> survival_figure(const StudyTables& tables, std::size_t mark);
+
+/// The name of that figure.
+std::string survival_figure_name(const Measure& mark);
 
 }  // namespace foveola::analysis
