@@ -15,8 +15,8 @@
 
 #include "analysis/commands/commands.h"
 #include "analysis/publication/analyze_study.h"
-#include "analysis/publication/output_folder.h"
-#include "analysis/publication/published_comparison_report.h"
+#include "analysis/publication/exports/output_folder.h"
+#include "analysis/publication/report/published_comparison_report.h"
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/file_access.h"

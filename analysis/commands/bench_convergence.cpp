@@ -16,7 +16,7 @@
 #include "analysis/convergence/convergence_figures.h"
 #include "analysis/convergence/convergence_files.h"
 #include "analysis/convergence/pooled_runs.h"
-#include "analysis/publication/output_folder.h"
+#include "analysis/publication/exports/output_folder.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"

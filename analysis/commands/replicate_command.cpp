@@ -19,8 +19,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/commands.h"
-#include "analysis/publication/output_folder.h"
-#include "analysis/publication/report_style.h"
+#include "analysis/publication/exports/output_folder.h"
+#include "analysis/publication/report/report_style.h"
 #include "analysis/replication/bench_ratios.h"
 #include "analysis/replication/claims.h"
 #include "analysis/tables/html.h"

@@ -10,7 +10,7 @@
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/background.h"
-#include "analysis/publication/data_quality_checks.h"
+#include "analysis/publication/data_quality/data_quality_checks.h"
 #include "analysis/tables/table.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"

@@ -3,7 +3,7 @@
 
 #include "analysis/commands/commands.h"
 #include "analysis/dataset/trial_data.h"
-#include "analysis/publication/result_tables.h"
+#include "analysis/publication/tables/result_tables.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 

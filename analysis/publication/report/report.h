@@ -1,0 +1,37 @@
+// The study's report: one HTML file that needs no network.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
+#include "analysis/koskela2018/published_study.h"
+#include "analysis/publication/data_quality/data_quality_checks.h"
+#include "analysis/publication/figures/figures.h"
+#include "analysis/tables/table.h"
+#include "study/record/maintenance.h"
+
+namespace foveola::analysis {
+
+/// All that the report shows.
+struct ReportContent {
+  const StudyTables& tables;
+  const Background& background;
+  const std::vector<Table>& results;
+  const Comparisons& comparisons;
+  const study::DataQualityRecords& quality;
+  const DataQualityReport& checks;
+  const std::vector<Figure>& figures;
+  const std::optional<PublishedStudy>& published;    ///< What stands beside; see published_beside.
+  const std::string& methods;                        ///< The text of methods_paragraph.
+  const std::optional<study::Verification>& record;  ///< The verification, if there is a file.
+};
+
+/// The whole page. Its top and each caption say so when its data are not people's; it lists what
+/// was left out and why, and defines every number.
+std::string report_html(const ReportContent& content);
+
+}  // namespace foveola::analysis
