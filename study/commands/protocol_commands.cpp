@@ -11,7 +11,7 @@
 #include "study/commands/commands.h"
 #include "study/design/participant_code.h"
 #include "study/design/plan.h"
-#include "study/person/missing_letters.h"
+#include "study/person/forms/missing_letters.h"
 #include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_reference.h"

@@ -8,8 +8,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/quantile.h"
 #include "renderer/headset/live_window.h"
-#include "study/person/live_attempt.h"
-#include "study/person/words.h"
+#include "study/person/forms/words.h"
+#include "study/person/session/live_attempt.h"
 
 namespace foveola::study {
 namespace {

@@ -8,9 +8,9 @@
 #include "renderer/base/clock.h"
 #include "renderer/window/window.h"
 #include "renderer/window/window_event.h"
-#include "study/person/person_tracker.h"
-#include "study/person/session_display.h"
-#include "study/person/viewer.h"
+#include "study/person/devices/person_tracker.h"
+#include "study/person/devices/session_display.h"
+#include "study/person/devices/viewer.h"
 #include "study/preflight/preflight.h"
 #include "study/stage/scene_stage.h"
 

@@ -8,8 +8,8 @@
 #include "renderer/headset/live_window.h"
 #include "renderer/window/drawing/presenter.h"
 #include "study/driver/session_so_far.h"
-#include "study/person/person_session.h"
-#include "study/person/session_window.h"
+#include "study/person/devices/session_window.h"
+#include "study/person/session/person_session.h"
 #include "study/record/session_devices.h"
 #include "study/record/threaded_recorder.h"
 

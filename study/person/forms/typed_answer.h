@@ -1,0 +1,16 @@
+// The keys that answer a question of a form.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "study/person/forms/form_input.h"
+#include "study/protocol/questionnaire.h"
+
+namespace foveola::study {
+
+/// What an entry that is empty takes for this answer: arrows on scales and in lists, elsewhere its
+/// characters, which are ASCII. None for none.
+std::vector<FormInput> typed_answer(const Question& question, const std::vector<Answer>& answers);
+
+}  // namespace foveola::study

@@ -1,0 +1,15 @@
+// What the participant's next key is for, as the experimenter reads it.
+#pragma once
+
+#include <string>
+
+#include "study/person/prompts/prompt_state.h"
+
+namespace foveola::study {
+
+/// The keys that the participant's page names, in the protocol's words; "[Space] outline" where the
+/// picture is marked. now: session clock.
+std::string words_for_next_key(const PromptState& prompt, const SessionContext& context,
+                               Nanoseconds now);
+
+}  // namespace foveola::study

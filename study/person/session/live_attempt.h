@@ -1,0 +1,88 @@
+// One attempt at a trial as a person sees it: frames at the display's pace, and their record.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/head_tracker.h"
+#include "renderer/preview/live_frames.h"
+#include "renderer/preview/preview.h"
+#include "renderer/window/drawing/slow_drawing.h"
+#include "study/driver/ports.h"
+#include "study/person/devices/person_tracker.h"
+#include "study/person/devices/session_display.h"
+#include "study/record/session_recorder.h"
+#include "study/stage/attempt_log.h"
+#include "study/stage/scene_stage.h"
+
+namespace foveola::study {
+
+/// What an attempt is made of; what is referred to must outlive it.
+struct AttemptSetting {
+  const Protocol& protocol;
+  const SceneStage& stage;  ///< or until another is shown in its place
+  const Workers& workers;
+  const Clock& clock;
+  SessionDisplay& display;
+  PersonTracker& eye;
+  HeadTracker& head;
+  SessionRecorder& recorder;
+  AttemptKey key;
+  PlannedTrial trial;
+  std::uint32_t seed = 0;       ///< the seed of the sample points and light paths
+  Nanoseconds session_zero{0};  ///< the clock's time at which the session's is 0
+  /// What is done while a frame waits for its refresh, before it looks at head and gaze.
+  std::function<void()> while_waiting;
+  /// The page over the picture, if there is one.
+  std::function<std::optional<ScreenPage>()> page;
+  bool is_dark = false;  ///< the picture is drawn as ever, but black
+};
+
+class LiveAttempt final : public AttemptPort {
+ public:
+  /// The display shows its film for as long as it lives, and then knows what its frames told of
+  /// drawing.
+  explicit LiveAttempt(AttemptSetting setting);
+  ~LiveAttempt() override;
+  LiveAttempt(const LiveAttempt&) = delete;
+  LiveAttempt& operator=(const LiveAttempt&) = delete;
+
+  /// Renders and presents the next frame, nothing but its picture in a catch trial.
+  Nanoseconds show(Nanoseconds until) override;
+  void complete_record() override { log_.finish(preview_.film()); }
+  /// Goes on in another version of the scene, with an empty film. `stage` must outlive the attempt.
+  void show_scene(const SceneStage& stage);
+  /// The questions come: what the picture does from the next frame on.
+  void begin_rating(WhileRating picture);
+  /// As LiveFrames::give_way.
+  void give_way(bool gives_way) { frames_.give_way(gives_way); }
+  std::uint64_t samples() const override { return preview_.film().total_samples(); }
+  std::uint64_t non_finite() const override { return preview_.dropped().size(); }
+
+  /// What is known of drawing, if it is found too slow for frames to be in time.
+  std::optional<SlowDrawing> slow_drawing() const;
+  /// The last frame, as the record keeps it.
+  const FrameRow& newest_frame() const { return newest_frame_; }
+  const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
+  /// The viewport through which the last frame was shown.
+  const Viewport& viewport() const { return preview_.viewport(); }
+
+ private:
+  LiveFrame next_untraced();
+  void draw(const Preview& preview);
+  void wait_until(Nanoseconds time) const;
+  void keep(const LiveFrame& frame);
+
+  AttemptSetting setting_;
+  ViewLook look_;
+  Preview preview_;
+  LiveFrames frames_;
+  AttemptLog log_;
+  bool is_traced_;
+  Nanoseconds next_untraced_{0};
+  FrameRow newest_frame_;
+};
+
+}  // namespace foveola::study

@@ -1,7 +1,0 @@
-#include "study/person/source_commit.h"
-
-namespace foveola::study {
-
-const char* source_commit() { return FOVEOLA_COMMIT; }
-
-}  // namespace foveola::study
