@@ -19,9 +19,9 @@
 
 #include "renderer/base/files/files.h"
 #include "study/record/maintenance.h"
-#include "tests/end_to_end/coverable_tracker.h"
-#include "tests/end_to_end/named_columns.h"
-#include "tests/end_to_end/study_run.h"
+#include "tests/end_to_end/run/coverable_tracker.h"
+#include "tests/end_to_end/run/study_run.h"
+#include "tests/end_to_end/study/named_columns.h"
 #include "tests/end_to_end/tracker_profile.h"
 #include "tests/matchers.h"
 

@@ -9,8 +9,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "tests/end_to_end/headset_run.h"
-#include "tests/end_to_end/preview_command.h"
+#include "tests/end_to_end/preview/headset_run.h"
+#include "tests/end_to_end/preview/preview_command.h"
 #include "tests/matchers.h"
 #include "tests/openxr/monado/monado_service.h"
 #include "tests/renderer/headset/worn_headset.h"
