@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "renderer/commands/render_report.h"
+#include "renderer/commands/render/render_report.h"
 #include "tests/matchers.h"
 
 namespace foveola::test {

@@ -10,7 +10,7 @@
 #include "renderer/base/print.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
-#include "renderer/commands/film_parts.h"
+#include "renderer/commands/render/film_parts.h"
 #include "renderer/image/image_file.h"
 
 namespace foveola {

@@ -1,4 +1,4 @@
-#include "renderer/commands/preview_command.h"
+#include "renderer/commands/preview/preview_command.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,9 +15,9 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/programs.h"
-#include "renderer/commands/preview_arguments.h"
-#include "renderer/commands/preview_head.h"
-#include "renderer/commands/preview_report.h"
+#include "renderer/commands/preview/preview_arguments.h"
+#include "renderer/commands/preview/preview_head.h"
+#include "renderer/commands/preview/preview_report.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/gaze/recordings.h"
 #include "renderer/headset/live_window.h"

@@ -1,4 +1,4 @@
-#include "renderer/commands/tracing_figures.h"
+#include "renderer/commands/bench/tracing_figures.h"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
-#include "renderer/commands/bench_commands.h"
+#include "renderer/commands/bench/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/stability/checks.h"
 

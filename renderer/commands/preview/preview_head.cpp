@@ -1,4 +1,4 @@
-#include "renderer/commands/preview_head.h"
+#include "renderer/commands/preview/preview_head.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "renderer/commands/object_sheet.h"
+#include "renderer/commands/scene/object_sheet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/commands/scene_describe.h"
+#include "renderer/commands/scene/scene_describe.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,7 +18,7 @@
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/look_options.h"
-#include "renderer/commands/object_sheet.h"
+#include "renderer/commands/scene/object_sheet.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/exposure.h"

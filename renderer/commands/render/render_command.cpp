@@ -9,9 +9,9 @@
 #include "renderer/base/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/commands/commands.h"
-#include "renderer/commands/film_parts.h"
-#include "renderer/commands/render_arguments.h"
-#include "renderer/commands/render_report.h"
+#include "renderer/commands/render/film_parts.h"
+#include "renderer/commands/render/render_arguments.h"
+#include "renderer/commands/render/render_report.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/commands/bench_commands.h"
+#include "renderer/commands/bench/bench_commands.h"
 
 #include <CLI/CLI.hpp>
 

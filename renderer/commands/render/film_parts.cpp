@@ -1,4 +1,4 @@
-#include "renderer/commands/film_parts.h"
+#include "renderer/commands/render/film_parts.h"
 
 #include <algorithm>
 #include <functional>

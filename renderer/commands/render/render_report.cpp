@@ -1,4 +1,4 @@
-#include "renderer/commands/render_report.h"
+#include "renderer/commands/render/render_report.h"
 
 #include <algorithm>
 #include <cmath>

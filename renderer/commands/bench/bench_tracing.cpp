@@ -15,11 +15,11 @@
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/commands/bench_commands.h"
+#include "renderer/commands/bench/bench_commands.h"
+#include "renderer/commands/bench/tracing_figures.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/scene_file_options.h"
-#include "renderer/commands/tracing_figures.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/trace/rays/embree_alone.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/commands/render_arguments.h"
+#include "renderer/commands/render/render_arguments.h"
 
 #include <algorithm>
 #include <array>

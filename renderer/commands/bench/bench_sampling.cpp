@@ -17,7 +17,7 @@
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/random.h"
-#include "renderer/commands/bench_commands.h"
+#include "renderer/commands/bench/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/image/image_file.h"

@@ -1,4 +1,4 @@
-#include "renderer/commands/preview_report.h"
+#include "renderer/commands/preview/preview_report.h"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "renderer/commands/preview_arguments.h"
+#include "renderer/commands/preview/preview_arguments.h"
 
 #include <array>
 
