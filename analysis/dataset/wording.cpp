@@ -9,7 +9,7 @@
 
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/toml/toml_reader.h"
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 
 namespace foveola::analysis {
 namespace {

@@ -10,7 +10,7 @@
 #include "renderer/base/random.h"
 #include "study/design/plan.h"
 #include "study/protocol/measure.h"
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 
 namespace foveola::analysis {
 namespace {

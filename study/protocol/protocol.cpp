@@ -21,10 +21,10 @@
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/measure.h"
 #include "study/protocol/protocol_places.h"
-#include "study/protocol/read_methods.h"
-#include "study/protocol/read_procedure.h"
-#include "study/protocol/read_questions.h"
-#include "study/protocol/read_settings.h"
+#include "study/protocol/reading/read_methods.h"
+#include "study/protocol/reading/read_procedure.h"
+#include "study/protocol/reading/read_questions.h"
+#include "study/protocol/reading/read_settings.h"
 
 namespace fs = std::filesystem;
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 #include "tests/analysis/golden.h"
 
 namespace foveola::analysis {

@@ -6,7 +6,7 @@
 
 #include "analysis/dataset/study_tables.h"
 #include "renderer/base/error.h"
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"

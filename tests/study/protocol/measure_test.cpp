@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

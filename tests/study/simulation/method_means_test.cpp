@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 #include "study/simulation/prediction_agreement.h"
 
 namespace foveola::study {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 
 namespace foveola::study {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 

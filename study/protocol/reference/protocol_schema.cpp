@@ -1,4 +1,4 @@
-#include "study/protocol/protocol_schema.h"
+#include "study/protocol/reference/protocol_schema.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/protocol/protocol_keys.h"
+#include "study/protocol/reference/protocol_keys.h"
 
 namespace foveola::study {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/protocol/read_settings.h"
+#include "study/protocol/reading/read_settings.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "study/protocol/read_methods.h"
+#include "study/protocol/reading/read_methods.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
 #include "study/protocol/measure.h"
-#include "study/protocol/read_settings.h"
+#include "study/protocol/reading/read_settings.h"
 
 namespace fs = std::filesystem;
 namespace foveola::study {

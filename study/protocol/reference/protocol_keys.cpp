@@ -1,4 +1,4 @@
-#include "study/protocol/protocol_keys.h"
+#include "study/protocol/reference/protocol_keys.h"
 
 #include <algorithm>
 #include <iterator>
@@ -6,7 +6,7 @@
 
 #include "renderer/gaze/profiles.h"
 #include "study/protocol/protocol.h"
-#include "study/protocol/read_questions.h"
+#include "study/protocol/reading/read_questions.h"
 
 namespace foveola::study {
 namespace {

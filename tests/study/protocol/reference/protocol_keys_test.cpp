@@ -1,5 +1,5 @@
 // Whether the table of keys says what the readers do.
-#include "study/protocol/protocol_keys.h"
+#include "study/protocol/reference/protocol_keys.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "study/protocol/read_procedure.h"
+#include "study/protocol/reading/read_procedure.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <fmt/ranges.h>
 
 #include "study/protocol/built_in_texts.h"
-#include "study/protocol/read_questions.h"
-#include "study/protocol/read_settings.h"
+#include "study/protocol/reading/read_questions.h"
+#include "study/protocol/reading/read_settings.h"
 #include "study/protocol/texts.h"
 
 namespace foveola::study {

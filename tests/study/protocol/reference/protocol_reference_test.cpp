@@ -1,10 +1,10 @@
 // docs/PROTOCOL.md and the schema for editors are what `foveola study keys` prints.
-#include "study/protocol/protocol_reference.h"
+#include "study/protocol/reference/protocol_reference.h"
 
 #include <filesystem>
 
 #include "renderer/base/files/files.h"
-#include "study/protocol/protocol_schema.h"
+#include "study/protocol/reference/protocol_schema.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

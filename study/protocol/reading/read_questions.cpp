@@ -1,4 +1,4 @@
-#include "study/protocol/read_questions.h"
+#include "study/protocol/reading/read_questions.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "study/protocol/protocol_reference.h"
+#include "study/protocol/reference/protocol_reference.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "study/protocol/protocol_keys.h"
+#include "study/protocol/reference/protocol_keys.h"
 
 namespace foveola::study {
 namespace {
