@@ -10,7 +10,7 @@
 #include "renderer/command_line/output_options.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/injected_effect.h"
 #include "study/protocol/protocol.h"
 #include "study/simulation/prepare_study.h"
 #include "study/simulation/simulate_study.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "study/participant/injected_effect_participant.h"
+#include "study/participant/injected_effects/injected_effect_participant.h"
 
 namespace foveola::study {
 

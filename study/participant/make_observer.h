@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "study/design/plan.h"
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/injected_effect.h"
 #include "study/participant/simulated_participant.h"
 
 namespace foveola::study {

@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "study/participant/cells.h"
-#include "study/participant/decision.h"
+#include "study/participant/observer/cells.h"
+#include "study/participant/observer/decision.h"
+#include "study/participant/observer/simulated_observer.h"
 #include "study/participant/population.h"
-#include "study/participant/simulated_observer.h"
 
 namespace foveola::study {
 

@@ -6,8 +6,8 @@
 
 #include "renderer/view/view_sampler.h"
 #include "renderer/view/viewport.h"
-#include "study/participant/cells.h"
-#include "study/participant/evidence.h"
+#include "study/participant/observer/cells.h"
+#include "study/participant/observer/evidence.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 

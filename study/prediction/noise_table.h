@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/base/build_info.h"
-#include "study/participant/evidence.h"
+#include "study/participant/observer/evidence.h"
 
 namespace foveola::study {
 

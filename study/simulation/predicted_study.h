@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/participant/simulated_observer.h"
+#include "study/participant/observer/simulated_observer.h"
 #include "study/prediction/noise_atlas.h"
 #include "study/prediction/predicted_film.h"
 #include "study/simulation/study_simulation.h"

@@ -10,7 +10,7 @@
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
 #include "study/participant/answers.h"
-#include "study/participant/effect_on_protocol.h"
+#include "study/participant/injected_effects/effect_on_protocol.h"
 #include "study/participant/make_observer.h"
 #include "study/record/gaze_filter_json.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/injected_effect.h"
 #include "study/participant/population_file.h"
 #include "study/prediction/noise_atlas.h"
 #include "study/protocol/protocol.h"

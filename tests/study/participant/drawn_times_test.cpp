@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/participant/drawn_trial.h"
+#include "study/participant/injected_effects/drawn_trial.h"
 #include "tests/study/participant/moments.h"
 
 namespace foveola::study {

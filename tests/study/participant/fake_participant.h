@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/participant/simulated_observer.h"
+#include "study/participant/observer/simulated_observer.h"
 
 namespace foveola::study {
 

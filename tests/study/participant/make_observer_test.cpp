@@ -6,7 +6,7 @@
 
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
-#include "study/participant/drawn_trial.h"
+#include "study/participant/injected_effects/drawn_trial.h"
 #include "study/participant/population_file.h"
 
 namespace foveola::study {

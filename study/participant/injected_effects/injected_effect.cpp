@@ -1,4 +1,4 @@
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/injected_effect.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "study/participant/decision.h"
+#include "study/participant/observer/decision.h"
 
 #include <algorithm>
 #include <cmath>

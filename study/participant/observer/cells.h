@@ -12,8 +12,8 @@
 
 #include "renderer/image/image.h"
 #include "renderer/view/viewport.h"
+#include "study/participant/observer/visibility.h"
 #include "study/participant/population.h"
-#include "study/participant/visibility.h"
 
 namespace foveola::study {
 

@@ -1,4 +1,4 @@
-#include "study/participant/effect_on_protocol.h"
+#include "study/participant/injected_effects/effect_on_protocol.h"
 
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "study/participant/drawn_trial.h"
+#include "study/participant/injected_effects/drawn_trial.h"
 #include "study/protocol/measure.h"
 
 namespace foveola::study {

@@ -1,4 +1,4 @@
-#include "study/participant/cells.h"
+#include "study/participant/observer/cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "study/participant/effect_on_protocol.h"
+#include "study/participant/injected_effects/effect_on_protocol.h"
 
 #include "renderer/base/error.h"
 #include "tests/matchers.h"

@@ -1,9 +1,9 @@
 // The interface of all simulated participants, whether they judge images or press at drawn times.
 #pragma once
 
-#include "study/participant/evidence.h"
+#include "study/participant/observer/evidence.h"
+#include "study/participant/observer/scan_path.h"
 #include "study/participant/participant.h"
-#include "study/participant/scan_path.h"
 
 namespace foveola::study {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "study/participant/cells.h"
+#include "study/participant/observer/cells.h"
+#include "study/participant/observer/visibility.h"
 #include "study/participant/population.h"
-#include "study/participant/visibility.h"
 
 namespace foveola::study {
 

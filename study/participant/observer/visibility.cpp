@@ -1,4 +1,4 @@
-#include "study/participant/visibility.h"
+#include "study/participant/observer/visibility.h"
 
 #include <algorithm>
 #include <cmath>

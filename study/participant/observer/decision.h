@@ -6,7 +6,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
-#include "study/participant/evidence.h"
+#include "study/participant/observer/evidence.h"
 #include "study/participant/participant.h"
 #include "study/participant/population.h"
 

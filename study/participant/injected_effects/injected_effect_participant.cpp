@@ -1,10 +1,10 @@
-#include "study/participant/injected_effect_participant.h"
+#include "study/participant/injected_effects/injected_effect_participant.h"
 
 #include <algorithm>
 
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
-#include "study/participant/drawn_trial.h"
+#include "study/participant/injected_effects/drawn_trial.h"
 
 namespace foveola::study {
 

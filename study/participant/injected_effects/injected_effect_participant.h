@@ -2,8 +2,8 @@
 // drawn times and gives drawn ratings, whatever the display shows.
 #pragma once
 
-#include "study/participant/drawn_trial.h"
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/drawn_trial.h"
+#include "study/participant/injected_effects/injected_effect.h"
 #include "study/participant/make_observer.h"
 #include "study/participant/simulated_participant.h"
 

@@ -1,4 +1,4 @@
-#include "study/participant/drawn_trial.h"
+#include "study/participant/injected_effects/drawn_trial.h"
 
 #include <algorithm>
 #include <cmath>

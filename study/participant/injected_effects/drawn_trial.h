@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/injected_effect.h"
 #include "study/protocol/questionnaire.h"
 
 namespace foveola::study {

@@ -1,4 +1,4 @@
-#include "study/participant/scan_path.h"
+#include "study/participant/observer/scan_path.h"
 
 #include <algorithm>
 #include <cmath>

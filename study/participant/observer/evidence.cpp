@@ -1,4 +1,4 @@
-#include "study/participant/evidence.h"
+#include "study/participant/observer/evidence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Whether an injected effect can be drawn for a protocol's marks, ratings and methods.
 #pragma once
 
-#include "study/participant/injected_effect.h"
+#include "study/participant/injected_effects/injected_effect.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {
