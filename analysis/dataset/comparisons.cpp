@@ -11,9 +11,9 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/statistics/bootstrap.h"
 #include "analysis/statistics/correlation.h"
-#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/models/crossed_model.h"
+#include "analysis/statistics/models/order_balance.h"
 #include "analysis/statistics/multiplicity.h"
-#include "analysis/statistics/order_balance.h"
 #include "renderer/base/work/ordered_jobs.h"
 #include "renderer/base/work/parallel.h"
 

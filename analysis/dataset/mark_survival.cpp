@@ -7,7 +7,7 @@
 
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/wording.h"
-#include "analysis/statistics/additive_fit.h"
+#include "analysis/statistics/models/additive_fit.h"
 
 namespace foveola::analysis {
 namespace {

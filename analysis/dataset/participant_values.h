@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
-#include "analysis/statistics/order_balance.h"
+#include "analysis/statistics/models/order_balance.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::analysis {

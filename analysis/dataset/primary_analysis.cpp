@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/models/crossed_model.h"
 
 namespace foveola::analysis {
 namespace {

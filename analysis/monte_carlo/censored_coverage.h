@@ -9,7 +9,7 @@
 
 #include "analysis/monte_carlo/coverage.h"
 #include "analysis/monte_carlo/expected_study.h"
-#include "analysis/statistics/crossed_study.h"
+#include "analysis/statistics/models/crossed_study.h"
 
 namespace foveola::analysis {
 

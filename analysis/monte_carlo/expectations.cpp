@@ -10,7 +10,7 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/participant_values.h"
-#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/models/crossed_model.h"
 #include "renderer/base/error.h"
 #include "study/protocol/measure.h"
 

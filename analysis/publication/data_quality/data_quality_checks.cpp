@@ -9,7 +9,7 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/data_quality/gaze_sources.h"
 #include "analysis/publication/data_quality/session_checks.h"
-#include "analysis/statistics/order_balance.h"
+#include "analysis/statistics/models/order_balance.h"
 #include "renderer/base/quantile.h"
 
 namespace foveola::analysis {

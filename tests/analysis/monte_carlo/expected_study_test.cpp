@@ -9,8 +9,8 @@
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/statistics/correlation.h"
-#include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/descriptive.h"
+#include "analysis/statistics/models/crossed_model.h"
 
 namespace foveola::analysis {
 namespace {

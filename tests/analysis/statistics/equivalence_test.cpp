@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/models/crossed_model.h"
 #include "analysis/statistics/paired_t.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/pairs.h"

@@ -1,7 +1,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/models/crossed_model.h"
 #include "analysis/statistics/rank_tests.h"
 #include "tests/analysis/golden.h"
 

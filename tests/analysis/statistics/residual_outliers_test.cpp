@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/statistics/additive_fit.h"
 #include "analysis/statistics/distributions.h"
+#include "analysis/statistics/models/additive_fit.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"

@@ -1,9 +1,9 @@
-#include "analysis/statistics/crossed_study.h"
+#include "analysis/statistics/models/crossed_study.h"
 
 #include <cmath>
 
-#include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/distributions.h"
+#include "analysis/statistics/models/crossed_model.h"
 #include "analysis/statistics/power.h"
 #include "tests/matchers.h"
 

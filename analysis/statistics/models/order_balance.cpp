@@ -1,4 +1,4 @@
-#include "analysis/statistics/order_balance.h"
+#include "analysis/statistics/models/order_balance.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,7 +8,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "analysis/statistics/additive_fit.h"
+#include "analysis/statistics/models/additive_fit.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,11 +1,11 @@
-#include "analysis/statistics/crossed_study.h"
+#include "analysis/statistics/models/crossed_study.h"
 
 #include <cassert>
 #include <cmath>
 #include <vector>
 
-#include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/descriptive.h"
+#include "analysis/statistics/models/crossed_model.h"
 #include "analysis/statistics/paired_t.h"
 
 namespace foveola::analysis {

@@ -1,4 +1,4 @@
-#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/models/crossed_model.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/statistics/additive_fit.h"
+#include "analysis/statistics/models/additive_fit.h"
 
 #include <cmath>
 

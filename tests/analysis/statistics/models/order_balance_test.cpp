@@ -1,4 +1,4 @@
-#include "analysis/statistics/order_balance.h"
+#include "analysis/statistics/models/order_balance.h"
 
 #include <algorithm>
 #include <numeric>
