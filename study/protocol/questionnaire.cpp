@@ -65,4 +65,21 @@ std::string fault_of(const Question& question, const std::variant<double, std::s
                                      {"maximum", fmt::format("{}", question.maximum)}});
 }
 
+bool all_answered(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
+  const auto answers_to = [&](const Question& question) {
+    return std::count_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+      return answer.question == question.id && fault_of(question, answer.value).empty();
+    });
+  };
+  std::ptrdiff_t good_answers = 0;
+  for (const Question& question : questions) {
+    const std::ptrdiff_t count = answers_to(question);
+    if (count > 1 || (count == 0 && question.required)) {
+      return false;
+    }
+    good_answers += count;
+  }
+  return good_answers == static_cast<std::ptrdiff_t>(answers.size());
+}
+
 }  // namespace foveola::study

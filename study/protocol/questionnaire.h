@@ -76,4 +76,8 @@ struct Answer {
 std::string fault_of(const Question& question, const std::variant<double, std::string>& answer,
                      const Texts& texts = {});
 
+/// Whether each answer is a valid one to one of the questions, no question has two, and each
+/// required one has one.
+bool all_answered(const std::vector<Question>& questions, const std::vector<Answer>& answers);
+
 }  // namespace foveola::study

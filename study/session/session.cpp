@@ -120,23 +120,6 @@ Transition leave_off(const Procedure& procedure, SessionState state, Phase phase
   return {.state = std::move(state), .effects = std::move(effects)};
 }
 
-bool all_answered(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
-  const auto answers_to = [&](const Question& question) {
-    return std::count_if(answers.begin(), answers.end(), [&](const Answer& answer) {
-      return answer.question == question.id && fault_of(question, answer.value).empty();
-    });
-  };
-  std::ptrdiff_t good_answers = 0;
-  for (const Question& question : questions) {
-    const std::ptrdiff_t count = answers_to(question);
-    if (count > 1 || (count == 0 && question.required)) {
-      return false;
-    }
-    good_answers += count;
-  }
-  return good_answers == static_cast<std::ptrdiff_t>(answers.size());
-}
-
 /// What each event does; of those in a state that is over, EndUndone alone.
 class Step {
  public:
