@@ -22,6 +22,7 @@
 #include "study/protocol/measure.h"
 #include "study/protocol/protocol_places.h"
 #include "study/protocol/reading/read_methods.h"
+#include "study/protocol/reading/read_overrides.h"
 #include "study/protocol/reading/read_procedure.h"
 #include "study/protocol/reading/read_questions.h"
 #include "study/protocol/reading/read_settings.h"

@@ -35,7 +35,4 @@ std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Pr
 std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
                              std::string_view meaning);
 
-/// Fills the protocol's cells. All its other settings must have been read.
-void read_overrides(TomlReader& reader, Protocol& protocol);
-
 }  // namespace foveola::study
