@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "renderer/base/angles.h"
 
 namespace foveola::study {
@@ -40,6 +42,17 @@ double display_pixel_rad(const DisplaySettings& display) {
 }
 
 }  // namespace
+
+std::string crop_sampler(const Cone& cone) {
+  const AzimuthElevation middle = azimuth_elevation(cone.middle);
+  const double ratio = std::sin(cone.radius_rad) / std::cos(middle.elevation_rad);
+  const bool holds_pole =
+      std::abs(middle.elevation_rad) + cone.radius_rad >= 0.5 * std::numbers::pi;
+  const double half_width_rad = holds_pole ? std::numbers::pi : std::asin(std::min(1.0, ratio));
+  return fmt::format("crop:azimuth={},elevation={},width={},height={}", degrees(middle.azimuth_rad),
+                     degrees(middle.elevation_rad), 2.0 * degrees(half_width_rad),
+                     2.0 * degrees(cone.radius_rad));
+}
 
 Aim aim_at(const Vec3& object, const DisplaySettings& display) {
   const Viewport viewport(head_orientation(azimuth_elevation(object)),

@@ -2,6 +2,7 @@
 // as large as those of the display's middle.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "renderer/view/view_sampler.h"
@@ -26,6 +27,15 @@ struct JudgedView {
   int height = 0;
   std::vector<JudgedCells> judged;  ///< the judged cells on each scale
 };
+
+/// A cone of directions.
+struct Cone {
+  Vec3 middle{0.0F};  ///< unit length, world
+  double radius_rad = 0.0;
+};
+
+/// The name of a view sampler: uniform over a rectangle of the image that the cone lies in.
+std::string crop_sampler(const Cone& cone);
 
 /// Where samples go while a head faces `object` (unit length, world) and the eye looks at its
 /// middle.

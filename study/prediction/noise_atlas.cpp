@@ -36,24 +36,6 @@ constexpr int margin_px = 2;
 /// Counted up whenever the tables of the same settings come out differently.
 constexpr int tables_version = 7;
 
-/// A cone of directions.
-struct Cone {
-  Vec3 middle{0.0F};
-  double radius_rad = 0.0;
-};
-
-/// Uniform over a rectangle of the image that the cone lies in.
-std::string crop_around(const Cone& cone) {
-  const AzimuthElevation middle = azimuth_elevation(cone.middle);
-  const double ratio = std::sin(cone.radius_rad) / std::cos(middle.elevation_rad);
-  const bool holds_pole =
-      std::abs(middle.elevation_rad) + cone.radius_rad >= 0.5 * std::numbers::pi;
-  const double half_width_rad = holds_pole ? std::numbers::pi : std::asin(std::min(1.0, ratio));
-  return fmt::format("crop:azimuth={},elevation={},width={},height={}", degrees(middle.azimuth_rad),
-                     degrees(middle.elevation_rad), 2.0 * degrees(half_width_rad),
-                     2.0 * degrees(cone.radius_rad));
-}
-
 void require_predictable(const Protocol& protocol) {
   for (const SceneEntry& scene : protocol.scenes) {
     for (const std::string& method : protocol.methods) {
@@ -287,7 +269,7 @@ class SceneAtlas {
   ConvergedMeans converged(const JudgedObject& judged, const PilotSetting& pilot) const {
     SampleMask mask(pilot.film.width, pilot.film.height);
     mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
-    const auto sampler = make_view_sampler(crop_around(judged.cone));
+    const auto sampler = make_view_sampler(crop_sampler(judged.cone));
     sampler->aim(aim_to(judged.object->direction));
     return converged_means(pilot, *sampler, judged.object->direction,
                            object_convergence * std::sqrt(coarseness()), mask, {&judged.view, 1});
@@ -309,24 +291,8 @@ class SceneAtlas {
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const ConvergedMeans expected =
         converged_means(pilot, *sampler, ahead, surround_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, pilot_levels, 0, mask, views, expected), places);
-  }
-
-  /// A table for each scale, of all views, each standing for a patch. A view whose cells are too
-  /// small for the film's pixels on any scale is left out on all.
-  static std::vector<NoiseTable> gathered(const std::vector<ScaleTables>& views,
-                                          const std::vector<Vec3>& places) {
-    std::vector<NoiseTable> tables(views.front().size());
-    for (std::size_t view = 0; view < views.size(); ++view) {
-      if (std::any_of(views[view].begin(), views[view].end(), std::mem_fn(&NoiseTable::empty))) {
-        continue;
-      }
-      for (std::size_t scale = 0; scale < tables.size(); ++scale) {
-        tables[scale].push_back(mean_of(views[view][scale]));
-        tables[scale].back().direction = places[view];
-      }
-    }
-    return tables;
+    return mean_patches(measure_noise(pilot, *sampler, pilot_levels, 0, mask, views, expected),
+                        places);
   }
 
   std::string key_of(const JudgedObject& judged, const std::string& method,

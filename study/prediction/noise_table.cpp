@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <nlohmann/json.hpp>
 
@@ -87,6 +88,21 @@ PatchNoise mean_of(const NoiseTable& table) {
     }
   }
   return mean;
+}
+
+std::vector<NoiseTable> mean_patches(const std::vector<std::vector<NoiseTable>>& views,
+                                     const std::vector<Vec3>& places) {
+  std::vector<NoiseTable> tables(views.front().size());
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    if (std::any_of(views[view].begin(), views[view].end(), std::mem_fn(&NoiseTable::empty))) {
+      continue;
+    }
+    for (std::size_t scale = 0; scale < tables.size(); ++scale) {
+      tables[scale].push_back(mean_of(views[view][scale]));
+      tables[scale].back().direction = places[view];
+    }
+  }
+  return tables;
 }
 
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table) {

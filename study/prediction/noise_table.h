@@ -34,6 +34,12 @@ ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
 /// The mean of patches that are sampled alike, each counted by its cells. table: not empty.
 PatchNoise mean_of(const NoiseTable& table);
 
+/// A table for each scale, in which the mean of a view's patches on that scale stands for the patch
+/// at the view's place. A view that has no patches on any one scale, where its cells are too small
+/// for the film's pixels, is left out on all. views: not empty, a table for each scale.
+std::vector<NoiseTable> mean_patches(const std::vector<std::vector<NoiseTable>>& views,
+                                     const std::vector<Vec3>& places);
+
 /// The patches' energies but for their noise, which changes with the samples.
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table);
 
