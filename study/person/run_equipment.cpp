@@ -67,4 +67,13 @@ void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
   }
 }
 
+std::vector<std::string> notes_of_eye(const TrackerProfile& tracker) {
+  if (!is_nobodys_eye(tracker.source)) {
+    return {};
+  }
+  const bool is_simulated = tracker.source == TrackerSource::simulated;
+  return {fmt::format("THE EYE IS {}, by the profile {}", is_simulated ? "SIMULATED" : "RECORDED",
+                      tracker.name)};
+}
+
 }  // namespace foveola::study

@@ -2,6 +2,9 @@
 // through.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "study/person/run_person.h"
 #include "study/protocol/protocol.h"
 
@@ -23,5 +26,8 @@ bool is_nobodys_eye(TrackerSource source);
 
 /// Throws Error if a person's session that counts would have nobody's eye; a rehearsal may.
 void require_real_gaze(const TrackerProfile& tracker, SessionKind kind);
+
+/// The session's note if it has nobody's eye, which must not be taken for a person's; else empty.
+std::vector<std::string> notes_of_eye(const TrackerProfile& tracker);
 
 }  // namespace foveola::study

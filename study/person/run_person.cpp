@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <strings.h>
 #include <unistd.h>
 
 #include "renderer/base/build_info.h"
@@ -16,7 +14,6 @@
 #include "renderer/headset/live_display.h"
 #include "renderer/headset/live_window.h"
 #include "study/console/console_words.h"
-#include "study/console/line_reader.h"
 #include "study/console/screen_console.h"
 #include "study/console/terminal.h"
 #include "study/driver/session_so_far.h"
@@ -28,6 +25,7 @@
 #include "study/person/run_equipment.h"
 #include "study/person/session/person_session.h"
 #include "study/person/session_copies.h"
+#include "study/person/session_start.h"
 #include "study/preflight/preflight_checks.h"
 #include "study/preflight/system_state.h"
 #include "study/record/clock_steps.h"
@@ -42,45 +40,6 @@ namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-/// Positive as SQLite's integers.
-std::uint64_t drawn_seed() {
-  std::random_device device;
-  const std::uint64_t high = device();
-  const std::uint64_t low = device();
-  return ((high << 32) | low) >> 1;
-}
-
-void say_if_keys_are_late(KeyTimeSource source, Console& console) {
-  if (source == KeyTimeSource::arrival) {
-    console.say(
-        "The X server's clock is not this machine's: marks have the times at which their keys "
-        "arrived.");
-  }
-}
-
-/// The design rows of people whose sessions were completed or may still be.
-std::vector<int> used_rows(const StudyStore& store) {
-  std::vector<int> rows;
-  for (const KnownSession& session : store.sessions()) {
-    const bool counts = session.phase != Phase::withdrawn && session.phase != Phase::excluded &&
-                        session.phase != Phase::refused;
-    if (session.kind == SessionKind::human && counts) {
-      rows.push_back(session.design_row);
-    }
-  }
-  return rows;
-}
-
-/// The row of the design that the first person of the study had; 0 before anybody.
-int first_row_of(const StudyStore& store) {
-  for (const KnownSession& session : store.sessions()) {
-    if (session.kind == SessionKind::human) {
-      return session.design_row;
-    }
-  }
-  return 0;
-}
 
 /// The state that the session goes on in.
 SessionState once_resumed(SessionState state) {
@@ -142,9 +101,9 @@ class PersonRun {
                      preflight(stages, workers, clock, events, display, gaze, stop));
     compare_setup(devices);
     say_if_keys_are_late(window.key_time_source(), *console_);
-    say_if_code_is_alike();
+    say_if_code_is_alike(settings_.participant, store_, *console_);
     if (!settings_.json && Terminal::is_there()) {
-      wait_for_confirmation(display, stop);
+      wait_for_confirmation(display, protocol_.texts, *console_, stop);
     }
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
@@ -235,33 +194,6 @@ class PersonRun {
     }
   }
 
-  /// Codes that differ in small and capital letters only are easily taken for one another.
-  void say_if_code_is_alike() {
-    for (const KnownSession& session : store_.sessions()) {
-      const std::string& known = session.participant;
-      if (known != settings_.participant &&
-          ::strcasecmp(known.c_str(), settings_.participant.c_str()) == 0) {
-        console_->say(
-            fmt::format("WARNING: {} is another participant than {}, who is in this study.",
-                        settings_.participant, known));
-      }
-    }
-  }
-
-  /// The experimenter's screen covers what was said so far.
-  void wait_for_confirmation(SessionDisplay& display, const std::stop_token& stop) {
-    console_->say("Press Enter here to begin. Ctrl+C ends the program, and nothing is begun.");
-    const auto is_confirmed = [](const std::vector<std::string>& lines) {
-      return std::ranges::find(lines, "") != lines.end();
-    };
-    for (LineReader reader(STDIN_FILENO); !is_confirmed(reader.take());) {
-      if (stop.stop_requested()) {
-        throw Error("preflight", "was stopped", "nothing was begun or recorded");
-      }
-      display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
-    }
-  }
-
   /// Null: keys turn it.
   HeadTracker* head() { return worn_ ? &*worn_ : nullptr; }
 
@@ -314,16 +246,14 @@ class PersonRun {
   }
 
   PersonSessionSettings beginning(const SceneStages& stages, const std::string& devices) {
-    SessionFacts facts{
-        .participant = settings_.participant,
-        .kind = settings_.kind,
-        .seed = settings_.seed ? *settings_.seed : drawn_seed(),
-        .design_row = least_used_row(protocol_, used_rows(store_),
-                                     settings_.first_row.value_or(first_row_of(store_))),
-        .build = build_info(),
-        .machine = machine_info(),
-        .devices = devices,
-        .scenes = shown_scenes(stages)};
+    SessionFacts facts{.participant = settings_.participant,
+                       .kind = settings_.kind,
+                       .seed = settings_.seed ? *settings_.seed : draw_seed(),
+                       .design_row = next_design_row(protocol_, store_, settings_.first_row),
+                       .build = build_info(),
+                       .machine = machine_info(),
+                       .devices = devices,
+                       .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
     const std::string order =
         is_blind() ? ""
@@ -331,17 +261,8 @@ class PersonRun {
     console_->say(
         fmt::format("Participant {},{} {} trials.", facts.participant, order, plan_.size()));
     row_ = store_.begin_session(facts, plan_);
-    return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, notes_of_eye());
-  }
-
-  /// Whoever reads the record must not take such a gaze for a person's.
-  std::vector<std::string> notes_of_eye() const {
-    if (!is_nobodys_eye(tracker_.source)) {
-      return {};
-    }
-    const bool is_simulated = tracker_.source == TrackerSource::simulated;
-    return {fmt::format("THE EYE IS {}, by the profile {}", is_simulated ? "SIMULATED" : "RECORDED",
-                        tracker_.name)};
+    return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {},
+                       notes_of_eye(tracker_));
   }
 
   PersonSessionSettings going_on(const std::string& devices) {
@@ -355,7 +276,7 @@ class PersonRun {
     console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, told),
                               words_for_next(state, procedure, told)));
     row_ = known.id;
-    std::vector<std::string> notes = notes_of_eye();
+    std::vector<std::string> notes = notes_of_eye(tracker_);
     notes.push_back(note_of_devices(devices));
     if (const std::string program = program_name(build_info()); program != so_far_->program) {
       notes.push_back(note_of_program(program, so_far_->program));

@@ -1,5 +1,7 @@
 #include "study/person/prompts/pages.h"
 
+#include <fmt/format.h>
+
 namespace foveola::study {
 namespace {
 
@@ -110,6 +112,18 @@ std::optional<ScreenPage> page_of(const PromptState& prompt, const SessionContex
                      static_cast<double>(context.procedure.agenda.size());
   }
   return page;
+}
+
+std::string words_for_next_key(const PromptState& prompt, const SessionContext& context,
+                               Nanoseconds now) {
+  const std::optional<ScreenPage> page = page_of(prompt, context, now);
+  if (page && !page->keys.empty()) {
+    return page->keys;
+  }
+  if (context.seen.phase == Phase::marking) {
+    return fmt::format("[Space] {}", context.protocol.marks[context.seen.mark].id);
+  }
+  return context.seen.is_over() ? "[Enter] closes the window" : "none";
 }
 
 }  // namespace foveola::study

@@ -1,7 +1,8 @@
-// Which page the participant sees.
+// Which page the participant sees, and what its keys are for.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "study/person/prompts/prompt_state.h"
 
@@ -10,5 +11,10 @@ namespace foveola::study {
 /// Over the picture, or instead of it; empty: the picture alone. now: session clock.
 std::optional<ScreenPage> page_of(const PromptState& prompt, const SessionContext& context,
                                   Nanoseconds now);
+
+/// The keys that the participant's page names, in the protocol's words; "[Space] outline" where the
+/// picture is marked. now: session clock.
+std::string words_for_next_key(const PromptState& prompt, const SessionContext& context,
+                               Nanoseconds now);
 
 }  // namespace foveola::study

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "study/console/console_words.h"
-#include "study/person/prompts/key_words.h"
+#include "study/person/prompts/pages.h"
 #include "study/person/session/person_session.h"
 
 namespace foveola::study {
