@@ -1,6 +1,7 @@
 // Models of a comparison that another program fitted, R with its packages.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -74,7 +75,13 @@ struct FittedModels {
 
   /// The model, with a fit or the reason why there is none; nullptr if it was not tried.
   const FittedModel* find(const std::string& model, const std::string& measure,
-                          const std::string& method, const std::string& reference) const;
+                          const std::string& method, const std::string& reference) const {
+    const auto found = std::ranges::find_if(models, [&](const FittedModel& row) {
+      return row.model == model && row.measure == measure && row.method == method &&
+             row.reference == reference;
+    });
+    return found != models.end() ? &*found : nullptr;
+  }
 };
 
 }  // namespace foveola::analysis
