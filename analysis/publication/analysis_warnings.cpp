@@ -1,11 +1,10 @@
-#include "analysis/publication/analysis_warnings.h"
-
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/publication/analyze_study.h"
 #include "study/protocol/cautions.h"
 
 namespace foveola::analysis {

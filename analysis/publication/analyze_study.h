@@ -73,4 +73,8 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
                                std::optional<study::Verification> record = {},
                                const std::optional<study::StudyRecords>& exported = {});
 
+/// What a reader of the analysis has to know first of its file, data and planned comparisons, a
+/// sentence for each. `output` has its tables, comparisons, checks and verification.
+std::vector<std::string> warnings_about(const AnalysisOutput& output);
+
 }  // namespace foveola::analysis

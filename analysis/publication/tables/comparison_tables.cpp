@@ -1,5 +1,3 @@
-#include "analysis/publication/tables/comparison_tables.h"
-
 #include <cmath>
 #include <string>
 #include <utility>

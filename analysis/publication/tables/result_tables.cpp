@@ -8,7 +8,6 @@
 
 #include "analysis/dataset/answer_data.h"
 #include "analysis/dataset/wording.h"
-#include "analysis/publication/tables/comparison_tables.h"
 #include "analysis/r_models/models_plan.h"
 
 namespace foveola::analysis {

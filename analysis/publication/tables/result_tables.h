@@ -39,6 +39,15 @@ Table catch_trials_table(const StudyTables& tables, const DataQualityReport& rep
 Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report);
 Table reaction_times_table(const StudyTables& tables, const DataQualityReport& report);
 
+// The tests: a row for each comparison, omnibus test and order effect.
+Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons);
+/// models: what R fitted; without rows if it did not.
+Table models_table(const StudyTables& tables, const Comparisons& comparisons);
+/// model_versions: of R and its packages.
+Table model_versions_table(const StudyTables& tables, const Comparisons& comparisons);
+Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons);
+Table order_effects_table(const StudyTables& tables, const Comparisons& comparisons);
+
 /// exclusions: sessions and values that no number uses.
 Table exclusions(const StudyTables& tables);
 

@@ -1,4 +1,4 @@
-#include "study/person/consent_receipt.h"
+#include "study/person/session_copies.h"
 
 #include "renderer/base/files/digest.h"
 #include "study/record/amendment_note.h"

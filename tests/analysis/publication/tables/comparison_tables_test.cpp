@@ -1,9 +1,8 @@
-#include "analysis/publication/tables/comparison_tables.h"
-
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/publication/tables/result_tables.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "tests/analysis/golden.h"
