@@ -1,6 +1,5 @@
-#include "study/person/session_copies.h"
-
 #include "renderer/base/files/digest.h"
+#include "study/person/session_copies.h"
 #include "study/record/amendment_note.h"
 #include "tests/matchers.h"
 
