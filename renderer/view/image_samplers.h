@@ -25,8 +25,7 @@ struct ImageRectangle {
 };
 
 /// The smallest rectangle that holds the whole viewport: full width if it contains a pole. With a
-/// lens, whose curved edges are approximated by 1024 segments, it may miss a sliver of less than
-/// 1e-6.
+/// lens, whose edges are approximated by 1024 segments, it may miss a sliver of less than 1e-6.
 ImageRectangle bounding_rectangle(const Viewport& viewport);
 
 /// Uniform over the pixels of a rectangle of the equirect image; the whole image is OD.

@@ -17,8 +17,7 @@ namespace foveola {
 /// 80 degrees.
 enum class EccentricityMeasure { planar, solid_angle };
 
-/// Converts a density per square degree of `measure` to one per steradian. eccentricity_deg in [0,
-/// 180).
+/// Converts a density per square degree to one per steradian. eccentricity_deg in [0, 180).
 double density_per_sr(double per_square_degree, double eccentricity_deg,
                       EccentricityMeasure measure);
 

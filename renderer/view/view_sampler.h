@@ -25,8 +25,7 @@ struct Aim {
   Viewport viewport;
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
   std::optional<Vec3> pointer;   ///< the user's pointer (unit length, world); default: the gaze
-  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of the viewport's plane; null: the whole
-                                                   ///< plane
+  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of the viewport's plane; null: all of it
 };
 
 /// One method of choosing directions. Virtual calls are per batch, never per sample.
@@ -51,25 +50,25 @@ const std::vector<std::string>& published_methods();
 /// Error for an invalid text or file. Angles are in degrees; values with a comma or a plus are in
 /// double quotes.
 ///
-/// od        uniform over the equirect image vp        uniform over the viewport's plane, but for
-/// what a headset's lenses never show of it vp-rect   uniform over the rectangle of the image that
-/// bounds the viewport fv        following visual acuity around the gaze: acuity=reddy (default),
-/// guenter with slope,
+/// od        uniform over the equirect image
+/// vp        uniform over the viewport's plane, as far as a headset's lenses show it
+/// vp-rect   uniform over the rectangle of the image that bounds the viewport
+/// fv        following visual acuity around the gaze: acuity=reddy (default), guenter with slope,
 ///           linear with inner, outer, least, weier1, weier2, weier3, or watson with eye=both
 ///           (default), left, right; exponent (default: the model's), cutoff (80), measure=planar
-///           (default, the paper's) or solid-angle fv-paper  the paper's fv to the letter: radii by
-///           its equation 7, whose jump leaves a thin ring
-///           without samples (Equation7Distribution), where fv has the exact inverse fv-map    an
-///           image laid around the gaze: file, extent (80; the eccentricity at half of its
-///           larger side) mask      an image painted over the equirect image, read anew when it
-///           changes: file, floor (0;
-///           what every pixel weighs more, in mean weights) pointer   a Gaussian around the
-///           pointer: radius (10; its standard deviation), cutoff (80);
-///           azimuth, elevation: a fixed place instead of the pointer crop      uniform over a
-///           fixed rectangle of the image around azimuth, elevation (0), of width
-///           and height (30) hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share
-///           of the samples, whose
-///           weights are divided by their sum; a hybrid within it stands in double quotes
+///           (default, the paper's) or solid-angle
+/// fv-paper  the paper's fv as printed: radii by its equation 7, whose jump leaves a thin ring
+///           without samples (Equation7Distribution), where fv has the exact inverse
+/// fv-map    an image around the gaze: file, extent (80; the eccentricity at half of its larger
+///           side)
+/// mask      a mask over the equirect image, reloaded when it changes: file, floor (0; weight added
+///           to every pixel, in mean weights)
+/// pointer   a Gaussian around the pointer: radius (10; its standard deviation), cutoff (80);
+///           azimuth, elevation: a fixed place instead of the pointer
+/// crop      uniform over a fixed rectangle of the image around azimuth, elevation (0), of width
+///           and height (30)
+/// hybrid    several methods: hybrid:0.9*fv+0.1*od, with shares of the samples by weight over the
+///           weights' sum; a hybrid within it is in double quotes
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method);
 
 /// Returns the weights of a file named in a method's text.

@@ -39,8 +39,7 @@ class SeenPart {
   double share_;
 };
 
-/// Ratio of the distance from the lens' axis with the lens to the one without. d2: the latter
-/// squared.
+/// Ratio of the distances from the lens' axis with and without the lens. d2: the latter squared.
 inline double magnification(const RadialLens& lens, double d2) {
   return 1.0 + d2 * (lens.k1 + d2 * lens.k2);
 }
