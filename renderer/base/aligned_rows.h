@@ -1,4 +1,4 @@
-// Plain text in columns.
+// Formats rows of text as aligned columns.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct ColumnLayout {
   bool numbers_to_the_right = false;  ///< aligns all columns but the first to the right
 };
 
-/// A line a row, with columns as wide as their widest cell. Cells are valid UTF-8, and are made
-/// printable().
+/// One line per row, columns as wide as their widest cell. Cells are valid UTF-8; printable() is
+/// applied to them.
 std::string aligned(const std::vector<TextRow>& rows, const ColumnLayout& layout = {});
 
 }  // namespace foveola

@@ -12,7 +12,7 @@ namespace foveola {
 constexpr double radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180.0); }
 constexpr double degrees(double angle_rad) { return angle_rad * (180.0 / std::numbers::pi); }
 
-/// The angle in [-pi, pi] that points the same way.
+/// The equivalent angle in [-pi, pi].
 inline double wrapped_angle(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
 }
@@ -49,7 +49,7 @@ inline Quat head_orientation(const AzimuthElevation& heading, double roll_rad = 
   return turn * nod * tilt;
 }
 
-/// How far `head` is tilted to the right from where the horizon is level, in [-pi, pi].
+/// Roll of `head` to the right from a level horizon, in [-pi, pi].
 inline double roll_of(const Quat& head) {
   const Quat level = head_orientation(azimuth_elevation(head * Vec3(0.0F, 0.0F, -1.0F)));
   const Quat tilt = glm::conjugate(level) * head;
@@ -95,11 +95,11 @@ struct FrameOf {
 using Frame = FrameOf<float>;
 using Frames = FrameOf<Floats>;
 
-/// What a headset's lens does to one eye's display: a point at distance d from the lens' axis,
-/// measured on the image plane, is seen at distance d (1 + k1 d^2 + k2 d^4) (the radial terms of
-/// Brown 1966, "Decentering distortion of lenses"). The image plane lies at distance 1.
+/// A headset lens before one eye's display. A point at distance d from the lens' axis on the image
+/// plane (at distance 1) is seen at distance d (1 + k1 d^2 + k2 d^4): the radial terms of Brown
+/// 1966, "Decentering distortion of lenses".
 struct RadialLens {
-  /// Where it meets the display, whose top left corner is (0, 0) and whose bottom right one (1, 1).
+  /// Where the axis meets the display: (0, 0) is its top left corner, (1, 1) the bottom right one.
   Vec2 axis{0.5F, 0.5F};
   float k1 = 0.0F;
   float k2 = 0.0F;

@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// What the kernel says of the first processor.
+/// The kernel's facts of the first processor.
 std::map<std::string, std::string> first_processor() {
   std::ifstream cpuinfo("/proc/cpuinfo");
   std::map<std::string, std::string> fields;
@@ -24,7 +24,7 @@ std::map<std::string, std::string> first_processor() {
   return fields;
 }
 
-/// In a virtual machine, the name alone may be that of many processors, which do not compute alike.
+/// In a virtual machine, processors with different arithmetic may share a name.
 std::string processor_name() {
   std::map<std::string, std::string> fields = first_processor();
   std::string name =
@@ -50,7 +50,7 @@ constexpr const char* instruction_set() {
 #endif
 }
 
-/// Embree would take the widest instructions that the processor has.
+/// Embree would use the widest instructions of the processor.
 const char* ray_instructions() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") != 0 ? "avx2" : "sse4.2";
@@ -59,7 +59,7 @@ const char* ray_instructions() {
 #endif
 }
 
-/// What it was made with, as far as it is known: "GNU 12.2.0, Release, Embree 3.13.5".
+/// The known tools: "GNU 12.2.0, Release, Embree 3.13.5".
 std::string tools_of(const BuildInfo& build) {
   std::string parts;
   for (const std::string& part : {build.compiler, build.build_type, build.ray_tracer}) {
@@ -70,7 +70,7 @@ std::string tools_of(const BuildInfo& build) {
   return parts;
 }
 
-/// " with x86-64-v3 and rays by avx2", as far as it is known.
+/// The known instruction sets: " with x86-64-v3 and rays by avx2".
 std::string instructions_of(const BuildInfo& build) {
   std::string text;
   if (!build.instruction_set.empty()) {

@@ -1,4 +1,4 @@
-// Time that a test or a simulation can own: everything that asks for the time asks a Clock.
+// Clocks: the machine's, and a virtual one that a test or a simulation advances.
 #pragma once
 
 #include <chrono>
@@ -38,10 +38,10 @@ class VirtualClock final : public Clock {
   Nanoseconds now_{0};
 };
 
-/// A time since 1970 began as ISO 8601 in UTC with milliseconds: "2026-11-21T09:30:00.123Z".
+/// A time since 1970-01-01 as ISO 8601 in UTC with milliseconds: "2026-11-21T09:30:00.123Z".
 std::string utc_text(Nanoseconds since_1970);
 
-/// The wall clock's.
+/// The wall clock's time, as utc_text.
 std::string utc_now();
 
 }  // namespace foveola

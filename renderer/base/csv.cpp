@@ -21,7 +21,7 @@ std::string format_field(const std::string& field) {
   return quoted;
 }
 
-/// Reads one field after the other from the front of a text.
+/// Reads fields one by one from the front of a text.
 class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& where) : text_(text), where_(where) {}

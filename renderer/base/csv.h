@@ -1,4 +1,4 @@
-// Comma-separated values after RFC 4180: tables that every other program reads.
+// Writes and reads comma-separated values after RFC 4180.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ using CsvRow = std::vector<std::string>;
 std::string format_csv(const std::vector<CsvRow>& rows);
 
 /// Reads what format_csv writes; LF line ends are accepted too. `where` names the source in errors.
-/// Throws Error for an unfinished quote or text after one.
+/// Throws Error for an unfinished quote, or for text after a closing quote.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& where);
 
-/// The shortest text that reads back as the same number; empty where there is none.
+/// The shortest text that reads back as the same number; an absent value gives empty text.
 std::string csv_number(std::optional<double> value);
 
 }  // namespace foveola

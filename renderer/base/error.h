@@ -1,4 +1,4 @@
-// The one exception for everything a user can get wrong.
+// Exceptions for errors that a user can mend.
 #pragma once
 
 #include <stdexcept>
@@ -10,13 +10,13 @@ namespace foveola {
 /// after "foveola: error: " before it exits with 1.
 class Error : public std::runtime_error {
  public:
-  /// where: a file, file:line:column, option or record. what: what is wrong with it. remedy: what
-  /// the user can do about it; may be empty. Line breaks and tabs inside the parts become spaces,
-  /// and other control characters, which a terminal would obey, question marks.
+  /// where: a file, file:line:column, option or record. what: the fault. remedy: the user's remedy;
+  /// may be empty. Line breaks and tabs in the parts become spaces. Other control characters, which
+  /// a terminal would obey, become question marks.
   Error(const std::string& where, const std::string& what, const std::string& remedy = {});
 };
 
-/// A command line that makes no sense by itself (as opposed to a file that is bad): exit code 2.
+/// A command line that makes no sense by itself (unlike a bad file): exit code 2.
 class UsageError : public Error {
  public:
   using Error::Error;

@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-/// A sum, rounded, and what that lacks: together they are exact (Shewchuk 1997, figure 4).
+/// A rounded sum and its error: together they are exact (Shewchuk 1997, figure 4).
 struct TwoSum {
   double sum;
   double rest;
@@ -47,7 +47,7 @@ double ExactSum::rounded() const {
   if (parts_.empty()) {
     return 0.0;
   }
-  // From the largest down, until something is lost: then what is left decides a tie.
+  // From the largest down, until something is lost: then the rest decides a tie.
   std::size_t next = parts_.size() - 1;
   double sum = parts_[next];
   double rest = 0.0;

@@ -1,4 +1,4 @@
-// A sum that does not depend on the order of what is added.
+// A sum of doubles that does not depend on their order.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ class ExactSum {
   void add(double value);
   void add(const ExactSum& other);
 
-  /// The double that is nearest to the sum; of two, the even one.
+  /// The double nearest to the sum; ties go to the even one.
   double rounded() const;
 
   void clear() { parts_.clear(); }

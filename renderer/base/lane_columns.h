@@ -1,5 +1,4 @@
-// Long columns of numbers, eight of which are read or written at once, and from which some are
-// dropped without leaving gaps.
+// Long columns of numbers that are read and written eight at a time, and compacted without gaps.
 #pragma once
 
 #include <array>
@@ -10,10 +9,10 @@
 
 namespace foveola {
 
-/// Moves some of eight lanes to the front, in their order. What follows them may be anything.
+/// Moves selected lanes of eight to the front, in their order; the lanes behind them are undefined.
 class LanePacking {
  public:
-  /// bits: a bit for each lane that stays.
+  /// bits: one per lane, set for the lanes that stay.
   explicit LanePacking(std::uint32_t bits)
       : count_(static_cast<std::size_t>(__builtin_popcount(bits))) {
     std::array<std::uint8_t, lane_count> from;
@@ -23,7 +22,7 @@ class LanePacking {
     }
   }
 
-  /// How many lanes stay.
+  /// Number of lanes that stay.
   std::size_t count() const { return count_; }
 
   Floats operator()(const Floats& lanes) const {
@@ -79,11 +78,11 @@ struct alignas(sizeof(Vector)) ColumnOf : std::array<Number, capacity> {
   void store(std::size_t first, const Vector& lanes) {
     __builtin_memcpy(this->data() + first, &lanes, sizeof(lanes));
   }
-  /// Leaves the lanes that are not in the mask as they are.
+  /// Stores the lanes of the mask; leaves the others unchanged.
   void store(std::size_t first, const LaneMask& mask, const Vector& lanes) {
     store(first, mask ? lanes : load(first));
   }
-  /// Moves the lanes from `first` on that stay to `to`, which is not behind `first`.
+  /// Moves the staying lanes of the eight at `first` to `to`, which is not behind `first`.
   void move(std::size_t first, const LanePacking& packing, std::size_t to) {
     store(to, packing(load(first)));
   }

@@ -1,5 +1,4 @@
-// Eight numbers side by side (SIMD lanes), which the processor works on at once; and vectors of
-// them.
+// Vectors of eight numbers (SIMD lanes), and 3D vectors of them.
 #pragma once
 
 #include <array>
@@ -10,17 +9,17 @@
 
 #include "renderer/base/vec.h"
 
-// Lanes pass between files that are all compiled for the same processor, so it does not matter that
-// one with AVX would pass them in other registers.
+// Lanes pass between files that are all compiled for the same processor: the AVX calling convention
+// makes no difference.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace foveola {
 
 inline constexpr std::size_t lane_count = 8;
 
-/// The vector types of GCC and Clang: arithmetic and comparisons go lane by lane, and take single
-/// numbers for all lanes. A mask is what comparisons give: in a lane all bits or none; with it,
-/// `mask ? a : b` chooses lane by lane.
+/// The vector types of GCC and Clang: arithmetic and comparisons work per lane, and accept single
+/// numbers for all lanes. A comparison gives a mask with all bits of a lane or none; `mask ? a : b`
+/// chooses per lane.
 using Floats = float __attribute__((vector_size(lane_count * sizeof(float))));
 using Ints = std::int32_t __attribute__((vector_size(lane_count * sizeof(float))));
 using Uints = std::uint32_t __attribute__((vector_size(lane_count * sizeof(float))));
@@ -29,7 +28,7 @@ using LaneMask = Ints;
 /// One value in all lanes.
 inline Floats all_lanes(float value) { return Floats{} + value; }
 
-/// A bit for each lane, the first the lowest.
+/// One bit per lane, the first lane's lowest.
 inline std::uint32_t bits_of(const LaneMask& mask) {
 #ifdef __AVX__
   return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<Floats>(mask)));
@@ -42,7 +41,7 @@ inline std::uint32_t bits_of(const LaneMask& mask) {
 #endif
 }
 
-/// The mask of lanes that have a bit.
+/// The mask of the lanes whose bit is set.
 inline LaneMask mask_of(std::uint32_t bits) {
   constexpr Uints bit_of_lane = {1, 2, 4, 8, 16, 32, 64, 128};
   return LaneMask((bit_of_lane & bits) != 0U);
@@ -51,7 +50,7 @@ inline LaneMask mask_of(std::uint32_t bits) {
 inline bool any_lane(bool mask) { return mask; }
 inline bool any_lane(const LaneMask& mask) { return bits_of(mask) != 0; }
 
-/// Calls visit(lane) for the lanes that have a bit, from the first.
+/// Calls visit(lane) for the lanes whose bit is set, from the first.
 template <typename Visit>
 void for_each_lane(std::uint32_t bits, const Visit& visit) {
   for (std::uint32_t left = bits; left != 0; left &= left - 1) {
@@ -64,8 +63,8 @@ void for_each_lane(const LaneMask& mask, const Visit& visit) {
   for_each_lane(bits_of(mask), visit);
 }
 
-// The names below exist for single numbers too, so that a formula can be written once for both.
-// Such templates are declared inline: GCC calls more of them where they are not.
+// The functions below exist for single numbers too, so that a formula is written once for both.
+// Templates on both are declared inline: GCC inlines fewer of them otherwise.
 
 inline float square_root(float x) { return std::sqrt(x); }
 inline Floats square_root(const Floats& x) {
@@ -127,7 +126,7 @@ inline Ints clamped(const Ints& x, std::int32_t most) {
   return not_above > 0 ? not_above : Ints{};
 }
 
-/// An array that lanes are put into one by one, or taken from, without a round trip for each.
+/// An array whose lanes are written or read one by one, without a round trip for each.
 template <typename Number, typename Vector>
 struct alignas(lane_count * sizeof(float)) LanesOf : std::array<Number, lane_count> {
   static_assert(sizeof(Vector) == lane_count * sizeof(Number));
@@ -182,7 +181,7 @@ struct Vec2Lanes {
   Vec2 at(std::size_t lane) const { return {x[lane], y[lane]}; }
 };
 
-/// Vectors or colours, one a lane.
+/// Vectors or colours, one per lane.
 struct Vec3s {
   Floats x, y, z;
 
@@ -226,7 +225,7 @@ inline Vec3s chosen(const LaneMask& mask, const Vec3s& a, const Vec3s& b) {
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
-/// Where a float's digits do not suffice.
+/// Doubles, for sums beyond a float's precision.
 using Doubles = double __attribute__((vector_size(lane_count * sizeof(double))));
 using DoubleMask = std::int64_t __attribute__((vector_size(lane_count * sizeof(double))));
 
@@ -248,7 +247,7 @@ inline Doubles magnitude(const Doubles& x) {
                                    std::numeric_limits<std::int64_t>::max());
 }
 
-/// What goes with a number, which is a float or Floats.
+/// Types that belong to a number type: float or Floats.
 template <typename Number>
 struct TypesOf;
 template <>

@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-/// Writes the running sums of `weights` over their sum, which is returned.
+/// Writes the cumulative sums of `weights` divided by their sum, which is returned.
 template <typename Weight>
 double accumulate(std::span<const Weight> weights, std::span<float> running) {
   double total = 0.0;
@@ -28,8 +28,8 @@ float probability_of(std::span<const float> running, std::size_t i) {
   return i == 0 ? running[0] : running[i] - running[i - 1];
 }
 
-/// How many of the leading elements are not above u, of those before the last. Without branches:
-/// where u falls cannot be predicted.
+/// Number of the leading elements that are not above u, of those before the last. Without branches:
+/// the place of u cannot be predicted.
 std::size_t count_not_above(std::span<const float> running, float u) {
   std::size_t begin = 0;
   for (std::size_t left = running.size(); left > 1;) {
@@ -40,7 +40,7 @@ std::size_t count_not_above(std::span<const float> running, float u) {
   return begin;
 }
 
-/// So many sums a step that their guide takes a quarter of their memory.
+/// Number of sums per step: a guide then takes a quarter of their memory.
 constexpr std::size_t sums_per_step = 4;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Drawing a cell of a grid, and a point in it, with a density that is constant in each cell.
+// Samples a grid with a density that is constant in each cell.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace foveola {
 
 class PiecewiseConstant2D {
  public:
-  /// weights: row-major, width * height of them, >= 0 and finite. A grid without any weight draws
-  /// nothing useful: see total().
+  /// weights: row-major, width * height of them, >= 0 and finite. If total() is 0, samples are
+  /// meaningless.
   PiecewiseConstant2D(std::size_t width, std::size_t height, std::span<const float> weights);
 
   /// The sum of the weights.
@@ -22,22 +22,22 @@ class PiecewiseConstant2D {
   struct Point {
     std::size_t column = 0;
     std::size_t row = 0;
-    Vec2 within{0.0F};  ///< uniform in the unit square: the place in the cell
+    Vec2 within{0.0F};  ///< uniform in the unit square: position in the cell
     float probability = 0.0F;
   };
   /// u: in the unit square. Neighbouring u give neighbouring points.
   Point sample(const Vec2& u) const;
 
-  /// The u that gives a point (whose probability need not be known); anything in cells that are
-  /// never drawn.
+  /// The inverse of sample(): the u of a point, whose probability need not be set. Undefined in
+  /// cells of probability 0.
   Vec2 place_of(const Point& point) const;
 
-  /// The probability that sample() draws this cell.
+  /// The probability that sample() chooses this cell.
   float probability(std::size_t column, std::size_t row) const;
 
  private:
-  /// Rows of as many cumulative, normalised weights each (the last of a row is 1), and where to
-  /// search them: without a guide, most of a search's steps would wait for memory.
+  /// Rows of equal numbers of normalised cumulative weights (the last of a row is 1), with a guide
+  /// table. Without the guide most steps of a search would wait for memory.
   class Rows {
    public:
     Rows(std::size_t rows, std::size_t size);
@@ -46,28 +46,28 @@ class PiecewiseConstant2D {
     std::span<const float> sums(std::size_t row) const {
       return std::span(sums_).subspan(row * size_, size_);
     }
-    /// To be called for each row once its sums are complete.
+    /// Builds the guide of a row. To be called once the row's sums are complete.
     void guide(std::size_t row);
 
-    /// How many of the row's leading sums are not above u, at most all but the last. u in [0, 1].
+    /// Number of the row's leading sums that are <= u, at most all but the last. u in [0, 1].
     std::size_t count_not_above(std::size_t row, float u) const;
 
    private:
     std::size_t size_;
-    std::size_t steps_;  ///< into which [0, 1) is divided; a power of two
+    std::size_t steps_;  ///< number of steps that divide [0, 1); a power of two
     std::vector<float> sums_;
-    std::vector<std::uint32_t> guides_;  ///< of each row, the counts for the steps' borders
+    std::vector<std::uint32_t> guides_;  ///< per row, the counts at the steps' borders
   };
   struct Interval {
     std::size_t index;
-    float fraction;  ///< how far through the item, in [0, 1)
+    float fraction;  ///< position in the item, in [0, 1)
   };
   /// The interval of the row that holds u; never one of zero width.
   static Interval find_interval(const Rows& rows, std::size_t row, float u);
 
   double total_ = 0.0;
-  Rows row_;      ///< a single one: of the grid's rows
-  Rows columns_;  ///< of each row of the grid
+  Rows row_;      ///< a single row: the grid's row sums
+  Rows columns_;  ///< one per row of the grid
 };
 
 }  // namespace foveola

@@ -13,7 +13,7 @@
 namespace foveola {
 namespace {
 
-/// To be called with the errno of what was just written.
+/// To be called with the errno of the last write.
 void require_printed() {
   if (std::ferror(stdout) != 0) {
     throw Error("standard output", "cannot be written: " + std::generic_category().message(errno),
@@ -39,7 +39,7 @@ void finish_printing() {
 void hold_closed_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
     if (::fcntl(stream, F_GETFD) == -1) {
-      // It becomes the lowest free number. What a closed stream cannot do fails here, too.
+      // It gets the lowest free number. Reading a closed output fails here, too, and vice versa.
       ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
   }

@@ -1,4 +1,4 @@
-// Prints to standard output and standard error: all text of the program crosses this border.
+// Prints to standard output and standard error; all text of the program goes through it.
 #pragma once
 
 #include <cstdio>
@@ -9,8 +9,8 @@
 
 namespace foveola {
 
-/// Writes `text`, escaped(), to stdout or stderr. Throws Error if standard output does not take it;
-/// what standard error does not take is lost.
+/// Writes `text`, escaped(), to stdout or stderr. Throws Error if standard output fails; failures
+/// of standard error are ignored.
 void print_escaped(std::FILE* stream, std::string_view text);
 
 /// print_escaped of the values, formatted.
@@ -25,12 +25,11 @@ void print_text(fmt::format_string<Values...> format, Values&&... values) {
   print_text(stdout, format, std::forward<Values>(values)...);
 }
 
-/// Throws Error if anything that was printed on standard output could not be written.
+/// Throws Error if any earlier print to standard output could not be written.
 void finish_printing();
 
-/// Keeps the numbers of standard streams that are closed: otherwise the next file that is opened
-/// would get one, and what is printed would be written into it. To be called before files are
-/// opened.
+/// Reserves the descriptors of closed standard streams. Otherwise the next opened file would get
+/// one, and printed text would be written into it. To be called before files are opened.
 void hold_closed_streams();
 
 }  // namespace foveola

@@ -1,4 +1,4 @@
-// The values below which parts of a sample lie.
+// Quantiles and medians of a sample.
 #pragma once
 
 #include <algorithm>
@@ -12,16 +12,16 @@
 
 namespace foveola {
 
-/// The least of the values that is no less than `share` of them (Hyndman and Fan 1996, "Sample
-/// Quantiles in Statistical Packages", definition 1). sorted: ascending, at least one. share: in
-/// [0, 1].
+/// The smallest value with at least `share` of the values at or below it (Hyndman and Fan 1996,
+/// "Sample Quantiles in Statistical Packages", definition 1). sorted: ascending, at least one.
+/// share: in [0, 1].
 inline double quantile(std::span<const double> sorted, double share) {
   assert(!sorted.empty() && share >= 0.0 && share <= 1.0);
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   return sorted[std::max(rank, std::size_t{1}) - 1];
 }
 
-/// The middle value, of an even number the upper of the two; empty without values.
+/// The middle value, the upper one of two; nullopt without values.
 inline std::optional<double> upper_median(std::vector<double> values) {
   if (values.empty()) {
     return std::nullopt;
@@ -31,7 +31,7 @@ inline std::optional<double> upper_median(std::vector<double> values) {
   return *middle;
 }
 
-/// The middle value, or the mean of the two middle ones; empty without values.
+/// The middle value, or the mean of the middle two; nullopt without values.
 inline std::optional<double> median(std::span<const double> values) {
   std::vector<double> ordered(values.begin(), values.end());
   const std::optional<double> upper = upper_median(ordered);

@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-// Bits: 32 of them, or lanes of so many.
+// Bits: 32-bit unsigned numbers, or lanes of them.
 
 template <typename Bits>
 constexpr Bits reverse_bits(Bits x) {
@@ -49,13 +49,12 @@ inline auto scrambled(const Bits& reversed, const Bits& seed) {
   return unit_float(reverse_bits(laine_karras(reversed, seed)));
 }
 
-/// Where a sample comes in the sequence of the dimension, or pair of dimensions, that `key` stands
-/// for.
+/// The index of a sample in the sequence of the dimension, or pair of dimensions, of `key`.
 template <typename Bits>
 inline Bits shuffled(const Bits& sample_number, const Bits& key) {
   return reverse_bits(laine_karras(reverse_bits(sample_number), key));
 }
-/// The first and the second number of those dimensions at place `index` of the sequence.
+/// The first and the second number of those dimensions at `index` of the sequence.
 template <typename Bits>
 inline auto point_x(const Bits& index, const Bits& key) {
   return scrambled(index, mix(key));

@@ -1,4 +1,4 @@
-// Random numbers that are functions of a key, so that a result never depends on threads or order.
+// Random numbers as functions of a key, so that results do not depend on threads or order.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace foveola {
 inline constexpr float largest_below_one = 0x1.fffffep-1F;
 
 /// A bijective mixer of 32 bits ("lowbias32", Ellis 2018, "Prospecting for Hash Functions"). Bits:
-/// 32 of them, or lanes of so many.
+/// 32-bit unsigned numbers, or lanes of them.
 template <typename Bits>
 constexpr Bits mixed(Bits x) {
   x ^= x >> 16;
@@ -55,14 +55,14 @@ Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed);
 /// whose order and points are Owen-scrambled with a key of its own (Burley 2020, section 5).
 class SampleStream {
  public:
-  /// To be assigned to.
+  /// For assignment only.
   SampleStream() = default;
   SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample_number)
       : key_(mix(mix(seed), pixel)), sample_number_(sample_number) {}
 
   float next_1d();
   Vec2 next_2d();
-  /// 32 bits without any order over the sample numbers.
+  /// 32 bits without any stratification over the sample numbers.
   std::uint32_t next_bits() { return mix(mix(key_, dimension_++), sample_number_); }
 
  private:
@@ -74,13 +74,13 @@ class SampleStream {
   std::uint32_t dimension_ = 0;
 };
 
-/// Eight streams drawn from in step: each gives the numbers that it would give alone.
+/// Eight streams in step, each with the numbers of a single SampleStream.
 class SampleStreams {
  public:
   Floats next_1d();
   Vec2s next_2d();
   Uints next_bits() { return mix(mix(key_, next_dimension()), sample_number_); }
-  /// Passes over so many numbers.
+  /// Skips `numbers` dimensions.
   void skip(std::uint32_t numbers) { dimension_ += numbers; }
 
  private:
@@ -98,7 +98,7 @@ class SampleStreams {
   Uints key_, sample_number_, dimension_;
 };
 
-/// Many streams.
+/// Columns of many streams.
 template <std::size_t capacity>
 class SampleStreamColumns {
  public:
@@ -117,7 +117,7 @@ class SampleStreamColumns {
   SampleStreams load(std::size_t first) const {
     return {key_.load(first), sample_number_.load(first), dimension_.load(first)};
   }
-  /// How far they were drawn from, of streams that were loaded from here.
+  /// Stores the dimensions of streams that were loaded from here.
   void store(std::size_t first, const SampleStreams& streams) {
     dimension_.store(first, streams.dimension_);
   }
@@ -131,9 +131,8 @@ class SampleStreamColumns {
   UintColumn<capacity> key_, sample_number_, dimension_;
 };
 
-/// A small generator with a stated algorithm (PCG-XSH-RR 64/32, O'Neill 2014), for everything that
-/// is drawn one after the other. The standard library's distributions differ between
-/// implementations; these do not.
+/// A small sequential generator with a stated algorithm (PCG-XSH-RR 64/32, O'Neill 2014). The
+/// standard library's distributions differ between implementations; these do not.
 class Pcg32 {
  public:
   explicit Pcg32(std::uint64_t seed, std::uint64_t stream = 0);

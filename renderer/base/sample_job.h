@@ -1,4 +1,4 @@
-// What the film asks of the tracer: one numbered sample of one pixel.
+// A request of the film to the tracer: one numbered sample of one pixel.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace foveola {
 
-/// Trace a path along `direction` (unit length, world) from the viewpoint. `pixel` (y * width + x)
-/// and `sample_number` (how many samples that pixel was given before) key its random numbers, so
-/// the radiance is a function of the job and the seed alone.
+/// Asks for a path along `direction` (unit length, world) from the viewpoint. `pixel` (y * width +
+/// x) and `sample_number` (the pixel's previous samples) key its random numbers. The radiance thus
+/// depends on the job and the seed alone.
 struct SampleJob {
   Vec3 direction{0.0F, 0.0F, -1.0F};
   std::uint32_t pixel = 0;

@@ -8,7 +8,7 @@
 namespace foveola {
 namespace {
 
-/// Edits that a slip of the fingers takes. More of them lead to words that nobody meant.
+/// Maximum number of edits of a typing error. More of them lead to unrelated words.
 constexpr std::size_t max_edits = 2;
 
 }  // namespace

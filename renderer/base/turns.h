@@ -1,5 +1,5 @@
-// Sine, cosine and arctangent with angles in turns: full turns come out exact, there is no rounded
-// pi, and without branches or calls a compiler makes eight at a time of them.
+// Sine, cosine and arctangent of angles in turns. Full turns are exact, without a rounded pi; free
+// of branches and calls, they can be vectorised.
 #pragma once
 
 #include <cmath>
@@ -17,10 +17,10 @@ struct SinesCosines {
 };
 using SineCosine = SinesCosines<float>;
 
-/// Sine and cosine of the angle 2 pi `turns`, for |turns| < 2^20, within 1e-7. The polynomials are
-/// those of Moshier's Cephes library (sinf, cosf), 1992, for an eighth of a turn. Number: float, or
-/// Floats. Declared inline: GCC calls more of such templates where they are not, and a loop that
-/// calls one for each direction makes one direction at a time.
+/// Sine and cosine of the angle 2 pi `turns`, for |turns| < 2^20, within 1e-7. The polynomials for
+/// an eighth of a turn are those of Moshier's Cephes library (sinf, cosf), 1992. Number: float, or
+/// Floats. Declared inline: otherwise GCC inlines fewer of these templates, and a loop that calls
+/// one is not vectorised.
 template <typename Number>
 inline SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
   constexpr float radians_per_turn = 6.28318530717958648F;
@@ -40,8 +40,8 @@ inline SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
           .cosine = chosen(((quadrant + 1) & 2) != 0, -second, second)};
 }
 
-/// Sine and cosine of an azimuth, in turns from 0 to 1: of one by the library's functions, of eight
-/// by polynomials, for the library has none for lanes.
+/// Sine and cosine of an azimuth in turns, in [0, 1]. Single numbers use the library's functions;
+/// lanes use polynomials, since the library has no functions for lanes.
 inline SineCosine azimuth_at(float turns) {
   const float radians = 2.0F * std::numbers::pi_v<float> * turns;
   return {.sine = std::sin(radians), .cosine = std::cos(radians)};

@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-/// Whether a byte goes on with the character that the bytes before it began.
+/// Whether a byte continues a character.
 bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 struct Character {
@@ -17,8 +17,8 @@ struct Character {
   std::size_t bytes = 0;
 };
 
-/// A byte that is no UTF-8 stands for itself, as in Latin-1. Overlong forms count as what a lenient
-/// terminal makes of them.
+/// A byte that is not UTF-8 counts as itself, as in Latin-1. Overlong forms are decoded as by
+/// lenient terminals.
 Character first_character(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t bytes = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
@@ -37,7 +37,7 @@ struct CharacterRange {
   char32_t last;
 };
 
-/// What a terminal obeys in place of showing it (Unicode 15, categories Cc, Cf, Zl and Zp).
+/// Characters that a terminal obeys instead of showing (Unicode 15, categories Cc, Cf, Zl and Zp).
 constexpr std::array obeyed{
     CharacterRange{0x0000, 0x001F},  // C0
     CharacterRange{0x007F, 0x009F},  // DEL and C1

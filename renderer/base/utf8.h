@@ -1,4 +1,4 @@
-// Text as characters: what a byte-wise string of UTF-8 does not know of itself.
+// Characters of UTF-8 text: counting, cutting and escaping.
 #pragma once
 
 #include <cstddef>
@@ -7,31 +7,31 @@
 
 namespace foveola {
 
-/// Appends one character (RFC 3629). Surrogates and numbers beyond U+10FFFF are none: nothing is
-/// appended.
+/// Appends one character (RFC 3629). Surrogates and numbers beyond U+10FFFF are not characters:
+/// nothing is appended.
 void append_character(std::string& text, char32_t character);
 
-/// Nothing happens to an empty text.
+/// Removes the last character; an empty text stays empty.
 void erase_last_character(std::string& text);
 
-/// How many characters (code points) valid UTF-8 has.
+/// Number of characters (code points) in valid UTF-8.
 std::size_t count_characters(std::string_view text);
 
-/// The text as part of a line of output, for what a file says or is called: line breaks and tabs
-/// become spaces, and other characters that a terminal would obey question marks. These are control
-/// characters (U+0000 to U+001F, U+007F to U+009F), those that turn the direction of writing, and
-/// those without width.
+/// The text as part of an output line, for names and texts from files. Line breaks and tabs become
+/// spaces; other characters that a terminal would obey become question marks. These are control
+/// characters (U+0000 to U+001F, U+007F to U+009F), changes of writing direction, and characters
+/// without width.
 std::string printable(std::string_view text);
 
-/// The text with each such character, but for line feeds and tabs, as a backslash, u and four
-/// hexadecimal digits: JSON stays the same JSON.
+/// Replaces each such character, except line feeds and tabs, by a backslash, u and four hexadecimal
+/// digits. JSON keeps its meaning.
 std::string escaped(std::string_view text);
 
-/// The bytes of the first `characters` of a text, or of all of it if it has fewer.
+/// Number of bytes of the first `characters` characters, or of the whole text if it has fewer.
 std::size_t bytes_of_first(std::string_view text, std::size_t characters);
 
-/// The first line of a text, printable, of no more than its first `characters`; " …" behind it if
-/// there is more of the text.
+/// The first line of a text, printable, cut to `characters` characters. Ends with " …" if anything
+/// was cut.
 std::string beginning_of(std::string_view text, std::size_t characters);
 
 }  // namespace foveola

@@ -1,4 +1,4 @@
-// The vector vocabulary of the whole program: GLM's types under short names.
+// The program's vector types: GLM's under short names.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,7 +14,7 @@ using DVec3 = glm::dvec3;
 using DMat3 = glm::dmat3;
 using IVec2 = glm::ivec2;
 using Mat3 = glm::mat3;
-/// Three columns of two: an affine map of the plane.
+/// Three columns of two numbers: an affine map of the plane.
 using Mat3x2 = glm::mat3x2;
 using Mat4 = glm::mat4;
 using DMat4 = glm::dmat4;

@@ -1,5 +1,4 @@
-// Names of values, as files and command lines have them: each table says both, so that no name is
-// known without its value.
+// Tables of words and their values, as files and command lines spell them.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 
 namespace foveola {
 
-/// A text that may stand in a file, and what it stands for.
+/// A text in a file and its value.
 template <typename Value>
 struct Word {
   std::string_view text;
@@ -28,7 +27,7 @@ std::vector<std::string> texts_of(const std::array<Word<Value>, count>& words) {
   return texts;
 }
 
-/// The value of a text that was checked: throws std::logic_error if it is not one of `words`.
+/// The value of a checked text. Throws std::logic_error if `words` does not contain it.
 template <typename Value, std::size_t count>
 Value value_of(const std::array<Word<Value>, count>& words, std::string_view text) {
   const auto* const found = std::ranges::find(words, text, &Word<Value>::text);
@@ -38,7 +37,7 @@ Value value_of(const std::array<Word<Value>, count>& words, std::string_view tex
   return found->value;
 }
 
-/// The text of a value, which is one of those of `words`.
+/// The text of a value, which `words` must contain.
 template <typename Value, std::size_t count>
 const char* word_for(const std::array<Word<Value>, count>& words, Value value) {
   return std::ranges::find(words, value, &Word<Value>::value)->text.data();

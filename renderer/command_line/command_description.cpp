@@ -20,14 +20,14 @@ std::vector<std::string> words_between_commas(const std::string& text) {
   return words;
 }
 
-/// What stands between `open` and `close`; nothing if `text` does not have them.
+/// The text between `open` and `close`; empty if `text` lacks them.
 std::string between(const std::string& text, char open, char close) {
   const std::size_t begin = text.find(open);
   const std::size_t end = text.rfind(close);
   return begin < end && end != std::string::npos ? text.substr(begin + 1, end - begin - 1) : "";
 }
 
-/// "1 to 1000" where a validator says "INT in [1 - 1000]".
+/// "1 to 1000" from a validator's "INT in [1 - 1000]".
 std::string limits_in(const std::string& validators) {
   constexpr std::string_view separator = " - ";
   std::string limits = between(validators, '[', ']');
@@ -35,13 +35,13 @@ std::string limits_in(const std::string& validators) {
   return middle == std::string::npos ? "" : limits.replace(middle, separator.size(), " to ");
 }
 
-/// A list's default has brackets around it that nobody types.
+/// A list's default without its brackets, which are not typed.
 std::string typed_default(const CLI::Option& option, bool takes_many) {
   const std::string text = option.get_default_str();
   return takes_many && text.starts_with('[') ? between(text, '[', ']') : text;
 }
 
-/// Sorted, since CLI11 keeps them in the order of their addresses.
+/// Sorted, since CLI11 orders them by their addresses.
 std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
   for (const CLI::Option* option : options) {
@@ -90,7 +90,7 @@ OptionDescription described(const CLI::Option& option, const std::string& group)
   return result;
 }
 
-/// How many options of the group may be given, in words; empty if all may.
+/// The allowed number of the group's options, in words; empty if all are.
 std::string count_allowed(const CLI::App& group) {
   const std::size_t least = group.get_require_option_min();
   const std::size_t most = group.get_require_option_max();
@@ -100,8 +100,8 @@ std::string count_allowed(const CLI::App& group) {
   return least == most ? fmt::format(" (exactly {})", most) : fmt::format(" (at most {})", most);
 }
 
-/// Adds the options of `app`, and those of its groups, which are commands without a name, and whose
-/// own --help is that of the command.
+/// Adds the options of `app`, and of its groups, which are nameless commands whose own --help is
+/// the command's.
 void add_options(const CLI::App& app, const std::string& title, CommandDescription& command) {
   const std::string usual = CLI::OptionDefaults().get_group();
   for (const std::string& group : app.get_groups()) {

@@ -1,4 +1,4 @@
-// The commands that print what the command line says of itself: manual and completion.
+// The commands that print the command line's description: manual and completion.
 #pragma once
 
 #include "renderer/command_line/manual_page.h"
@@ -9,8 +9,8 @@ class App;
 
 namespace foveola {
 
-/// Adds `manual` and `completion` to `app`. They print to standard output, and describe `app` as it
-/// is when they run. text: what the manual says beside.
+/// Adds `manual` and `completion` to `app`. They print to standard output, and describe `app` when
+/// they run. text: the manual's further sections.
 void add_command_line_commands(CLI::App& app, const ManualText& text);
 
 }  // namespace foveola

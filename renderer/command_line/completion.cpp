@@ -28,8 +28,8 @@ _PROGRAM() {
 complete -F _PROGRAM PROGRAM
 )";
 
-/// Its end: read by `source`, or as the body of the function that the file is named after, when it
-/// is called first.
+/// Its last line: it is read by `source`, or is the body of the function named after the file, at
+/// its first call.
 constexpr const char* zsh_script = R"(#compdef PROGRAM
 _PROGRAM() {
   local line
@@ -69,12 +69,12 @@ constexpr std::array scripts{Word<const char*>{"bash", bash_script},
                              Word<const char*>{"zsh", zsh_script},
                              Word<const char*>{"fish", fish_script}};
 
-/// What may stand in one place.
+/// The candidates for one place.
 struct Candidates {
   std::vector<std::pair<std::string, std::string>> words;  ///< with their descriptions
   bool has_files = false;
 
-  /// Those of a value.
+  /// Adds those of a value.
   void add_values(const OptionDescription& option) {
     for (const std::string& choice : option.choices) {
       words.emplace_back(choice, "");
@@ -83,7 +83,7 @@ struct Candidates {
   }
 };
 
-/// The command that the words name, and all but the last; null if there is no such.
+/// The command named by all words except the last; null if there is none.
 const CommandDescription* find_command(const CommandDescription& program,
                                        const std::vector<std::string>& words) {
   const CommandDescription* command = &program;
@@ -99,7 +99,7 @@ const CommandDescription* find_command(const CommandDescription& program,
   return command;
 }
 
-/// Null if the command has no option of this name that takes a value.
+/// Null if the command has no such option with a value.
 const OptionDescription* find_valued_option(const CommandDescription& command,
                                             const std::string& name) {
   const auto option = std::ranges::find_if(command.options, [&](const OptionDescription& known) {
@@ -132,7 +132,7 @@ Candidates candidates_for(const CommandDescription& command,
   return found;
 }
 
-/// Puts --option=value as two words. Returns what stood before the value in its word.
+/// Splits --option=value into two words. Returns the part of its word before the value.
 std::string split_value(std::vector<std::string>& words) {
   const std::string last = words.back();
   const std::size_t equals = last.find('=');

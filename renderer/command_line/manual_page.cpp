@@ -22,7 +22,7 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
-/// As the manual's first line has it, which mandb lists: "a laboratory" for "A laboratory.".
+/// For the manual's first line, which mandb lists: "a laboratory" for "A laboratory.".
 std::string as_clause(std::string sentence) {
   if (sentence.ends_with('.')) {
     sentence.pop_back();
@@ -38,8 +38,7 @@ std::string as_sentence(const std::string& text) {
   return has_end ? text : text + ".";
 }
 
-/// For running text, which roff fills into lines of its own: lines of up to 80 characters, as
-/// mandoc asks for, each with its end.
+/// Running text, which roff fills itself, in lines of up to 80 characters, as mandoc requires.
 std::string filled(const std::string& text) {
   constexpr std::size_t width = 80;
   std::istringstream words(roff_text(text));
@@ -71,13 +70,13 @@ std::string term_with_text(const std::string& term, const std::string& text) {
   return fmt::format(".TP\n{}\n{}", term, filled(text));
 }
 
-/// "SCENE", "[SCENE...]" and so on, as help has it.
+/// "SCENE", "[SCENE...]" and so on, as in help.
 std::string usage_of(const OptionDescription& positional) {
   const std::string name = italic(positional.names.front()) + (positional.takes_many ? "..." : "");
   return positional.is_required ? name : "[" + name + "]";
 }
 
-/// `path` with what may be typed after it. path: the command's name behind its parents'.
+/// `path` with its possible arguments. path: the command's name behind its parents'.
 std::string usage_of(const CommandDescription& command, const std::string& path) {
   std::string usage = bold(path);
   if (!command.options.empty()) {
@@ -102,7 +101,7 @@ std::string term_of(const OptionDescription& option) {
   return fmt::format("{}{}", fmt::join(names, ", "), value);
 }
 
-/// What help says in signs, in words: "from 1 to 9; default: 4".
+/// Help's conditions in words: "from 1 to 9; default: 4".
 std::string conditions_of(const OptionDescription& option) {
   std::vector<std::string> conditions;
   if (option.is_required) {
@@ -126,8 +125,8 @@ std::string conditions_of(const OptionDescription& option) {
   return fmt::format("{}", fmt::join(conditions, "; "));
 }
 
-/// The conditions stand on a line of their own, in brackets: no full stop can be taken for a part
-/// of them, since the default of a folder is ".".
+/// The conditions have their own line, in brackets, so that no full stop can be read as part of
+/// them: the default of a folder is ".".
 std::string part_of(const OptionDescription& option) {
   const std::string conditions = conditions_of(option);
   return term_with_text(term_of(option), as_sentence(option.description)) +
@@ -147,12 +146,12 @@ std::string parts_of(const std::vector<OptionDescription>& options) {
   return page;
 }
 
-/// Its lines as they stand.
+/// Its lines, unfilled.
 std::string example(const std::string& footer) {
   return footer.empty() ? "" : fmt::format(".PP\n.EX\n{}\n.EE\n", roff_text(footer));
 }
 
-/// The command and, behind it, its own. everywhere: options that are described already.
+/// The command, followed by its own commands. everywhere: options that are already described.
 std::string part_of(const CommandDescription& command, const std::string& path,
                     const std::vector<OptionDescription>& everywhere) {
   std::vector<OptionDescription> own = command.options;
@@ -191,7 +190,7 @@ std::string roff_text(std::string_view text) {
   char before = ' ';
   for (const char letter : text) {
     const auto* const escape = std::ranges::find(escapes, letter, &Word<char>::value);
-    // A dot that begins a line begins a request, and any word may come to begin one.
+    // A dot at the beginning of a line begins a request, and any word may be placed there.
     if (letter == '.' && (before == ' ' || before == '\n')) {
       roff += "\\&.";
     } else if (escape != escapes.end()) {

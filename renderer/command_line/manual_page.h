@@ -1,4 +1,4 @@
-// A program's manual page, for section 1.
+// Writes a program's manual page, for section 1.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace foveola {
 
-/// A paragraph, below a term that it explains if there is one.
+/// A paragraph, and the term above it that it explains, if any.
 struct ManualEntry {
   std::string term;  ///< a variable, a file, an exit status; empty: none
   std::string text;
@@ -20,18 +20,18 @@ struct ManualSection {
   std::vector<ManualEntry> entries;
 };
 
-/// What a manual says beside what the command line says of itself.
+/// A manual's text besides the command line's description.
 struct ManualText {
   std::vector<std::string> description;  ///< paragraphs
-  std::vector<ManualSection> sections;   ///< those behind the commands, in their order
+  std::vector<ManualSection> sections;   ///< following the commands, in order
 };
 
-/// `text` so that roff prints it as it stands, wherever in a line: "\-\-tone" for "--tone". Every
-/// hyphen is one that can be copied into a shell, since descriptions name options and values.
+/// `text` escaped for roff, at any place of a line: "\-\-tone" for "--tone". Hyphens can be copied
+/// into a shell, since descriptions name options and values.
 std::string roff_text(std::string_view text);
 
 /// The page in roff, for the macros `man` of groff and mandoc. Options of a command that the
-/// program itself has too, such as --help, stand once, before the commands. version: "0.1.0".
+/// program itself has too, such as --help, appear once, before the commands. version: "0.1.0".
 std::string manual_page(const CommandDescription& program, const std::string& version,
                         const ManualText& text);
 

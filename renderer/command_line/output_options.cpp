@@ -30,7 +30,7 @@ bool is_output(CLI::Option& option) {
   }
 }
 
-/// The path with all links followed as far as there is something.
+/// The path with all links followed as far as it exists.
 fs::path place_of(const fs::path& path) {
   std::error_code ignored;
   const fs::path place = fs::weakly_canonical(path, ignored);
@@ -42,7 +42,7 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, ignored) || place_of(a) == place_of(b);
 }
 
-/// What lies beside a study: SQLite's files, the lock of whoever writes it, and its backups.
+/// Whether it is a file beside a study: SQLite's files, its writer's lock, and its backups.
 bool is_beside(const fs::path& path, const fs::path& input) {
   constexpr std::array beside = {"-wal", "-shm", "-journal", ".controller", ".backups"};
   const fs::path place = place_of(path);
@@ -52,14 +52,14 @@ bool is_beside(const fs::path& path, const fs::path& input) {
   });
 }
 
-/// Whether a value names a file that is there, or may be a study that is to be made.
+/// Whether a value names an existing file, or a study to be made.
 bool may_be_input(const std::string& value) {
   std::error_code ignored;
   return fs::exists(value, ignored) ? !fs::is_directory(value, ignored)
                                     : fs::path(value).has_extension();
 }
 
-/// What a command line has the command write, as "--output" and a path.
+/// An output of a command line, as "--output" and a path.
 struct OutputPath {
   std::string option;
   fs::path path;
@@ -80,8 +80,8 @@ void collect(CLI::App& app, std::vector<OutputPath>& outputs, std::vector<fs::pa
   }
 }
 
-/// By whatever name it is the input, or by its own name one of the files that a study has beside
-/// it: its log, its lock, its backups.
+/// Throws if an output is the input under any name, or has the name of a file beside a study: its
+/// log, its lock, its backups.
 void require_no_input(const std::vector<OutputPath>& outputs, const fs::path& input) {
   for (const auto& [option, path] : outputs) {
     if (is_same_file(path, input)) {

@@ -1,4 +1,4 @@
-// No output is an input: what a command writes takes the place of nothing that it reads.
+// Refuses outputs that are inputs: a command never overwrites a file that it reads.
 #pragma once
 
 namespace CLI {
@@ -8,14 +8,12 @@ class Option;
 
 namespace foveola {
 
-/// Marks an option as the path of something that its command writes, as every --output is. Returns
-/// it.
+/// Marks an option as the path of an output of its command, as every --output is. Returns it.
 CLI::Option* mark_output(CLI::Option* option);
 
-/// Of the commands that were given. Throws Error if an output is a file that the command line
-/// names, too, by whatever name, or by its own name one of the files that a study has beside it:
-/// its log, its lock, its backups. What commands read beside what the command line names is refused
-/// when they open it: see guard_output().
+/// Checks the given commands. Throws Error if an output is also another file on the command line,
+/// under any name, or has the name of a file beside a study: its log, its lock, its backups. Other
+/// inputs are refused when a command opens them: see guard_output().
 void keep_outputs_apart(CLI::App& app);
 
 }  // namespace foveola

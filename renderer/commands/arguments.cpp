@@ -26,7 +26,7 @@ std::optional<Number> parse_number(std::string_view text) {
   return value;
 }
 
-/// The numbers between `separator`s; empty unless there are exactly `count` of them.
+/// The numbers between `separator`s; nullopt unless there are exactly `count`.
 template <typename Number>
 std::vector<Number> parse_numbers(std::string_view text, char separator, std::size_t count) {
   std::vector<Number> numbers;

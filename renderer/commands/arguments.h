@@ -1,4 +1,4 @@
-// The notations of the command line: "2048x1024", "1,2,3", "-30,10".
+// Parses the notations of the command line: "2048x1024", "1,2,3", "-30,10".
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace foveola {
 
-/// Throws UsageError, naming --method, for a text that make_view_sampler refuses.
+/// Throws UsageError that names --method for a text that make_view_sampler refuses.
 void require_method(const std::string& method);
-/// Prints what method_notes says of it on standard error, a line each.
+/// Prints the method's method_notes on standard error, one per line.
 void print_method_notes(const std::string& method);
 
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
@@ -24,10 +24,10 @@ IVec2 parse_size(const std::string& option, const std::string& text);
 /// A size in the notation of parse_size().
 std::string size_text(const IVec2& size);
 
-/// Pixels of the film of a preview that is shown live.
+/// Default size of a live preview's film, in pixels.
 inline constexpr IVec2 live_film_size{4096, 2048};
 
-/// "WIDTH" or "WIDTHxHEIGHT" in degrees, each between 0 and 180, without those.
+/// "WIDTH" or "WIDTHxHEIGHT" in degrees, each strictly between 0 and 180.
 struct FieldsOfView {
   double horizontal_deg = 0.0;
   std::optional<double> vertical_deg;
@@ -43,7 +43,7 @@ inline constexpr const char* camera_help =
     "'foveola scene info' lists them, such as 'camera 2' for a second one without a name (default: "
     "where the scene says, else in a room where it is widest, or in front of all there is)";
 
-/// The finite number that all of `text` is.
+/// The finite number in all of `text`; nullopt if it is not one.
 std::optional<double> parse_finite_number(std::string_view text);
 
 /// "x,y,z", all finite.

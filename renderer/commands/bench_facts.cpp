@@ -18,8 +18,9 @@ namespace {
 /// the true median with at least 95 % confidence; 0 if no two do.
 std::size_t place_of_ends(std::size_t count) {
   constexpr double allowed_beyond_an_end = 0.025;
-  double probability = std::pow(0.5, static_cast<double>(count));  // that k lie below the median
-  double beyond = 0.0;                                             // that at most k do
+  double probability = std::pow(0.5, static_cast<double>(count));  // that k values are below the
+                                                                   // median
+  double beyond = 0.0;                                             // that at most k values do
   for (std::size_t k = 0; k < count; ++k) {
     beyond += probability;
     if (beyond > allowed_beyond_an_end) {
@@ -37,7 +38,7 @@ double memory_gb() {
   return std::round(1e-8 * pages * page_bytes) / 10.0;
 }
 
-/// "Debian GNU/Linux 12 (bookworm)"; empty if the system does not say.
+/// "Debian GNU/Linux 12 (bookworm)"; empty if unknown.
 std::string distribution() {
   std::ifstream release("/etc/os-release");
   constexpr std::string_view key = "PRETTY_NAME=";
@@ -51,7 +52,7 @@ std::string distribution() {
   return {};
 }
 
-/// "Linux 6.1" of "Linux 6.1.0-18-amd64": what follows is each system's own.
+/// "Linux 6.1" of "Linux 6.1.0-18-amd64", without the system's own suffix.
 std::string kernel_series(const std::string& system) {
   const std::size_t major_end = system.find('.');
   return major_end == std::string::npos ? system

@@ -14,14 +14,14 @@ class App;
 namespace foveola {
 
 /// Adds `render` to `app`. It runs when the command line is parsed, prints its result to standard
-/// output and throws Error for whatever the user can mend. Work ends early, with what there is,
-/// when `stop` is requested. So do the other commands.
+/// output and throws Error for faults that the user can mend. A requested `stop` ends its work
+/// early, with a partial result. The other commands likewise.
 void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
 
 /// Adds `compare` to `app`.
 void add_compare(CLI::App& app);
 
-/// Adds the command, which makes an image of the films of a render's parts.
+/// Adds the command that merges the films of a render's parts into an image.
 void add_merge_images(CLI::App& app);
 
 /// Adds `info` to the command `scene`; see add_render.
@@ -30,8 +30,7 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::s
 /// Adds `pick` to the command `scene`; see add_render.
 void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop);
 
-/// Adds `sheet` to the command `scene`; see add_render. It shows `scenes` unless others
-/// are named.
+/// Adds `sheet` to the command `scene`; see add_render. Its default are all `scenes`.
 void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
                      const SceneFinder& find_scene, const std::stop_token& stop);
 

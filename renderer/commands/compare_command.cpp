@@ -29,16 +29,16 @@ struct CompareArguments {
   bool solid_angle = false;
   double pixels_per_degree = 0.0;  ///< 0: the display's
   std::string display;
-  std::vector<double> fixation_px;  ///< x and y; empty: not foveated
+  std::vector<double> fixation_px;  ///< x and y; empty: no foveation
   bool json = false;
 };
 
-/// White where a profile has no measurement.
+/// Default white luminance of profiles without a measurement.
 constexpr double assumed_white_cd_m2 = 100.0;
-/// White over black where a profile has no measurement.
+/// Default contrast of profiles without a measurement.
 constexpr double assumed_contrast = 1000.0;
 
-/// What a person would see of the difference.
+/// The visible difference.
 struct SeenDifference {
   double pixels_per_degree = 0.0;
   double flip = 0.0;               ///< mean of the pixels
@@ -47,7 +47,7 @@ struct SeenDifference {
   VdpDisplay display;
 };
 
-/// One view of a display, in which a picture is shown.
+/// One view of a display, filled by a picture.
 VdpDisplay vdp_display(const DisplayProfile& profile) {
   if (profile.kind == DisplayKind::openxr) {
     throw Error("--display " + profile.name, "has no size of its own: its runtime states it",

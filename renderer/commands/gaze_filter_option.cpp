@@ -48,7 +48,7 @@ OneEuroSettings one_euro_in(std::string_view text) {
       .derivative_cutoff_hz = number_in(numbers[2], cutoff_range_hz, "cutoff frequency in hertz")};
 }
 
-/// The setting of a filter that `name` is the name of, which must not be there yet.
+/// The setting of the filter `name`, which must not be set yet.
 template <typename Setting>
 void add(std::string_view name, std::optional<Setting>& setting, const Setting& value) {
   if (setting) {
@@ -57,7 +57,7 @@ void add(std::string_view name, std::optional<Setting>& setting, const Setting& 
   setting = value;
 }
 
-/// value: empty if there is none.
+/// value: nullopt without one.
 void add_filter(std::string_view name, const std::optional<std::string_view>& value,
                 GazeFilterSettings& filter) {
   if (name == "one-euro") {

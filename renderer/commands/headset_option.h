@@ -1,4 +1,4 @@
-// --headset, for the commands that show live pictures.
+// The option --headset, for commands that show live pictures.
 #pragma once
 
 #include <string>
@@ -9,8 +9,7 @@ class App;
 
 namespace foveola {
 
-/// Sets what --display and --tracker are given as, the latter where it is not given; both must
-/// outlive the command.
+/// Sets the values of --display and, unless given, of --tracker; both must outlive the command.
 void add_headset_option(CLI::App& command, std::string& display, std::string& tracker);
 
 }  // namespace foveola

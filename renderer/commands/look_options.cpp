@@ -23,10 +23,9 @@ constexpr const char* environment_help =
     "What surrounds the scene: a lat-long image file, r,g,b for a constant radiance, or "
     "sky:AZIMUTH,ELEVATION[,TURBIDITY] for daylight with the sun there (degrees)";
 
-/// Gives `source` the environment that `text` names in place of its own: "r,g,b" is a constant
-/// radiance, "sky:..." daylight, anything else a file, which is not read yet. What a descriptor
-/// says of its own environment does not hold for another. Throws UsageError, and Error for a file
-/// that does not exist.
+/// Replaces the environment of `source` by that of `text`: "r,g,b" is a constant radiance,
+/// "sky:..." daylight, anything else a file, which is not read yet. The descriptor's settings of
+/// its own environment are dropped. Throws UsageError, and Error for a file that does not exist.
 void replace_environment(const std::string& text, SceneSource& source) {
   constexpr std::string_view sky = "sky:";
   source.environment_radiance.reset();
@@ -52,8 +51,7 @@ void replace_environment(const std::string& text, SceneSource& source) {
   }
 }
 
-/// Whether the text of --camera is meant as a place: names hardly begin like a number and have a
-/// comma.
+/// Whether the text of --camera is a place: names rarely begin like a number and have a comma.
 bool is_place(const std::string& camera) {
   return camera.find(',') != std::string::npos &&
          std::string_view("+-.0123456789").find(camera.front()) != std::string_view::npos;

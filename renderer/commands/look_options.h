@@ -1,4 +1,4 @@
-// The options of every command that shows a scene: what is looked at, by what light, how bright.
+// The options of every command that shows a scene: viewpoint, light and exposure.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class App;
 
 namespace foveola {
 
-/// As typed; empty or none where the option was not given.
+/// As typed; empty or nullopt if the option was not given.
 struct LookArguments {
   std::string camera;
   std::string head;
@@ -36,7 +36,7 @@ struct LookArguments {
 
 /// --camera and --head.
 void add_viewpoint_options(CLI::App& command, LookArguments& arguments);
-/// --fov. otherwise: what holds without it, for the help.
+/// --fov. otherwise: the default, for the help.
 void add_fov_option(CLI::App& command, LookArguments& arguments, const std::string& otherwise);
 /// --environment, --environment-rotation, --environment-strength, --light-radius, --sun-radius and
 /// what add_scene_file_options adds.
@@ -51,18 +51,18 @@ void add_film_size_option(CLI::App& command, IVec2& size);
 /// --max-depth and --seed.
 void add_path_options(CLI::App& command, TraceSettings& trace);
 
-/// Where to stand and look, by --camera and --head. Throws UsageError.
+/// The viewpoint by --camera and --head. Throws UsageError.
 SceneChoices scene_choices(const LookArguments& arguments);
 
-/// None without --fov. Throws UsageError.
+/// nullopt without --fov. Throws UsageError.
 std::optional<FieldsOfView> fields_of_view(const LookArguments& arguments);
 
-/// Gives the scene the light that the options say. Throws UsageError, and Error for an
-/// environment's file that does not exist.
+/// Applies the light options to the scene. Throws UsageError, and Error for an environment's file
+/// that does not exist.
 void apply_light(const LookArguments& arguments, SceneSource& source);
 
-/// The scene of this name or path, in that light. Throws Error for what find_scene refuses, and as
-/// apply_light.
+/// The scene of this name or path with these light options. Throws Error as find_scene and
+/// apply_light do.
 SceneSource lit_scene(const std::string& name_or_path, const LookArguments& arguments,
                       const SceneFinder& find_scene);
 
@@ -71,7 +71,7 @@ ExposureChoice exposure_choice(const LookArguments& arguments);
 
 ToneCurve tone_curve(const LookArguments& arguments);
 
-/// What was typed of the light and of the moment, for the header of an image.
+/// The typed options of light and time, for the header of an image.
 ImageFacts light_facts(const LookArguments& arguments);
 
 }  // namespace foveola

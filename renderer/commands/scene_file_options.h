@@ -1,5 +1,5 @@
-// --light-units, --strict, --time and --clip, for every command that takes a scene's name or file:
-// how the file is read.
+// The options --light-units, --strict, --time and --clip, for every command with a scene's name or
+// file: how to read the file.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ class App;
 
 namespace foveola {
 
-/// As typed; empty where the option was not given.
+/// As typed; empty if the option was not given.
 struct SceneFileArguments {
   std::string light_units;
   bool strict = false;
@@ -25,17 +25,17 @@ struct SceneFileArguments {
 /// Adds the options to `command`; `arguments` must outlive it.
 void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments);
 
-/// Has the scene's file read as was typed, in what was.
+/// Applies the typed options to the reading of the scene's file.
 void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& source);
 
-/// Adds the options to `command`. What the returned finder finds is read as the options say, in
-/// place of what it says itself, where they are given.
+/// Adds the options to `command`. The returned finder's scenes are read with the given options,
+/// which override their own.
 SceneFinder with_scene_file_options(CLI::App& command, const SceneFinder& find_scene);
 
-/// The line that a warning is printed as.
+/// The printed line of a warning.
 std::string warning_line(const std::string& warning);
 
-/// Prints each on a line of its own, on standard error.
+/// Prints each on its own line, on standard error.
 void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace foveola

@@ -53,7 +53,7 @@ void print_list_json(const std::vector<HidDeviceInfo>& devices) {
                      {"rate_hz", profile.rate_hz}});
   }
   const Json json = {{"attached", attached}, {"profiles", known}};
-  // Devices may say what is no UTF-8.
+  // Devices may report invalid UTF-8.
   print_text("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -81,7 +81,7 @@ struct WatchArguments {
   bool json = false;
 };
 
-/// "azimuth  12.30 elevation  -3.10", or why there is no gaze.
+/// "azimuth  12.30 elevation  -3.10", or the reason for missing gaze.
 std::string describe(const std::optional<GazeSample>& sample, const std::string& status) {
   if (!status.empty()) {
     return status;
@@ -103,7 +103,7 @@ std::string describe(const InterSampleIntervals& intervals) {
                      intervals.gaps(), intervals.valid_samples(), intervals.samples());
 }
 
-/// On a terminal each line is written over the one before, elsewhere under it.
+/// On a terminal each line replaces the one before; elsewhere it follows.
 class LiveLine {
  public:
   ~LiveLine() {

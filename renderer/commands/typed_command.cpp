@@ -21,7 +21,7 @@
 namespace foveola {
 namespace {
 
-/// The number that the whole of `text` is, as the C library reads it.
+/// The number in the whole of `text`, as the C library reads it.
 std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
@@ -36,13 +36,13 @@ std::string no_number(const std::string& text) {
                      has_unit ? fmt::format("; leave out '{}'", end) : "");
 }
 
-/// As CLI11 wants it: what is wrong with `text`, or nothing.
+/// In CLI11's form: the fault of `text`, or empty.
 std::string check_number(std::string& text) { return number_in(text) ? "" : no_number(text); }
 
-/// Puts the number as CLI11 reads it, which clamps, wraps and takes 010 for octal: 1e6 as 1000000.
+/// Rewrites a number for CLI11, which clamps, wraps and reads 010 as octal: 1e6 as 1000000.
 template <typename Number>
 std::string check_whole_number(std::string& text) {
-  constexpr double largest = 9007199254740992.0;  // Beyond it doubles are not all whole numbers.
+  constexpr double largest = 9007199254740992.0;  // Beyond it doubles skip integers.
   const std::optional<double> number = number_in(text);
   if (!number) {
     return no_number(text);

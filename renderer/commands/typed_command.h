@@ -1,4 +1,4 @@
-// What a user typed that the command line does not understand, in words.
+// Explains errors of a typed command line in words.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@ class ParseError;
 
 namespace foveola {
 
-/// Has help state the default of every option of `app` and of its commands whose description does
-/// not. Makes options that take numbers say so of what is none ("'5s' is no number"), and those
-/// that take whole numbers accept them as 1e6 too and refuse what 64 bits do not hold. To be called
-/// when all options are there.
+/// Completes the options of `app` and of its commands. Help states the default of each whose
+/// description does not. Options of numbers report other values ("'5s' is not a number"), and
+/// options of whole numbers accept notations like 1e6 and refuse values beyond 64 bits. To be
+/// called after all options were added.
 void complete_options(CLI::App& app);
 
-/// The first of the words that stands where a command must, and is none. Throws UsageError that
-/// asks for the one that was meant. words: as typed, without the program's name.
+/// Throws UsageError for the first word at a command's place that is not a command, with the
+/// similar one. words: as typed, without the program's name.
 void reject_unknown_commands(const CLI::App& app, const std::vector<std::string>& words);
 
-/// The command as far as it was understood: "foveola study simulate". app: after parsing.
+/// The command as far as it was parsed: "foveola study simulate". app: after parsing.
 std::string typed_command(const CLI::App& app);
 
-/// What was wrong with the command line, and what to do, on one line. app: after parsing, which
-/// threw `error`.
+/// The fault of the command line and its remedy, on one line. app: after parsing, which threw
+/// `error`.
 std::string fault_text(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace foveola

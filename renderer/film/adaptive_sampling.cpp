@@ -12,16 +12,16 @@
 namespace foveola {
 namespace {
 
-/// Samples that one task redirects.
+/// Number of samples that one task redirects.
 constexpr std::size_t sample_block = 1024;
 
-/// What the eight pixels around one say about its noise. Rows beyond a pole are left out.
+/// Noise of a pixel as estimated from its eight neighbours. Rows beyond a pole are left out.
 struct Neighbourhood {
   double variance = 0.0;  ///< variance of a sample's luminance, averaged over the neighbours
   double luminance = 0.0;
 };
 
-/// None while some neighbour has too few samples.
+/// nullopt while a neighbour has too few samples.
 std::optional<Neighbourhood> look_around(const EquirectFilm& film, const IVec2& pixel,
                                          std::uint32_t least_samples) {
   Neighbourhood sum;
@@ -45,7 +45,7 @@ std::optional<Neighbourhood> look_around(const EquirectFilm& film, const IVec2& 
   return Neighbourhood{sum.variance / count, sum.luminance / count};
 }
 
-/// Decides which pixels are done, for one frame.
+/// Decides which pixels are converged, in one frame.
 class Judge {
  public:
   Judge(const EquirectFilm& film, const Vec3& gaze, const VisibleNoise& noise)
@@ -81,8 +81,8 @@ class Judge {
   double darkest_;  ///< luminance on the film
 };
 
-/// `sample`, `offset` pixels further. What leaves the image over a pole comes back on the pole's
-/// other side, so that samples stay spread over the pixels that they fall in.
+/// `sample` shifted by `offset` pixels. Beyond a pole it continues on the pole's other side, so
+/// that samples stay spread over their pixels.
 ViewSample moved(const EquirectFilm& film, const ViewSample& sample, const IVec2& offset) {
   const Vec2 size(film.width(), film.height());
   Vec2 image = sample.image + Vec2(offset) / size;
@@ -96,7 +96,7 @@ ViewSample moved(const EquirectFilm& film, const ViewSample& sample, const IVec2
   return {.direction = direction_from_equirect(image), .image = image};
 }
 
-/// Tries pixels in squares that grow around the sample's own. Returns false if all are done.
+/// Tries pixels in growing squares around the sample's own. Returns false if all are converged.
 bool find_work(const Judge& judge, const EquirectFilm& film, std::uint32_t random,
                ViewSample& sample) {
   if (!judge.is_done(film.pixel_at(sample.image))) {

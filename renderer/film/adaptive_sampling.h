@@ -1,4 +1,4 @@
-// Adaptive sampling: fewer samples where nobody would see the difference.
+// Adaptive sampling: fewer samples where noise is invisible.
 #pragma once
 
 #include <cstdint>
@@ -9,29 +9,28 @@
 
 namespace foveola {
 
-/// When the noise that is left in a pixel is no longer seen: once its standard error is below
-/// `contrast` of its mean at the gaze, and elsewhere below `contrast` over Reddy's relative acuity
-/// there.
+/// The visibility threshold of a pixel's noise: its standard error below `contrast` of its mean at
+/// the gaze, elsewhere below `contrast` over Reddy's relative acuity.
 struct VisibleNoise {
   double contrast = 0.01;  ///< positive; Weber fractions of luminance are near 1 %
-  /// Linear luminance on the display, after exposure_stops, that darker pixels count as: below,
+  /// Minimum linear luminance on the display, after exposure_stops, in the contrast: below,
   /// displays are black.
   double darkest = 0.01;
   double exposure_stops = 0.0;
-  std::uint32_t least_samples = 16;  ///< samples of a neighbour before its variance is believed
+  std::uint32_t least_samples = 16;  ///< minimum samples of a neighbour for using its variance
 };
 
-/// Sends samples away from pixels that are done, to others up to 16 pixels around; those that find
-/// none are left out. The film must keep variances.
+/// Redirects samples from converged pixels to others within 16 pixels; samples that find none are
+/// removed. The film must keep variances.
 ///
-/// A rule that stops when a pixel's own samples agree prefers samples that agree: dark pixels with
-/// rare bright paths would stay too dark. Here the variances of a pixel's eight neighbours decide,
-/// and of the pixel itself only how many samples it has. That is not strictly unbiased: a pixel's
-/// samples decide whether its neighbours are done, and so whether theirs are sent to it. Where one
-/// sample in ten is bright, 120 renders found (0.03 +- 0.05) % of the mean to come of it; a rule by
-/// a pixel's own samples costs 3 % there, and the tests allow 0.75 %.
+/// A rule by a pixel's own variance prefers samples that agree: dark pixels with rare bright paths
+/// would stay too dark. Here the variances of a pixel's eight neighbours decide, and of the pixel
+/// itself only its number of samples. A small bias remains: a pixel's samples decide whether its
+/// neighbours are converged, and so whether theirs are redirected to it. Where one sample in ten is
+/// bright, 120 renders measured a bias of (0.03 +- 0.05) % of the mean. A rule by a pixel's own
+/// samples has 3 % there, and the tests allow 0.75 %.
 ///
-/// seed, together with a sample's place in `samples`, decides where it goes.
+/// seed: determines the targets, together with the samples' places in `samples`.
 void redirect_samples(const EquirectFilm& film, const Vec3& gaze, const VisibleNoise& noise,
                       std::uint32_t seed, std::vector<ViewSample>& samples, const Workers& workers);
 

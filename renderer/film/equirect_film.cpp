@@ -12,10 +12,10 @@
 namespace foveola {
 namespace {
 
-/// Tiles that one task numbers or adds to.
+/// Number of tiles that one task numbers or adds to.
 constexpr std::size_t tile_block = 64;
 
-/// How far ahead of its use memory is asked for.
+/// Distance of prefetching, in samples.
 constexpr std::size_t samples_ahead = 16;
 constexpr std::size_t tiles_ahead = 6;
 
@@ -42,7 +42,7 @@ double squared_luminance(const Rgb& radiance) {
   return value * value;
 }
 
-/// As EquirectFilm::add() says; sum: `count` times the mean.
+/// As in EquirectFilm::add(); sum: `count` times the mean.
 template <typename Value>
 void add_weighed(double weight, std::uint32_t count, Value& sum, const Value& value) {
   sum += weight * value;
@@ -165,7 +165,7 @@ void EquirectFilm::number_tiles(TileRanges ranges, std::span<const ViewSample> s
   }
 }
 
-// Step by step for all of the samples, so that what one step asks for comes while others ask.
+// Each step runs for all samples before the next, so that its prefetches overlap.
 void EquirectFilm::bring_to_life(TileRanges ranges, NumberedBatch& batch) {
   FilmTile::Taker memory(*memory_);
   for (const NumberedBatch::TileRange& range : ranges) {

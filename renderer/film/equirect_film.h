@@ -1,4 +1,4 @@
-// The 360-degree image in the making: it numbers samples, and averages the radiance they return.
+// The 360-degree image during rendering: numbers samples, and averages their radiance.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace foveola {
 
-/// A batch of view samples, sorted by tile and numbered: what the tracer is given.
+/// A batch of view samples, sorted by tile and numbered: the tracer's input.
 struct NumberedBatch {
   /// The jobs of one tile, [begin, end) in `jobs`.
   struct TileRange {
@@ -26,13 +26,12 @@ struct NumberedBatch {
     std::size_t end = 0;
   };
   std::vector<SampleJob> jobs;
-  std::vector<FilmTile::Place> places;  ///< each job's place in its tile
+  std::vector<FilmTile::Place> places;  ///< each job's pixel in its tile
   std::vector<FilmTile::Slot> slots;    ///< each job's slot in its tile, until the film is cleared
   std::vector<TileRange> tiles;
 };
 
-/// A sample that was dropped because its radiance was not finite; with the seed it reproduces the
-/// path.
+/// A sample dropped for its non-finite radiance; with the seed it reproduces the path.
 struct DroppedSample {
   std::uint32_t pixel = 0;
   std::uint32_t sample_number = 0;
@@ -41,25 +40,25 @@ struct DroppedSample {
 /// One pixel of the film.
 struct FilmPixel {
   Rgb mean{0.0F};             ///< black without samples
-  std::uint32_t samples = 0;  ///< how many samples the mean is of
+  std::uint32_t samples = 0;  ///< number of samples in the mean
 };
 
-/// All that a film holds of a pixel, bit for bit.
+/// The complete state of a pixel, bit for bit.
 struct PixelState {
   std::uint32_t pixel = 0;     ///< y * width + x
   std::uint32_t count = 0;     ///< samples in the sums
-  std::uint32_t numbered = 0;  ///< samples that were given a number
+  std::uint32_t numbered = 0;  ///< samples that were numbered
   DVec3 sum{0.0};              ///< of their radiance
   double squares = 0.0;        ///< of their squared luminance; 0 if the film keeps only means
 };
 
-/// What a film keeps of each pixel: variances cost a third more memory and time.
+/// Statistics per pixel: variances cost a third more memory and time.
 enum class FilmStatistics { mean, mean_and_variance };
 
-/// A pixel is the mean of the samples that fell in it, kept as a sum in double (the mean times the
-/// count, where samples have weights) and a count. Over
-/// the pixels stands a pyramid of averages, kept up where samples fall. Memory is taken where
-/// samples first fall, so that an untouched film of any size costs nothing, nor does clearing it.
+/// A pixel is the mean of its samples, stored as a sum in double (the mean times the count, if
+/// samples have weights) and a count. Above the pixels stands a pyramid of averages, updated with
+/// the samples. Memory is allocated at the first samples, so that an untouched film of any size
+/// costs nothing, nor does clearing it.
 class EquirectFilm {
  public:
   static constexpr int tile_size = FilmTile::size;
@@ -74,23 +73,22 @@ class EquirectFilm {
     return with_squares_ ? FilmStatistics::mean_and_variance : FilmStatistics::mean;
   }
 
-  /// Sorts samples by tile, stably, and gives each its pixel and that pixel's next sample number.
+  /// Sorts samples by tile, stably, and assigns each its pixel and that pixel's next sample number.
   void number(std::span<const ViewSample> samples, NumberedBatch& batch, const Workers& workers);
 
-  /// Adds what the tracer returned for `batch`; radiance has as many elements as batch.jobs. One
-  /// writer a tile. Non-finite radiance is left out and returned. weights: as many, positive, or
-  /// empty: all alike. Each moves its pixel's mean, of `count` samples before, by weight / (count +
-  /// weight) of the way to the sample. So the mean is a weighted one in the limit, whatever the
-  /// scale of the weights, and exact where all samples are equal; but weights of a mean far below 1
-  /// take long to get there.
+  /// Adds the traced radiance of `batch`, one element per job. One writer per tile. Returns the
+  /// samples dropped for non-finite radiance. weights: one per job, positive; empty: all equal.
+  /// Each moves its pixel's mean, of `count` samples before, by weight / (count + weight) of the
+  /// way to the sample. The limit is the weighted mean, for weights of any scale, and exact if all
+  /// samples are equal. Weights with a mean far below 1 converge slowly.
   std::vector<DroppedSample> add(const NumberedBatch& batch, std::span<const Rgb> radiance,
                                  const Workers& workers, std::span<const float> weights = {});
 
-  /// Forgets everything; the next samples are numbered from 0.
+  /// Clears all pixels; samples are numbered from 0 again.
   void clear();
 
-  /// Takes over what another film of this size held: each pixel once, of those that have nothing
-  /// here yet. Goes on as that would.
+  /// Restores pixel states of another film of this size, each pixel once and only if it is empty
+  /// here. Continues as that film would.
   void restore(std::span<const PixelState> states, const Workers& workers);
 
   /// The pixel that holds an image position.
@@ -102,24 +100,24 @@ class EquirectFilm {
   std::uint32_t sample_count(int x, int y) const { return pixel(x, y).samples; }
   std::uint64_t total_samples() const { return total_samples_; }
 
-  /// The variance of the luminance of a pixel's samples, without bias. None for fewer than two
-  /// samples, or if the film keeps only means.
+  /// Unbiased variance of the luminance of a pixel's samples. nullopt with fewer than two samples,
+  /// or if the film stores only means.
   std::optional<double> luminance_variance(int x, int y) const;
 
   /// The pyramid: a cell of level l has 2^l x 2^l pixels; level 0 are the pixels themselves, and
-  /// the last level is a single cell. Cells that reach beyond the image find nothing there, so that
-  /// only sizes divisible by 2^l have levels without a seam.
+  /// the last level is a single cell. Cells that extend beyond the image are empty there: only
+  /// sizes divisible by 2^l have levels without a seam.
   int levels() const { return FilmTile::levels + coarse_.count(); }
   int width(int level) const { return (width_ + (1 << level) - 1) >> level; }
   int height(int level) const { return (height_ + (1 << level) - 1) >> level; }
   PremultipliedTexel cell(int level, int x, int y) const;
 
-  /// What changed, for whoever keeps a copy: it asks tile by tile for what is newer than its copy.
-  /// The revision grows with every batch added and every clear; a new film's is 0.
+  /// Revision for owners of copies, who query tile by tile for changes since their copy. It grows
+  /// with every added batch and every clear, from 0.
   FilmRevision revision() const { return revision_; }
-  /// The last clear's revision, 0 without one: what is older than that is void.
+  /// Revision of the last clear, 0 without one: older copies are void.
   FilmRevision cleared_at() const { return cleared_at_; }
-  /// Tiles lie row by row; those at the right and the bottom may reach beyond the image.
+  /// Tiles are numbered row by row; the last of a row or column may extend beyond the image.
   int tiles_across() const { return static_cast<int>(tiles_across_); }
   int tiles_down() const { return static_cast<int>(tiles_.size() / tiles_across_); }
   /// The tile that holds a pixel.
@@ -131,42 +129,41 @@ class EquirectFilm {
   IVec2 tile_corner(std::uint32_t tile) const {
     return tile_size * IVec2(tile % tiles_across_, tile / tiles_across_);
   }
-  /// When samples were last added to a tile, or the film was cleared.
+  /// Revision of the last samples added to a tile, or of the clear.
   FilmRevision tile_changed_at(std::uint32_t tile) const {
     const Slot& slot = tiles_[tile];
     return slot.epoch == epoch_ ? std::max(slot.changed_at, cleared_at_) : cleared_at_;
   }
-  /// Calls visit(level, IVec2(x, y), texel) for the cells of a tile, of the levels
-  /// [0, FilmTile::levels), that know something and changed after `since`; all that know something
-  /// for 0. Of the level 0 those beside a pixel that changed may come too, up to three. Cells of
-  /// higher levels have pixels in many tiles: they must be copied whenever the film changed.
+  /// Calls visit(level, IVec2(x, y), texel) for a tile's non-empty cells, of the levels [0,
+  /// FilmTile::levels), that changed after `since`; 0: all. On level 0 up to three unchanged
+  /// neighbours of a changed pixel may be visited too. Cells of higher levels have pixels in many
+  /// tiles: they must be copied whenever the film changed.
   template <typename Visit>
   void for_each_changed_cell(std::uint32_t tile, FilmRevision since, const Visit& visit) const;
 
-  /// The state of a pixel; empty where nothing was numbered.
+  /// The state of a pixel; nullopt if no sample was numbered there.
   std::optional<PixelState> pixel_state(int x, int y) const;
 
-  /// Calls visit(IVec2(x, y), pixel) for each pixel with samples, a const FilmTile::Pixel: row by
-  /// row from the top, each from the left.
+  /// Calls visit(IVec2(x, y), pixel) for each pixel with samples, a const FilmTile::Pixel, row by
+  /// row from the top left.
   template <typename Visit>
   void for_each_sampled_pixel(const Visit& visit) const;
 
-  /// The means and counts of the whole image, and the variances if they are kept.
+  /// Means and counts of the whole image, and variances if stored.
   FilmImage resolve() const;
 
  private:
   /// An element of the tiles' array.
   struct Slot {
     FilmTile* tile = nullptr;
-    std::uint32_t epoch =
-        0;  ///< the epoch that the tile belongs to; tiles of other epochs are void
+    std::uint32_t epoch = 0;  ///< the tile's epoch; tiles of other epochs are void
     FilmRevision changed_at = 0;
   };
   /// Buffers of sort_by_tile.
   struct Sorting {
-    std::vector<std::uint32_t> places;   ///< that of each sample's tile in the order of tiles
-    std::vector<std::uint32_t> counts;   ///< samples in the tile of each place; 0 between calls
-    std::vector<std::uint64_t> sampled;  ///< a bit for each place; all 0 between calls
+    std::vector<std::uint32_t> places;   ///< place of each sample's tile in the order of tiles
+    std::vector<std::uint32_t> counts;   ///< samples per tile, by place; 0 between calls
+    std::vector<std::uint64_t> sampled;  ///< one bit per place; all 0 between calls
     std::vector<std::uint32_t> order;    ///< the samples' indices, by tile
   };
 
@@ -174,7 +171,7 @@ class EquirectFilm {
     return std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1);
   }
   static FilmTile::Place place(int x, int y) { return {x % tile_size, y % tile_size}; }
-  /// Null where nothing was sampled since the film was cleared.
+  /// Null without samples since the film was cleared.
   const FilmTile* find_tile(std::uint32_t tile) const {
     const Slot& slot = tiles_[tile];
     return slot.epoch == epoch_ ? slot.tile : nullptr;
@@ -187,16 +184,15 @@ class EquirectFilm {
 
   /// Fills the batch's tiles, and sorting_.order.
   void sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch);
-  /// Fills sorting_ but for the order.
+  /// Fills sorting_ except order.
   void count_by_tile(std::span<const ViewSample> samples);
-  /// Lays the tiles that have samples side by side, and leaves in sorting_.counts where each
-  /// begins.
+  /// Assigns contiguous ranges to the tiles with samples, and their beginnings to sorting_.counts.
   void find_ranges(std::vector<NumberedBatch::TileRange>& ranges);
-  /// Batches have their tiles square by square, so that jobs that are traced together lie close to
-  /// each other in both directions. The place of the tile in that column and row, and back.
+  /// Batches order their tiles along squares, so that consecutive jobs are close in both
+  /// directions. Converts a tile's column and row to its place in that order, and back.
   std::uint32_t place_in_order(const IVec2& tile) const;
   std::uint32_t tile_at(std::uint32_t place) const;
-  /// Fills the batch's jobs and what goes with them.
+  /// Fills the batch's jobs and their data.
   void number_tiles(TileRanges ranges, std::span<const ViewSample> samples, NumberedBatch& batch);
   void bring_to_life(TileRanges ranges, NumberedBatch& batch);
   void add_tiles(TileRanges ranges, const NumberedBatch& batch, std::span<const Rgb> radiance,
@@ -210,10 +206,10 @@ class EquirectFilm {
   std::uint32_t tiles_across_;
   std::unique_ptr<FilmTile::Memory> memory_;
   std::vector<Slot> tiles_;
-  std::vector<std::uint32_t> living_tiles_;  ///< those of this epoch
+  std::vector<std::uint32_t> living_tiles_;  ///< tiles of this epoch
   Sorting sorting_;
-  TexelPyramid coarse_;  ///< the levels from one cell for each tile upwards
-  /// Grows with each clear: the epoch of the samples since then.
+  TexelPyramid coarse_;  ///< levels from one cell per tile upwards
+  /// Epoch of the samples since the last clear; grows with each clear.
   std::uint32_t epoch_ = 1;
   std::uint64_t total_samples_ = 0;
   FilmRevision revision_ = 0;

@@ -7,7 +7,7 @@
 namespace foveola {
 namespace {
 
-/// Tiles that one task copies.
+/// Number of tiles that one task copies.
 constexpr std::size_t tiles_in_task = 16;
 
 }  // namespace
@@ -26,7 +26,7 @@ void SquareChanges::note(int level, int x, int y, FilmRevision revision) {
   const Level& at = levels_[static_cast<std::size_t>(level)];
   note_in_row(at, x, y - 1, revision);
   note_in_row(at, x, y, revision);
-  // Over a pole the same row comes back half an image further.
+  // Beyond a pole the same row continues half an image further.
   const int opposite = (x + at.width - at.width / 2) % at.width;
   if (y == 0) {
     note_in_row(at, opposite, -1, revision);
@@ -38,7 +38,7 @@ void SquareChanges::note(int level, int x, int y, FilmRevision revision) {
 
 void SquareChanges::note_in_row(const Level& level, int x, int row, FilmRevision revision) {
   const auto note_square = [&](int column) {
-    // Tiles share the squares at their sides, and threads that copy them all write the same.
+    // Tiles share the squares at their sides; threads that copy them all write the same value.
     const std::atomic_ref<FilmRevision> changed_at(changed_at_[level.number(column, row)]);
     changed_at.store(revision, std::memory_order_relaxed);
   };
@@ -53,7 +53,7 @@ void SquareChanges::note_in_row(const Level& level, int x, int row, FilmRevision
 }
 
 std::array<std::uint32_t, lane_count> SquareChanges::squares(const ViewPoints& points) const {
-  // The cells of the coarser level cover those of the finer one, and pixels change by level 1's.
+  // Cells of the coarser level contain those of the finer one, and changes begin at level 1.
   const Ints finer = truncated(points.level);
   const Ints coarser = finer - (points.level > floats_of(finer));
   const Ints level = coarser - (coarser < 1);

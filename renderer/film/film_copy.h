@@ -1,5 +1,5 @@
-// A copy of what a film's pyramid knows where it is looked at, laid out for reading, and when the
-// cells that a view's pixels are made of last changed.
+// A copy of the viewed part of a film's pyramid, laid out for reading, with the revisions of its
+// cells.
 #pragma once
 
 #include <array>
@@ -16,24 +16,24 @@
 
 namespace foveola {
 
-/// For each square of two by two cells, of the levels [1, FilmTile::levels) of a film's pyramid,
-/// when one of the four last changed. A trilinear mean's cells all lie in such a square, where
-/// twice a cell's width divides the film's and a cell's height the film's: of other films, cells of
-/// two levels lie askew at the seam.
+/// The last change of each square of two by two cells, of the levels [1, FilmTile::levels) of a
+/// film's pyramid. A trilinear mean's cells lie in one such square, if twice a cell's width divides
+/// the film's and a cell's height the film's. In other films, cells of two levels are not aligned
+/// at the seam.
 class SquareChanges {
  public:
-  /// For a film of width x height pixels, nothing of which changed yet.
+  /// For an unchanged film of width x height pixels.
   SquareChanges(int width, int height);
 
-  /// The cell at (x, y) of `level` changes at `revision`. May be called from many threads.
+  /// Notes that the cell at (x, y) of `level` changes at `revision`. Thread-safe.
   void note(int level, int x, int y, FilmRevision revision);
 
-  /// The numbers of the squares that eight pixels' trilinear means are made of.
+  /// The squares of eight pixels' trilinear means.
   std::array<std::uint32_t, lane_count> squares(const ViewPoints& points) const;
   FilmRevision changed_at(std::uint32_t square) const { return changed_at_[square]; }
 
  private:
-  /// Squares are named by the upper left of their cells, whose column and row are -1 or more.
+  /// Squares are numbered by their upper left cell, whose column and row are -1 or more.
   struct Level {
     std::uint32_t first;  ///< number of the square at (-1, -1)
     int width;
@@ -43,7 +43,7 @@ class SquareChanges {
              static_cast<std::uint32_t>(x + 1);
     }
   };
-  /// The squares of a row that have cells of the column x.
+  /// Notes a change in the squares of a row that contain the column x.
   void note_in_row(const Level& level, int x, int row, FilmRevision revision);
 
   Vec2 size_;
@@ -51,21 +51,21 @@ class SquareChanges {
   LazyArray<FilmRevision> changed_at_;
 };
 
-/// The film is made for samples, which fall anywhere; this for views, which read all of a region
-/// again and again. Takes 23 bytes for each pixel of the tiles that were copied.
+/// The film's layout suits scattered samples; this one suits views, which read all of a region
+/// repeatedly. Takes 23 bytes for each pixel of the copied tiles.
 class FilmCopy {
  public:
-  /// film must outlive this. The copy is empty until it is refreshed.
+  /// film must outlive this. The copy is empty until its first refresh.
   explicit FilmCopy(const EquirectFilm& film);
 
-  /// Brings these tiles up to date, each given once. They lack what is above them.
+  /// Updates these tiles, each given once; without the levels above tiles.
   void refresh(std::span<const std::uint32_t> tiles, const Workers& workers);
-  /// Copies the levels from FilmTile::levels on, whole.
+  /// Copies all levels from FilmTile::levels.
   void refresh_above_tiles();
 
-  /// The cells of EquirectFilm::cell, where they were refreshed.
+  /// Copies of EquirectFilm::cell, where refreshed.
   const SpherePlanes<PremultipliedTexel>& cells() const { return cells_; }
-  /// The film's revision when cells were copied; what a clear empties is not noted.
+  /// The film's revision when cells were copied; cells emptied by a clear are not noted.
   const SquareChanges& changes() const { return changes_; }
 
  private:
@@ -75,8 +75,7 @@ class FilmCopy {
   const EquirectFilm* film_;
   SpherePlanes<PremultipliedTexel> cells_;
   SquareChanges changes_;
-  std::vector<FilmRevision>
-      copied_at_;  ///< each tile's revision when it was copied, 0 if it never was
+  std::vector<FilmRevision> copied_at_;  ///< each tile's revision when it was copied; 0: never
 };
 
 }  // namespace foveola

@@ -17,7 +17,7 @@
 namespace foveola {
 namespace {
 
-/// A pixel as it is hashed: its bytes in memory are those that the header promises.
+/// A pixel for hashing: its bytes in memory are those documented in the header.
 struct HashedPixel {
   std::uint32_t number;
   std::uint32_t count;
@@ -26,13 +26,13 @@ struct HashedPixel {
 static_assert(std::endian::native == std::endian::little);
 static_assert(sizeof(HashedPixel) == 32);
 
-/// Pixels that are hashed together.
+/// Pixels hashed at a time.
 constexpr std::size_t pixels_at_once = 4096;
 
 constexpr std::string_view first_line = "Foveola film 1\n";
 constexpr std::uint32_t longest_text = 16 << 20;
 constexpr std::size_t digest_digits = 64;
-/// Pixels for which the file is asked once.
+/// Pixels read at a time.
 constexpr std::size_t pixels_read_together = 4096;
 
 std::size_t bytes_of_pixel(FilmStatistics statistics) {
@@ -51,7 +51,7 @@ void append_state(std::string& bytes, const PixelState& state, FilmStatistics st
   }
 }
 
-/// Takes a pixel off the front of `bytes`, which has one.
+/// Removes a pixel from the front of `bytes`, which holds one.
 PixelState take_state(std::string_view& bytes, FilmStatistics statistics) {
   PixelState state;
   state.pixel = take<std::uint32_t>(bytes);
@@ -66,8 +66,7 @@ PixelState take_state(std::string_view& bytes, FilmStatistics statistics) {
   return state;
 }
 
-/// Samples are finite floats, of which a pixel has fewer than 2^32. Sums of many films are finite,
-/// too.
+/// Samples are finite floats, fewer than 2^32 per pixel. Sums of many films are finite, too.
 bool is_possible(const PixelState& state, const IVec2& size) {
   constexpr double largest_sum = 0x1p160;
   constexpr double largest_squares = 0x1p290;
@@ -78,7 +77,7 @@ bool is_possible(const PixelState& state, const IVec2& size) {
          state.squares <= largest_squares;
 }
 
-/// A file whose digest is made while it is written.
+/// A file whose digest is computed during writing.
 class DigestedFile {
  public:
   explicit DigestedFile(const std::filesystem::path& path) : file_(path, std::ios::binary) {}
@@ -88,7 +87,7 @@ class DigestedFile {
     file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
 
-  /// Whether all of it, and the digest, could be written.
+  /// Returns whether all of it, and the digest, were written.
   bool finish() {
     file_ << digest_.hex();
     file_.close();
@@ -136,7 +135,7 @@ PixelState PixelSum::take() {
   count_ = 0;
   numbered_ = 0;
   for (ExactSum* const sum : {&red_, &green_, &blue_, &squares_}) {
-    sum->clear();  // and keeps its memory for the next of millions of pixels
+    sum->clear();  // keeps its memory for the next of millions of pixels
   }
   return state;
 }
@@ -193,7 +192,7 @@ void write_film_file(const std::filesystem::path& path, const FilmHeader& header
 FilmFileReader::FilmFileReader(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code failure;
   const std::uintmax_t bytes = std::filesystem::file_size(path_, failure);
-  if (!failure) {  // a regular file, which does not wait for anybody
+  if (!failure) {  // a regular file, which never blocks
     file_.open(path_, std::ios::binary);
   }
   if (failure || !file_) {

@@ -1,4 +1,4 @@
-// A square of the film that one thread at a time writes: its pixels and what they average to.
+// A square tile of the film, written by one thread at a time: its pixels and their averages.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace foveola {
 
 inline constexpr std::size_t cache_line = 64;  ///< bytes
 
-/// Counts what changes a film: batches added to it, and clears.
+/// Counts the film's changes: added batches and clears.
 using FilmRevision = std::uint32_t;
 
 /// Calls visit(i) for the bits that are set.
@@ -24,9 +24,8 @@ void for_each_bit(std::uint32_t word, const Visit& visit) {
   }
 }
 
-/// Blocks of 8 x 8 pixels, made of quads of 2 x 2, come to life when first sampled: at a film's
-/// usual sizes its updates take as long as its memory does, so samples that lie far apart must
-/// touch little of it.
+/// Blocks of 8 x 8 pixels in quads of 2 x 2 are created at their first sample. At the default film
+/// sizes, updates are bound by memory, so that scattered samples must touch little of it.
 class FilmTile {
  public:
   static constexpr int size = 32;  ///< pixels along a side
@@ -36,7 +35,7 @@ class FilmTile {
   struct Pixel {
     DVec3 sum;
     std::uint32_t count;     ///< samples in the sum
-    std::uint32_t numbered;  ///< samples given a number
+    std::uint32_t numbered;  ///< samples that were numbered
 
     Rgb mean() const { return count > 0 ? Rgb(sum / static_cast<double>(count)) : Rgb(0.0F); }
     PremultipliedTexel texel() const {
@@ -44,8 +43,8 @@ class FilmTile {
     }
   };
 
-  /// A pixel of a tile: its block (of 16), its quad in the block (of 16), itself in the quad; each
-  /// along a Z-order curve, so that the four in a square are neighbours.
+  /// A pixel of a tile: its block (of 16), its quad in the block (of 16), and itself in the quad.
+  /// Each follows a Z-order curve, so that the four in a square are neighbours.
   class Place {
    public:
     Place() = default;
@@ -56,7 +55,7 @@ class FilmTile {
     std::size_t pixel() const { return code_ & 3U; }
 
    private:
-    /// The five bits of a coordinate with gaps between them.
+    /// The five bits of a coordinate, spread with gaps.
     static int spread(int coordinate) {
       coordinate = (coordinate | coordinate << 4) & 0b1'0000'1111;
       coordinate = (coordinate | coordinate << 2) & 0b1'0011'0011;
@@ -66,7 +65,7 @@ class FilmTile {
     std::uint16_t code_ = 0;
   };
 
-  /// Quads that samples fell in.
+  /// The quads that received samples.
   class Touched {
    public:
     void add(Place place) {
@@ -76,8 +75,8 @@ class FilmTile {
 
    private:
     friend class FilmTile;
-    std::uint32_t blocks_ = 0;               ///< a bit for each
-    std::array<std::uint32_t, 16> quads_{};  ///< a bit for each quad of each block
+    std::uint32_t blocks_ = 0;               ///< one bit per block
+    std::array<std::uint32_t, 16> quads_{};  ///< one bit per quad of each block
   };
 
  private:
@@ -90,20 +89,19 @@ class FilmTile {
   /// A square of sixteen smaller ones, and two levels of the pyramid over them.
   template <typename Child>
   struct alignas(cache_line) Node {
-    std::array<Child*, 16> children;           ///< null where nothing was sampled
+    std::array<Child*, 16> children;           ///< null without samples
     std::array<PremultipliedTexel, 16> means;  ///< the children's
     std::array<PremultipliedTexel, 4> quadrants;
-    std::array<FilmRevision, 16>
-        changed_at;  ///< the children's revisions; 0 where nothing was added
+    std::array<FilmRevision, 16> changed_at;  ///< the children's revisions; 0 without samples
 
-    /// Averages anew what lies above these children, a bit for each. Returns the mean of all.
+    /// Updates the averages above these children, one bit each. Returns the mean of all.
     PremultipliedTexel refresh(std::uint32_t children_touched);
-    /// A bit for each part.
+    /// One bit per part.
     std::uint32_t changed_after(FilmRevision since) const;
-    /// Asks for the memory of these children and their means.
+    /// Prefetches these children and their means.
     void prefetch_changed(std::uint32_t children_changed) const;
     /// Visits the means of these children as cells of `level`, the first of which lies at `corner`,
-    /// and the quadrants that have such children.
+    /// and the quadrants with such children.
     template <typename Visit>
     void visit_means(std::uint32_t children_changed, int level, const IVec2& corner,
                      const Visit& visit) const;
@@ -111,16 +109,16 @@ class FilmTile {
   using Block = Node<Quad>;
 
  public:
-  /// Where a pixel that was touched lies in memory, until that is cleared.
+  /// The memory of a touched pixel, valid until the film is cleared.
   class Slot {
    public:
     Slot() = default;
     Pixel& pixel(Place place) const { return quad_->pixels[place.pixel()]; }
-    /// The sum of the squared luminances, in memory with squares.
+    /// Sum of squared luminances, in memory with squares.
     double& squares(Place place) const {
       return static_cast<QuadWithSquares*>(quad_)->squares[place.pixel()];
     }
-    /// Asks for the memory that adding to the pixel, and averaging in its block, will need.
+    /// Prefetches the memory for adding to the pixel, and for averaging in its block.
     void prefetch(Place place) const {
       __builtin_prefetch(quad_);
       __builtin_prefetch(&quad_->pixels[2]);
@@ -139,29 +137,28 @@ class FilmTile {
   class Memory;
   class Taker;
 
-  /// Bring a pixel to life, in these two steps. Each asks for the memory that the next one needs,
-  /// which should follow a while later.
+  /// Create a pixel, in these two steps. Each prefetches the memory of the next, which should
+  /// follow a while later.
   void touch_block(Place place, Taker& memory, Slot& slot);
   static void touch_quad(Place place, Taker& memory, Slot& slot);
-  /// Null if it was not touched.
+  /// Null if not touched.
   const Pixel* find(Place place) const;
-  /// The sum of the squared luminances of a pixel that was touched, in memory with squares.
+  /// Sum of squared luminances of a touched pixel, in memory with squares.
   double squares(Place place) const {
     const Quad* quad = blocks_.children[place.block()]->children[place.quad()];
     return static_cast<const QuadWithSquares*>(quad)->squares[place.pixel()];
   }
 
-  /// Averages anew what lies above `touched`, which changed at `revision`. Returns the mean of the
-  /// tile.
+  /// Updates the averages above `touched`, changed at `revision`. Returns the tile's mean.
   PremultipliedTexel refresh(const Touched& touched, FilmRevision revision);
   /// level in [0, levels), 0 being the pixels; x and y in [0, size >> level).
   PremultipliedTexel cell(int level, int x, int y) const;
-  /// Calls visit(level, IVec2(x, y), texel) for the cells whose pixels changed after `since`;
-  /// of the level 0, for the pixels with samples in the quads that changed.
+  /// Calls visit(level, IVec2(x, y), texel) for the cells whose pixels changed after `since`; on
+  /// level 0, for the pixels with samples in changed quads.
   template <typename Visit>
   void for_each_changed_cell(FilmRevision since, const Visit& visit) const;
 
-  /// Ask for the memory that touch_block, and averaging over the place's block, will need.
+  /// Prefetches the memory for touch_block, and for averaging over the place's block.
   void prefetch_block(Place place) const { __builtin_prefetch(&blocks_.children[place.block()]); }
   void prefetch_means(Place place) const {
     __builtin_prefetch(&blocks_.children[place.block()]);
@@ -171,12 +168,12 @@ class FilmTile {
   }
 
  private:
-  /// The first bit of each four of which some are set stands for their quadrant.
+  /// Sets the first of each four bits if any of the four is set: a bit per quadrant.
   static std::uint32_t quadrants_of(std::uint32_t children) {
     const std::uint32_t pairs = children | children >> 1U;
     return (pairs | pairs >> 2U) & 0x1111U;
   }
-  /// Where a part lies among four or sixteen: Place's order.
+  /// Coordinates of a part among four or sixteen, in Place's order.
   static IVec2 spot(std::size_t part) {
     const auto i = static_cast<int>(part);
     return {(i & 1) | (i >> 1 & 2), (i >> 1 & 1) | (i >> 2 & 2)};
@@ -187,12 +184,12 @@ class FilmTile {
   Node<Block> blocks_;
 };
 
-/// Where the children of a film's tiles come from.
+/// Memory for the children of a film's tiles.
 class FilmTile::Memory {
  public:
-  /// with_squares: keep the squares of luminances too.
+  /// with_squares: stores squared luminances too.
   explicit Memory(bool with_squares) : with_squares_(with_squares) {}
-  /// All tiles are void from now on.
+  /// Makes all tiles void.
   void clear();
   /// Returns at once, as HugePages::make_ready.
   void make_ready() { pages_.make_ready(); }
@@ -208,7 +205,7 @@ class FilmTile::Memory {
   ItemPool<QuadWithSquares> quads_with_squares_{pages_};
 };
 
-/// Takes them for one thread, as ItemPool::Taker.
+/// Takes items for one thread, as ItemPool::Taker.
 class FilmTile::Taker {
  public:
   explicit Taker(Memory& memory)
@@ -290,14 +287,14 @@ void FilmTile::visit_pixels(const Quad& quad, const IVec2& corner, const Visit& 
   }
 }
 
-// Step by step for all of the blocks, so that what one step asks for comes while others ask.
+// Each step runs for all blocks before the next, so that its prefetches overlap.
 template <typename Visit>
 void FilmTile::for_each_changed_cell(FilmRevision since, const Visit& visit) const {
   const std::uint32_t blocks_changed = blocks_.changed_after(since);
   for_each_bit(blocks_changed,
                [&](std::size_t i) { __builtin_prefetch(&blocks_.children[i]->changed_at); });
   blocks_.visit_means(blocks_changed, 3, IVec2(0), visit);
-  std::array<std::uint32_t, 16> quads_changed;  // of each block that changed
+  std::array<std::uint32_t, 16> quads_changed;  // per changed block
   for_each_bit(blocks_changed, [&](std::size_t i) {
     const Block& block = *blocks_.children[i];
     quads_changed[i] = block.changed_after(since);

@@ -7,9 +7,9 @@
 namespace foveola {
 namespace {
 
-/// Zeros whose memory the system gives when they are first written. Throws std::bad_alloc.
+/// Zeros whose memory the system allocates at the first write. Throws std::bad_alloc.
 HugePage make_huge_page() {
-  // A mapping begins anywhere. Of one that is twice as long, the part that is aligned stays.
+  // A mapping may begin anywhere. Of one twice as long, the aligned part is kept.
   void* const mapped =
       ::mmap(nullptr, 2 * huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapped == MAP_FAILED) {
@@ -23,12 +23,12 @@ HugePage make_huge_page() {
     ::munmap(begin, before);
   }
   ::munmap(page + huge_page, huge_page - before);
-  ::madvise(page, huge_page, MADV_HUGEPAGE);  // a wish: what it answers does not matter
+  ::madvise(page, huge_page, MADV_HUGEPAGE);  // a hint: its result does not matter
   return HugePage(page);
 }
 
-/// Has the system give the memory. Not by madvise: that would hold up whoever maps or frees memory
-/// meanwhile.
+/// Makes the system allocate the memory. Not by madvise, which would block other threads that map
+/// or free memory.
 void touch(HugePage& page) {
   constexpr std::size_t smallest_page = 4096;
   for (std::size_t offset = 0; offset < huge_page; offset += smallest_page) {
@@ -77,7 +77,7 @@ void HugePages::make_pages(const std::stop_token& stop) {
       ready_.push_back(std::move(page));
     }
   } catch (const std::bad_alloc&) {
-    // Whoever takes the next page is told.
+    // Notifies takers of the next page.
   }
 }
 

@@ -1,5 +1,4 @@
-// Memory for many small items that are forgotten all at once, of pages of zeros that are ready
-// before they are needed.
+// Memory for many small items that are freed all at once, from zeroed pages prepared in advance.
 #pragma once
 
 #include <algorithm>
@@ -26,24 +25,23 @@ struct UnmapHugePage {
 };
 using HugePage = std::unique_ptr<std::byte[], UnmapHugePage>;
 
-/// Hands out zeros in pieces that the system may give as a whole: where samples fall far apart,
-/// finding pages and filling them one by one takes longer than the samples. Even as a whole each
-/// takes a tenth of a millisecond, and several where a virtual machine gets the memory from its
-/// host only then. So a thread can make the next ones ready.
+/// Allocates zeroed huge pages. For scattered samples, mapping small pages one by one takes longer
+/// than the samples. A huge page takes a tenth of a millisecond, and several if a virtual machine
+/// must get its memory from the host. A thread can therefore prepare the next ones.
 class HugePages {
  public:
-  /// Pages that are ready at a time: what is never taken costs no more than these.
+  /// Maximum number of prepared pages: the cost of pages that are never taken.
   static constexpr std::size_t max_ready = 2;
-  /// Who takes no more pages than these does without a thread.
+  /// The background thread starts after this many calls of take().
   static constexpr std::size_t taken_without_thread = 3;
 
-  /// From any thread. Throws std::bad_alloc.
+  /// Thread-safe. Throws std::bad_alloc.
   HugePage take();
 
-  /// Returns at once, while a thread makes pages ready: the next calls of take give them out.
+  /// Starts a thread that prepares pages for the next calls of take(), and returns at once.
   void make_ready();
 
-  /// Pages that are ready now.
+  /// Number of prepared pages.
   std::size_t ready() const;
 
  private:
@@ -53,14 +51,14 @@ class HugePages {
   std::size_t taken_ = 0;
   std::vector<HugePage> ready_;
   std::condition_variable_any are_wanted_;
-  std::jthread maker_;  ///< after what it uses, so that it ends before that
+  std::jthread maker_;  ///< last: it ends before the members that it uses
 };
 
-/// Hands out items that lie side by side, all zeros, and the same memory again after a clear.
+/// Allocates contiguous zeroed items; reuses its memory after a clear.
 template <typename Item>
 class ItemPool {
  private:
-  /// Memory for items that nobody has taken.
+  /// Memory for unused items.
   struct Run {
     std::byte* begin = nullptr;
     std::byte* end = nullptr;
@@ -68,11 +66,11 @@ class ItemPool {
   };
 
  public:
-  /// pages: where its memory comes from.
+  /// pages: the source of its memory.
   explicit ItemPool(HugePages& pages) : pages_(pages) {}
 
-  /// Takes items for one thread, a run of them at a time from the pool, so that threads hardly meet
-  /// there. What it does not hand out goes back. It must be gone before the pool is cleared.
+  /// Takes items for one thread, a run at a time from the pool, to avoid contention. Unused items
+  /// are returned. It must be destroyed before the pool is cleared.
   class Taker {
    public:
     explicit Taker(ItemPool& pool) : pool_(pool) {}
@@ -96,7 +94,7 @@ class ItemPool {
     Run run_;
   };
 
-  /// Every item is void from now on.
+  /// Makes every item void.
   void clear() {
     items_used_before_ = std::max(items_used_before_, next_item_);
     next_item_ = 0;
@@ -105,11 +103,11 @@ class ItemPool {
 
  private:
   static constexpr std::size_t items_in_chunk = huge_page / sizeof(Item);
-  /// A run has as many items as stay in the nearest cache until they are taken.
+  /// Number of items in a run: as many as stay in the nearest cache until they are taken.
   static constexpr std::size_t items_in_run = 4096 / sizeof(Item);
 
   Run next_run() {
-    static_assert(std::is_trivially_copyable_v<Item>);  // so that zeros make one
+    static_assert(std::is_trivially_copyable_v<Item>);  // all-zero bytes are a valid item
     const std::scoped_lock lock(mutex_);
     if (!left_over_.empty()) {
       const Run run = left_over_.back();
@@ -123,7 +121,7 @@ class ItemPool {
     const std::size_t first = next_item_ % items_in_chunk;
     const std::size_t count = std::min(items_in_run, items_in_chunk - first);
     std::byte* const begin = chunks_[chunk].get() + first * sizeof(Item);
-    // Runs begin where they began before a clear, so that each as a whole was used or not.
+    // Runs begin at the same items after a clear, so that a run was used as a whole or not at all.
     const bool is_zeros = next_item_ >= items_used_before_;
     next_item_ += count;
     return {.begin = begin, .end = begin + count * sizeof(Item), .is_zeros = is_zeros};
@@ -147,7 +145,7 @@ class ItemPool {
   std::mutex mutex_;
   std::vector<HugePage> chunks_;
   std::vector<Run> left_over_;
-  std::size_t next_item_ = 0;  ///< the first that is in no run yet
+  std::size_t next_item_ = 0;  ///< first item outside all runs
   std::size_t items_used_before_ = 0;
 };
 

@@ -11,17 +11,17 @@
 namespace foveola {
 namespace {
 
-/// Points that one task draws.
+/// Number of points that one task draws.
 constexpr std::size_t point_block = 4096;
 
-/// Keeps the places within cells apart from the order of the cells.
+/// Separates the random places within cells from the order of the cells.
 constexpr std::uint32_t place_stream = 0x706c6163U;
 
-/// How far a density may be from that in its pixel's middle without weights. If radiance varies by
-/// a fifth from there to the edge, the mean is then 0.1 % off: a third of both variations' product.
+/// Variation of the density within a pixel that is ignored. If radiance varies by a fifth from the
+/// centre to the edge, the mean is then 0.1 % off: a third of both variations' product.
 constexpr float negligible_variation = 0.015F;
 
-/// Densities that differ by more from the middle's jump within the pixel, and are not weighed.
+/// Densities that differ more from the centre's jump within the pixel, and are not weighted.
 constexpr float largest_weight = 2.0F;
 
 /// Per unit of the image's area.
@@ -29,7 +29,7 @@ double image_density(const ViewSampler& sampler, const Vec3& direction) {
   return sampler.density_per_sr(direction) / equirect_area_per_sr(direction);
 }
 
-/// The density in the middle of a pixel over that at a direction in it.
+/// The density at a pixel's centre over that at a direction in it.
 float weight_in_pixel(const ViewSampler& sampler, const EquirectFilm& film, const Vec3& direction,
                       const IVec2& pixel) {
   const Vec2 middle = (Vec2(pixel) + 0.5F) / Vec2(film.width(), film.height());
@@ -38,7 +38,7 @@ float weight_in_pixel(const ViewSampler& sampler, const EquirectFilm& film, cons
   return weight > 1.0F / largest_weight && weight < largest_weight ? weight : 1.0F;
 }
 
-/// Whether any of a few samples has a density that is not negligibly far from its pixel's middle.
+/// Whether any of a few samples has a density that deviates noticeably from its pixel's centre.
 bool varies_within_pixels(const ViewSampler& sampler, const EquirectFilm& film) {
   std::array<Vec2, 128> points;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -54,7 +54,7 @@ bool varies_within_pixels(const ViewSampler& sampler, const EquirectFilm& film) 
 }
 
 /// A cell in a round that visits each of `cells` once: the box of a Sobol point in the smallest
-/// grid with powers of two that holds them. A box outside gives the rank of another point instead
+/// power-of-two grid that contains them. A box outside gives the rank of another point instead
 /// (cycle walking: Black and Rogaway 2002, "Ciphers with Arbitrary Finite Domains").
 IVec2 visited_cell(const IVec2& cells, std::uint64_t rank, std::uint32_t seed) {
   const IVec2 boxes(std::bit_ceil(static_cast<std::uint32_t>(cells.x)),
@@ -71,7 +71,7 @@ IVec2 visited_cell(const IVec2& cells, std::uint64_t rank, std::uint32_t seed) {
   }
 }
 
-/// The position in [0, 1) of a place in a cell; its rounding is undone where it leaves the cell.
+/// The position in [0, 1) of a place in a cell, corrected if rounding leaves the cell.
 float position_in(int cell, float place, int cells) {
   const auto size = static_cast<float>(cells);
   float position = (static_cast<float>(cell) + place) / size;
@@ -98,7 +98,7 @@ Vec2 point_in_rounds(const IVec2& cells, std::uint64_t index, std::uint32_t seed
   return {position_in(cell.x, place.x, cells.x), position_in(cell.y, place.y, cells.y)};
 }
 
-/// Draws the points of `range` from the one at `begin` on.
+/// Draws the points of `range` from `begin`.
 void draw(const PointRange& range, std::size_t begin, std::span<Vec2> points) {
   const std::uint64_t first = range.first + begin;
   if (range.cells.x > 0) {

@@ -1,4 +1,4 @@
-// One pass of a progressive render: points become directions, the tracer's jobs, the film's means.
+// One pass of a progressive render: points become directions, tracer jobs and film means.
 #pragma once
 
 #include <cstdint>
@@ -11,41 +11,41 @@
 
 namespace foveola {
 
-/// Where a render's random numbers come from.
+/// Source of a render's random numbers.
 enum class RandomNumbers {
-  low_discrepancy,  ///< Sobol sequences, as shipped
-  independent,      ///< each sample's are independent of all others'
+  low_discrepancy,  ///< Sobol sequences, the default
+  independent,      ///< independent for each sample
 };
 
-/// The points [first, first + count) of the pattern that `seed` makes: of a scrambled Sobol
-/// sequence, or independent ones.
+/// The points [first, first + count) of the pattern of `seed`: a scrambled Sobol sequence, or
+/// independent points.
 struct PointRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
   std::uint32_t seed = 0;
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
-  /// Columns and rows of cells that are visited in rounds, each once in a round, so that their
-  /// counts differ by one at most. `numbers` then has no effect. 0: no cells.
+  /// Columns and rows of cells that are each visited once per round, so that their counts differ by
+  /// at most one. `numbers` then has no effect. 0: no cells.
   IVec2 cells{0};
 };
 
-/// Its three steps are taken in turn, with the tracer between the last two. It keeps its buffers
-/// from pass to pass. The number of threads does not change the film; nor, with a Sobol sequence
-/// and samples that are left as they were drawn, does how a range is cut into passes.
+/// Its three steps are called in order, with the tracer between the last two. Buffers are reused
+/// from pass to pass. The film does not depend on the number of threads. With a Sobol sequence and
+/// unfiltered samples, it does not depend on a range's division into passes either.
 class SamplePass {
  public:
-  /// Sends `points` through an aimed sampler. The caller may take samples away before they are
-  /// numbered, and may move them if they are not weighed.
+  /// Maps `points` through an aimed sampler. The caller may remove samples before they are
+  /// numbered, and may move them if they are not weighted.
   std::vector<ViewSample>& draw_samples(const ViewSampler& sampler, const PointRange& points,
                                         const Workers& workers);
 
   /// Returns the jobs of the samples for the tracer, valid until the next pass.
   std::span<const SampleJob> number_samples(EquirectFilm& film, const Workers& workers);
 
-  /// Adds the radiance of each job, as PathTracer::trace gives it; returns what the film dropped.
-  /// weighs_by: samples are weighed by the inverse of this sampler's density within each pixel,
-  /// whose mean is then that of its area, unless the density varies too little for that to matter.
-  /// Null: all samples weigh the same.
+  /// Adds the radiance of each job, as from PathTracer::trace; returns the samples dropped by the
+  /// film. weighs_by: weights samples by the inverse of this sampler's density within each pixel,
+  /// which gives the mean over the pixel's area, unless the density is nearly constant. Null: equal
+  /// weights.
   std::vector<DroppedSample> add_radiance(std::span<const Rgb> radiance,
                                           const ViewSampler* weighs_by, EquirectFilm& film,
                                           const Workers& workers);

@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-/// PremultipliedTexel of eight squares, a lane each.
+/// PremultipliedTexel of eight squares, one per lane.
 struct PremultipliedTexels {
   Vec3s color;
   Floats weight;
@@ -28,14 +28,14 @@ Four load(const PremultipliedTexel& cell) {
   return four;
 }
 
-/// Four cells around each of eight points, and what each counts.
+/// Four cells around each of eight points, with their weights.
 struct Squares {
   std::array<const PremultipliedTexel*, lane_count> upper;  ///< the left one; the right one follows
   std::array<const PremultipliedTexel*, lane_count> lower;
   FloatLanes upper_left, upper_right, lower_left, lower_right;
 };
 
-/// Asks for the cells' memory too.
+/// Also prefetches the cells.
 void find_squares(const SpherePlanes<PremultipliedTexel>& cells, const Vec2s& image,
                   const Ints& level, Squares& squares) {
   const CellsAround at = cells_around(Vec2(cells.width(0), cells.height(0)), image, level);
@@ -66,11 +66,11 @@ PremultipliedTexels bilinear(const Squares& squares) {
   return {.color = {channel(0), channel(1), channel(2)}, .weight = channel(3)};
 }
 
-/// Mixes two levels; reads one alone where no point lies between two.
+/// Mixes two levels; reads one alone if no point lies between two.
 struct SquaresOfLevels {
   Squares finer;
   Squares coarser;
-  Floats t;  ///< what the coarser level counts
+  Floats t;  ///< weight of the coarser level
   bool is_between;
 };
 
@@ -82,7 +82,7 @@ void find_squares(const SpherePlanes<PremultipliedTexel>& cells, const ViewPoint
   const LaneMask is_between = squares.t > 0.0F;
   squares.is_between = any_lane(is_between);
   if (squares.is_between) {
-    // Of a mask, "all bits" is -1. Other lanes may have no coarser level.
+    // A mask's "all bits" is -1. Other lanes may have no coarser level.
     find_squares(cells, points.image, level - is_between, squares.coarser);
   }
 }
@@ -95,8 +95,8 @@ PremultipliedTexels trilinear(const SquaresOfLevels& squares) {
   return (1.0F - squares.t) * finer + squares.t * bilinear(squares.coarser);
 }
 
-/// Lets the levels from `level` on, one after the other, make up for what `known` lacks. One known
-/// pixel stands for its whole cell (as in Grossman and Dally 1998, "Point Sample Rendering").
+/// Completes `known` from the levels from `level` on, one after the other. One known pixel
+/// represents its whole cell (as in Grossman and Dally 1998, "Point Sample Rendering").
 void fill(const SpherePlanes<PremultipliedTexel>& cells, const Vec2s& image, Ints level,
           PremultipliedTexels& known) {
   constexpr float enough = 0.999F;

@@ -1,5 +1,5 @@
-// The levels of a pyramid over the sphere, laid out for reading, in memory that costs nothing until
-// it is written: no neighbour is ever missing.
+// Levels of a pyramid over the sphere, laid out for reading with complete neighbours, in lazily
+// allocated memory.
 #pragma once
 
 #include <cassert>
@@ -19,15 +19,15 @@ struct UnmapArray {
   void operator()(void* memory) const { ::munmap(memory, bytes); }
 };
 
-/// An array of items whose bytes are all zero. The system gives memory, page by page, where one is
-/// first written, whatever the array's size.
+/// An array of items whose bytes are all zero. The system allocates each page at its first write,
+/// whatever the array's size.
 template <typename Item>
 using LazyArray = std::unique_ptr<Item[], UnmapArray>;
 
 /// count: at least 1. Throws std::bad_alloc.
 template <typename Item>
 LazyArray<Item> make_lazy_array(std::size_t count) {
-  static_assert(std::is_trivially_copyable_v<Item>);  // so that zeros make one
+  static_assert(std::is_trivially_copyable_v<Item>);  // all-zero bytes are a valid item
   const std::size_t bytes = count * sizeof(Item);
   void* const mapped = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -37,13 +37,13 @@ LazyArray<Item> make_lazy_array(std::size_t count) {
   return LazyArray<Item>(static_cast<Item*>(mapped), UnmapArray{bytes});
 }
 
-/// Levels of values over an equirect image. Around each lies a margin of copies: beyond the seam is
-/// the image's other side, and over a pole the same row comes back half an image further.
+/// Levels of values over an equirect image, each with a margin of copies: beyond the seam the
+/// image's other side, beyond a pole the same row shifted by half an image.
 template <typename Value>
 class SpherePlanes {
  public:
-  /// Level 0 has width x height values, each further one half as many along a side, rounded up; all
-  /// zero bits, and without memory, where nothing was set. Throws std::bad_alloc.
+  /// Level 0 has width x height values, each further level half as many along a side, rounded up.
+  /// All bits are zero, and without memory, until set. Throws std::bad_alloc.
   SpherePlanes(int width, int height, int levels) {
     for (int level = 0; level < levels; ++level) {
       planes_.push_back(
@@ -55,15 +55,15 @@ class SpherePlanes {
   int width(int level) const { return plane(level).width; }
   int height(int level) const { return plane(level).height; }
 
-  /// x in [-1, width(level)], y in [-1, height(level)]. Values of a row follow one another; the
-  /// next row's are stride(level) further.
+  /// x in [-1, width(level)], y in [-1, height(level)]. Values of a row are contiguous; rows are
+  /// stride(level) apart.
   const Value* at(int level, int x, int y) const {
     const Plane& of = plane(level);
     return of.origin + y * of.stride + x;
   }
   std::ptrdiff_t stride(int level) const { return plane(level).stride; }
 
-  /// x in [0, width(level)), y in [0, height(level)); different values may be set at the same time.
+  /// x in [0, width(level)), y in [0, height(level)); different values may be set concurrently.
   void set(int level, int x, int y, const Value& value) {
     const Plane& of = plane(level);
     assert(x >= 0 && x < of.width && y >= 0 && y < of.height);
@@ -83,7 +83,7 @@ class SpherePlanes {
     int height;
     std::ptrdiff_t stride;
     LazyArray<Value> memory;
-    Value* origin;  ///< where the cell (0, 0) lies
+    Value* origin;  ///< the cell (0, 0)
   };
 
   static Plane make_plane(int width, int height) {
@@ -94,7 +94,7 @@ class SpherePlanes {
     return {width, height, stride, std::move(memory), origin};
   }
 
-  /// There, and beyond the seam.
+  /// Writes the value there, and its copy beyond the seam.
   static void put(const Plane& of, int x, int y, const Value& value) {
     Value* const row = of.origin + y * of.stride;
     row[x] = value;

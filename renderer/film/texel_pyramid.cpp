@@ -51,7 +51,7 @@ void TexelPyramid::clear(std::span<const std::uint32_t> filled) {
   const auto finest_width = static_cast<std::uint32_t>(width(0));
   std::uint32_t number = 0;
   for (Level& level : levels_) {
-    // Cells in a row are emptied several times faster than cells here and there.
+    // Contiguous cells are emptied several times faster than scattered ones.
     constexpr std::size_t faster = 4;
     if (level.cells.size() <= faster * filled.size()) {
       std::fill(level.cells.begin(), level.cells.end(), PremultipliedTexel{});

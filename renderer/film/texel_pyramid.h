@@ -1,4 +1,4 @@
-// A pyramid of averages, and what one of its cells knows of its pixels.
+// A pyramid of averages of pixels that may lack samples.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace foveola {
 
-/// A square of pixels, those without samples counting as black and weightless: the sum of the
-/// colours over the number of all pixels, and the fraction that has samples. Their quotient is the
-/// mean of what is known, so that an unsampled pixel neither darkens nor brightens its neighbours.
+/// A square of pixels, where pixels without samples count as black and weightless: the sum of the
+/// colours over the number of all pixels, and the fraction with samples. Their quotient is the mean
+/// of the sampled pixels, so that an unsampled pixel neither darkens nor brightens its neighbours.
 struct PremultipliedTexel {
   Rgb color{0.0F};
   float weight = 0.0F;
@@ -27,15 +27,15 @@ inline PremultipliedTexel operator*(float factor, const PremultipliedTexel& texe
   return {factor * texel.color, factor * texel.weight};
 }
 
-/// The texel of the square that four equal ones make up.
+/// The texel of the square of four equal ones.
 inline PremultipliedTexel mean_of(const PremultipliedTexel& a, const PremultipliedTexel& b,
                                   const PremultipliedTexel& c, const PremultipliedTexel& d) {
   return {0.25F * ((a.color + b.color) + (c.color + d.color)),
           0.25F * ((a.weight + b.weight) + (c.weight + d.weight))};
 }
 
-/// The texel of the square at (x, y) one level up from width x height cells, which cell(x, y)
-/// returns: what reaches beyond them is empty.
+/// The texel of the square at (x, y) one level up from width x height cells, given by cell(x, y);
+/// cells beyond them are empty.
 template <typename Cell>
 PremultipliedTexel mean_of_square(int x, int y, int width, int height, const Cell& cell) {
   const auto known = [&](int column, int row) -> PremultipliedTexel {
@@ -58,12 +58,12 @@ class TexelPyramid {
     const Level& at = levels_[static_cast<std::size_t>(level)];
     return at.cells[static_cast<std::size_t>(y * at.width + x)];
   }
-  /// The finest level's cells, row by row; different cells may be written at the same time.
+  /// The finest level's cells, row by row; different cells may be written concurrently.
   PremultipliedTexel& finest(std::uint32_t index) { return levels_.front().cells[index]; }
 
-  /// Averages anew what lies above these cells of the finest level.
+  /// Updates the averages above these cells of the finest level.
   void refresh(std::vector<std::uint32_t> changed);
-  /// Empties these cells of the finest level, and what lies above them.
+  /// Empties these cells of the finest level, and updates the averages above.
   void clear(std::span<const std::uint32_t> filled);
 
  private:

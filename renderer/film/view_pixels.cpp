@@ -19,16 +19,16 @@ constexpr int mantissa_bits = 52;
 constexpr std::uint64_t bias = 1023;
 constexpr std::uint64_t bits_of_one = bias << mantissa_bits;
 
-/// The integer as a double: numbers from 2^52 on are a unit apart, and their bits count them.
+/// The integer as a double: doubles from 2^52 are a unit apart, and their bits count them.
 double double_of(std::uint64_t small) {
   constexpr std::uint64_t bits_of_2_to_52 = (bias + mantissa_bits) << mantissa_bits;
   constexpr double two_to_52 = 4503599627370496.0;
   return std::bit_cast<double>(bits_of_2_to_52 | small) - two_to_52;
 }
 
-/// log2 within 1e-14, without branches or calls, so that compilers make several at a time: the
-/// exponent, and of a mantissa m in [sqrt(1/2), sqrt(2)) the series
-/// ln m = 2 (s + s^3/3 + s^5/5 + ...) with s = (m - 1) / (m + 1).
+/// log2 within 1e-14, without branches or calls, so that compilers vectorise it: the exponent, plus
+/// for a mantissa m in [sqrt(1/2), sqrt(2)) the series ln m = 2 (s + s^3/3 + s^5/5 + ...) with s =
+/// (m - 1) / (m + 1).
 double near_log2(double number) {
   constexpr std::uint64_t bits_of_root_of_half = 0x3FE6A09E667F3BCD;
   const auto bits = std::bit_cast<std::uint64_t>(number);
@@ -48,7 +48,7 @@ double near_log2(double number) {
   return exponent + 2.0 * std::numbers::log2e * s * series;
 }
 
-/// How many cells of level 0 a patch of `sr` steradians is wide.
+/// Width of a patch of `sr` steradians, in cells of level 0.
 double cells_across(double sr, int image_height) {
   const double cell_rad = std::numbers::pi / image_height;
   return std::sqrt(sr) / cell_rad;
@@ -72,13 +72,13 @@ Floats pick(const std::vector<float>& numbers, const EightPixels& at) {
 
 constexpr int tile_side = EquirectFilm::tile_size;
 
-/// Columns or rows. Of those within a tile's side of the tile that begins at `begin`, these lie in
-/// all the tiles that there are: the last tile of the image may be narrower than others.
+/// Columns or rows. Of those within a tile's side of the tile at `begin`, these cover all tiles:
+/// the image's last tile may be narrower than others.
 std::array<int, 5> ends_around(int begin) {
   return {begin - tile_side, begin - 1, begin, begin + tile_side, begin + 2 * tile_side - 1};
 }
 
-/// A mark for each tile of a film.
+/// A mark per tile of a film.
 class TileMarks {
  public:
   explicit TileMarks(const EquirectFilm& film)
@@ -116,7 +116,7 @@ class TileMarks {
   }
   void mark_columns_around(int begin, int y) {
     for (const int x : ends_around(begin)) {
-      // Images narrower than a tile are passed around more than once.
+      // Images narrower than a tile wrap more than once.
       const int wrapped = (x % film_.width() + film_.width()) % film_.width();
       marks_[film_.tile_of(wrapped, y)] = 1;
     }
@@ -130,7 +130,7 @@ class TileMarks {
 
 void rounded_log2(std::span<const double> numbers, std::span<float> logs) {
   assert(numbers.size() == logs.size());
-  // Where all that is as near rounds to one float, so does the library's.
+  // If all numbers this near round to one float, so does the library's.
   constexpr double margin = 1e-12;
   constexpr std::size_t block = 64;
   for (std::size_t begin = 0; begin < numbers.size(); begin += block) {
@@ -159,7 +159,7 @@ ViewPixels::ViewPixels(int width, int height)
       level_(whole_lanes(width, height)) {}
 
 void ViewPixels::place(const Viewport& viewport, int begin, int end) {
-  // A copy that no store below can reach, so that compilers make eight pixels at a time.
+  // A copy that no store below can alias, so that compilers vectorise over eight pixels.
   const Viewport view = viewport;
   for (int y = begin; y < end; ++y) {
     float* const u = &u_[row(y)];
@@ -232,7 +232,7 @@ void TilesInView::mark(const Vec2s& image) {
   const Ints tiles = row * film_->tiles_across() + column;
   std::int32_t marked = -1;
   for (std::size_t i = 0; i < lane_count; ++i) {
-    // Neighbours mostly lie in the same one.
+    // Neighbours are mostly in the same tile.
     if (tiles[i] != marked) {
       marked = tiles[i];
       is_marked_[static_cast<std::size_t>(marked)].store(true, std::memory_order_relaxed);

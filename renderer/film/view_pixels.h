@@ -1,5 +1,4 @@
-// Where the pixels of a view lie on the equirect image, how large they are on it, and which tiles
-// of a film they are made from.
+// The places of a view's pixels on the equirect image, their levels, and their tiles.
 #pragma once
 
 #include <array>
@@ -16,32 +15,31 @@
 namespace foveola {
 
 /// Sets each of `logs` to static_cast<float>(std::log2(number)), to the bit, for a library whose
-/// log2 is right within 1e-12. numbers: positive and normal, as many as logs.
+/// log2 is exact within 1e-12. numbers: positive and normal, as many as logs.
 void rounded_log2(std::span<const double> numbers, std::span<float> logs);
 
 /// The numbers of eight pixels of a view, row by row.
 using EightPixels = std::array<std::uint32_t, lane_count>;
 
-/// What is known of a view of width x height pixels: positions, which turn with the head, and
-/// levels, which depend on the lens and the fields of view alone. Different rows may be worked out
-/// at the same time.
+/// Data of a view of width x height pixels: positions, which depend on the head, and levels, which
+/// depend only on the lens and the fields of view. Different rows may be computed concurrently.
 class ViewPixels {
  public:
   ViewPixels(int width, int height);
   std::uint32_t count() const { return static_cast<std::uint32_t>(width_) * height_; }
 
-  /// Works out the positions in the rows [begin, end).
+  /// Computes the positions in the rows [begin, end).
   void place(const Viewport& viewport, int begin, int end);
-  /// Works out the levels, for a pyramid over an equirect image of `image_height` pixels: those
-  /// whose cells are as high as a pixel of the view is wide. Towards the poles cells become
-  /// narrower than that: taking a coarser level would blur upwards and downwards.
+  /// Computes the levels, for a pyramid over an equirect image of `image_height` pixels: cells as
+  /// high as a pixel of the view is wide. Towards the poles cells are narrower: a coarser level
+  /// would blur vertically.
   void choose_levels(const Viewport& viewport, int image_height, int last_level, int begin,
                      int end);
 
   float highest_level() const;
   ViewPoints points(const EightPixels& pixels) const;
-  /// The points of the eight pixels from `first` on; beyond the last pixel they lie where that
-  /// does, on some level.
+  /// The points of the eight pixels from `first`; those beyond the last pixel equal it, on some
+  /// level.
   ViewPoints points_from(std::size_t first) const;
 
  private:
@@ -58,24 +56,24 @@ class ViewPixels {
   std::vector<float> level_;
 };
 
-/// The level, in between two of them perhaps, whose cells are as high as a patch of `sr` steradians
-/// is wide, over an equirect image of `image_height` pixels. At least 0.
+/// The fractional level whose cells are as high as a patch of `sr` steradians is wide, over an
+/// equirect image of `image_height` pixels. At least 0.
 float level_for(double sr, int image_height);
 
-/// Marks the tiles that a view's pixels lie in, and finds what lies around them.
+/// Marks the tiles of a view's pixels, and finds their surroundings.
 class TilesInView {
  public:
   /// film must outlive this.
   explicit TilesInView(const EquirectFilm& film);
 
   void forget();
-  /// Marks the tiles at eight positions on the image. May be called from many threads.
+  /// Marks the tiles at eight positions on the image. Thread-safe.
   void mark(const Vec2s& image);
 
-  /// Returns, in ascending order and without repetition, the tiles of which some pixel is less than
-  /// a tile's side to the left, right, above or below of one in a marked tile, beyond the seam and
-  /// the poles too (there perhaps some more). Every cell that fewer than FilmTile::levels levels
-  /// blend at a marked position is in them: it reaches 24 pixels at most.
+  /// Returns, ascending and without repetition, the tiles with a pixel less than a tile's side to
+  /// the left, right, above or below of one in a marked tile. Includes those beyond the seam and
+  /// the poles (there perhaps some more). They hold every cell that fewer than FilmTile::levels
+  /// levels blend at a marked position, at most 24 pixels away.
   std::vector<std::uint32_t> around() const;
 
  private:

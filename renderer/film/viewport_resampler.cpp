@@ -12,7 +12,7 @@
 namespace foveola {
 namespace {
 
-/// An image whose pixels are all known, as a pyramid.
+/// A complete image as a pyramid.
 SpherePlanes<PremultipliedTexel> pyramid_over(const RgbImage& panorama, int levels) {
   SpherePlanes<PremultipliedTexel> cells(panorama.width, panorama.height, levels);
   for (int y = 0; y < panorama.height; ++y) {
@@ -32,7 +32,7 @@ SpherePlanes<PremultipliedTexel> pyramid_over(const RgbImage& panorama, int leve
   return cells;
 }
 
-/// Rows of the view, or pixels, that one task works on: whole groups of eight.
+/// Rows of the view, or pixels, per task: whole groups of eight.
 constexpr std::size_t rows_in_task = 16;
 constexpr std::size_t pixels_in_task = 4096;
 static_assert(rows_in_task % lane_count == 0 && pixels_in_task % lane_count == 0);
@@ -228,7 +228,7 @@ void FilmResampler<Image>::paint_changed(std::size_t begin, std::size_t end) {
     changed[count] = static_cast<std::uint32_t>(pixel);
     count += copy_.changes().changed_at(squares_[pixel]) > shown_at_ ? 1 : 0;
   }
-  // The last group is made whole with pixels that are there.
+  // Completes the last group with valid pixels.
   std::fill_n(changed.begin() + count, lane_count, static_cast<std::uint32_t>(begin));
   std::array<EightPixels, max_view_points> pixels;
   std::array<ViewPoints, max_view_points> points;

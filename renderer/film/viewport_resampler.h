@@ -1,4 +1,4 @@
-// What the display shows of a film: one image, or frame after frame.
+// Resamples a film to a display's view, once or frame by frame.
 #pragma once
 
 #include <cstdint>
@@ -17,41 +17,39 @@
 
 namespace foveola {
 
-/// Pixels of a display's image where nobody asks for others.
+/// Default size of a display's image, in pixels.
 inline constexpr IVec2 default_view_size{640, 640};
 
-/// Resamples the film to a view of width x height pixels, trilinearly: a pixel of the display is
-/// read from the levels of the film's pyramid whose cells are as high as it is. Film pixels are
-/// weighted by whether they have samples, so an unsampled one neither darkens nor brightens its
-/// neighbours. Right across the seam and over the poles, for sizes that both 32 and the levels used
-/// divide; other sizes are off by less than a cell at the seam of the coarser levels. Linear
-/// radiance.
+/// Resamples the film to a view of width x height pixels, trilinearly: a display pixel is read from
+/// the levels of the film's pyramid whose cells are as high as it. Unsampled film pixels have no
+/// weight, so that they neither darken nor brighten their neighbours. Exact across the seam and the
+/// poles for sizes that are divisible by 32 and the levels' cells; others are off by less than a
+/// cell at the seam of the coarser levels. Linear radiance.
 RgbImage viewport_image(const EquirectFilm& film, const Viewport& viewport, int width, int height,
                         UnsampledPixels unsampled, const Workers& workers);
 
-/// Resamples an image whose pixels are all known, such as a reference.
+/// Resamples a complete image, such as a reference.
 RgbImage viewport_image(const RgbImage& panorama, const Viewport& viewport, int width, int height);
 
 struct ViewImage {
   int width = 0;  ///< pixels
   int height = 0;
   UnsampledPixels unsampled = UnsampledPixels::black;
-  /// Encoded for a display after this exposure, as display_image does it. None: linear radiance.
+  /// Encodes for a display after this exposure, as display_image does. nullopt: linear radiance.
   std::optional<double> exposure_stops;
   ToneCurve curve = ToneCurve::plain;  ///< after the exposure
 
   bool operator==(const ViewImage&) const = default;
 };
 
-/// Shows exactly what viewport_image shows, to the bit or rounded to 8 bits, and does not do again
-/// what stays the same from frame to frame: where the view's pixels lie while the head is still,
-/// their levels until the lens or the fields of view change, and then all but the pixels of the
-/// view near new samples. Tiles out of sight are neither copied nor cleared until they come into
-/// sight.
+/// Gives the result of viewport_image, to the bit or rounded to 8 bits, and reuses work between
+/// frames. Pixel positions are kept while the head is still, levels until the lens or the fields of
+/// view change, and then all view pixels without new samples nearby. Tiles out of sight are copied
+/// or cleared only once they come into sight.
 ///
-/// Every pixel is made anew while the head turns, after a clear or another look, where unsampled
-/// pixels are filled, if a pixel of the view is larger than 16 pixels of the film, and for films
-/// whose sides 32 does not divide.
+/// All pixels are recomputed while the head turns, and after a clear or a changed look. So they are
+/// where unsampled pixels are filled, if a view pixel is larger than 16 film pixels, and for films
+/// whose sides are not divisible by 32.
 ///
 /// Image: RgbImage, or ByteImage, which needs an exposure.
 template <typename Image>
@@ -60,21 +58,21 @@ class FilmResampler {
   /// film must outlive this.
   FilmResampler(const EquirectFilm& film, const ViewImage& settings);
 
-  /// What the image looks like from the next one on: the settings but for the size, which stays.
+  /// Changes the settings of the next images, except their size.
   void change_look(const ViewImage& settings);
 
-  /// The film as it is now, seen through `viewport`. The image stays until the next call.
+  /// The current film, seen through `viewport`. The image is valid until the next call.
   const Image& show(const Viewport& viewport, const Workers& workers);
 
  private:
-  /// Works out what depends on the viewport alone, but for the squares.
+  /// Computes all data that depends on the viewport alone, except the squares.
   void aim(const Viewport& viewport, const Workers& workers);
   bool has_same_lens(const Viewport& viewport) const;
-  /// Works out what depends on the levels of pixels and on whether unsampled ones are filled.
+  /// Computes all data that depends on the pixels' levels and on filling.
   void note_levels();
   void find_squares(const Workers& workers);
-  /// Makes the pixels [begin, end) anew: all of them, or those whose cells changed. `begin` is a
-  /// multiple of eight.
+  /// Recomputes the pixels [begin, end): all, or those whose cells changed. `begin` is a multiple
+  /// of eight.
   void paint_all(std::size_t begin, std::size_t end);
   void paint_changed(std::size_t begin, std::size_t end);
   void paint(std::span<const EightPixels> pixels, std::span<const ViewPoints> points);
@@ -83,16 +81,16 @@ class FilmResampler {
   UnsampledPixels unsampled_ = UnsampledPixels::black;
   std::optional<float> exposure_;  ///< linear
   ToneCurve curve_ = ToneCurve::plain;
-  bool has_new_look_ = true;  ///< no image was made with it yet
+  bool has_new_look_ = true;  ///< no image has been made with it
   FilmCopy copy_;
   ViewPixels pixels_;
   TilesInView tiles_in_view_;
-  std::vector<std::uint32_t> tiles_;  ///< tiles that the view is made from
-  bool reads_above_tiles_ = false;    ///< or from levels that have no tiles
-  bool knows_changes_ = false;        ///< whether SquareChanges fits film and view
+  std::vector<std::uint32_t> tiles_;  ///< tiles in the view
+  bool reads_above_tiles_ = false;    ///< or in levels above tiles
+  bool knows_changes_ = false;        ///< whether SquareChanges supports film and view
   std::vector<std::uint32_t>
-      squares_;  ///< each pixel's square of SquareChanges; empty: not found yet
-  std::optional<Viewport> viewport_;  ///< shown last
+      squares_;  ///< each pixel's square of SquareChanges; empty: not yet computed
+  std::optional<Viewport> viewport_;  ///< the last viewport
   FilmRevision shown_at_ = 0;
   Image image_;
 };
@@ -100,9 +98,9 @@ class FilmResampler {
 extern template class FilmResampler<RgbImage>;
 extern template class FilmResampler<ByteImage>;
 
-/// What analyses and simulated participants see.
+/// For analyses and simulated participants.
 using ViewportResampler = FilmResampler<RgbImage>;
-/// What a window shows.
+/// For windows.
 using DisplayResampler = FilmResampler<ByteImage>;
 
 }  // namespace foveola

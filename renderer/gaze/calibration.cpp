@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// How far targets reach on the image plane at distance 1.
+/// Targets' maximum distance from the centre, on the image plane at distance 1.
 double reach(double fov_deg) {
   constexpr double part_of_view = 0.8;
   constexpr double farthest_deg = 20.0;
@@ -24,7 +24,7 @@ DVec2 angles_deg(const Vec3& direction) {
   return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};
 }
 
-/// What a row of a correction multiplies: 1, azimuth and elevation.
+/// The factors of a correction's row: 1, azimuth and elevation.
 DVec3 weighed(const Vec3& seen) {
   const DVec2 angles = angles_deg(seen);
   return {1.0, angles.x, angles.y};

@@ -30,7 +30,7 @@ GazeMark mark_of(const EyeMovement& movement) {
   return movement.end - movement.start <= longest_hold ? GazeMark::blink : GazeMark::none;
 }
 
-/// A valid sample ends a time without data, and belongs to the movement that comes then.
+/// A valid sample ends a gap, and belongs to the next movement.
 bool leads_to(const EyeMovement& movement, const GazeSample& sample) {
   const bool ends_no_data = movement.kind == EyeMovementKind::no_data && sample.valid;
   return ends_no_data ? sample.time < movement.end : sample.time <= movement.end;

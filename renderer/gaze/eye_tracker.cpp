@@ -31,7 +31,7 @@ Vec3 with_bias(const Vec3& direction, double right_deg, double up_deg) {
 }
 
 constexpr Nanoseconds interval = std::chrono::milliseconds(8);
-/// Nobody who has not asked for so long wants to know all that was meanwhile.
+/// After so long a pause between polls, older samples are of no interest.
 constexpr Nanoseconds longest_gap = std::chrono::seconds(5);
 
 }  // namespace
@@ -61,7 +61,7 @@ Nanoseconds SimulatedEyeTracker::exposure_time(std::int64_t index) const {
 
 std::int64_t SimulatedEyeTracker::last_exposure(Nanoseconds time) const {
   const auto index = static_cast<std::int64_t>(std::floor(seconds(time) * settings_.rate_hz));
-  // The product may be rounded across an exposure.
+  // The product may round across an exposure.
   if (exposure_time(index + 1) <= time) {
     return index + 1;
   }
@@ -74,7 +74,7 @@ GazeSample SimulatedEyeTracker::expose(std::int64_t index) const {
   if (!eye) {
     return {.time = time};
   }
-  // Keyed by the sample's index: what the host polls does not change what the tracker saw.
+  // Keyed by the sample's index: polls do not change the tracker's samples.
   Pcg32 noise(settings_.seed, static_cast<std::uint64_t>(index));
   const Vec3 biased = with_bias(*eye, settings_.bias_right_deg, settings_.bias_up_deg);
   const Vec3 seen = with_noise(biased, settings_.precision_deg, noise);
@@ -103,7 +103,7 @@ void PointerEyeTracker::point_at(Nanoseconds time, const std::optional<Vec3>& di
   const auto is_recent = [&](const GazeSample& e) { return time - e.time <= longest_gap; };
   const auto recent = std::find_if(events_.cbegin(), events_.cend(), is_recent);
   if (recent != events_.cbegin()) {
-    events_.erase(events_.cbegin(), std::prev(recent));  // keeps where it was before
+    events_.erase(events_.cbegin(), std::prev(recent));  // keeps the position before
   }
 }
 

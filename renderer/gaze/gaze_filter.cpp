@@ -16,17 +16,17 @@ namespace {
 constexpr Nanoseconds longest_to_fit = std::chrono::milliseconds(100);
 constexpr Nanoseconds shortest_to_fit = std::chrono::milliseconds(40);
 constexpr std::size_t min_to_fit = 5;
-/// In standard errors: what is no faster may be noise.
+/// In standard errors: slower velocities may be noise.
 constexpr double doubted_velocity = 4.0;
 constexpr double largest_turn_rad = radians(2.0);
 
 /// A steady angular velocity.
 struct Fit {
   DVec3 velocity_rad_s{0.0};
-  double noise_rad2_s2 = 0.0;  ///< the mean square of the velocity if all were noise
+  double noise_rad2_s2 = 0.0;  ///< mean square of the velocity due to noise alone
 };
 
-/// From the newest sample's time and direction to those of another one.
+/// From the newest sample's time and direction to another one's.
 struct Way {
   double time_s = 0.0;
   DVec3 turn_rad{0.0};
@@ -69,7 +69,7 @@ Fit fit(std::span<const GazeSample> samples) {
           .noise_rad2_s2 = scatter_rad2 / ((count - 2.0) * spread_s2)};
 }
 
-/// What is believed of the velocity that was fitted.
+/// The fitted velocity after shrinkage.
 DVec3 shrunk(const Fit& fit) {
   const double doubted = doubted_velocity * doubted_velocity * fit.noise_rad2_s2;
   const double square = glm::dot(fit.velocity_rad_s, fit.velocity_rad_s);
@@ -86,7 +86,7 @@ bool suffice(std::span<const GazeSample> samples) {
          samples.back().time - samples.front().time >= shortest_to_fit;
 }
 
-/// The weight of a new value in an exponential low pass, `interval_s` after the last (algorithm 2).
+/// Weight of a new value in an exponential low pass, `interval_s` after the last (algorithm 2).
 double smoothing_factor(double cutoff_hz, double interval_s) {
   const double time_constant_s = 1.0 / (2.0 * std::numbers::pi * cutoff_hz);
   return 1.0 / (1.0 + time_constant_s / interval_s);

@@ -11,12 +11,12 @@
 namespace foveola {
 namespace {
 
-/// The fewest samples: those of a fixation at the slowest trackers, 30 Hz (assumed).
+/// Minimum number of samples: those of a fixation at the slowest trackers, 30 Hz (assumed).
 constexpr std::size_t min_samples = 10;
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
-/// The intervals between samples that arrived one after the other, valid or not.
+/// The median interval between successive samples, valid or not.
 std::optional<double> default_interval_s(std::span<const WatchedTarget> watched) {
   std::vector<double> intervals_s;
   for (const WatchedTarget& target : watched) {
@@ -37,7 +37,7 @@ double data_loss(const WatchedTarget& target, std::optional<double> interval_s) 
   return std::clamp(1.0 - valid / expected, 0.0, 1.0);
 }
 
-/// Rayleigh-distributed velocities, which noise makes, exceed six times their median once in 10^10.
+/// Rayleigh-distributed velocities, as of noise, exceed six times their median once in 10^10.
 EyeMovementSettings settings_for(const std::vector<GazeSample>& samples) {
   constexpr double medians = 6.0;
   EyeMovementSettings settings;
@@ -59,7 +59,7 @@ EyeMovementSettings settings_for(const std::vector<GazeSample>& samples) {
 /// The eye at rest.
 struct Fixated {
   std::vector<Vec3> directions;
-  std::vector<double> steps_deg;  ///< between those that follow each other without a saccade
+  std::vector<double> steps_deg;  ///< between successive samples without a saccade
 };
 
 Fixated fixated(const std::vector<GazeSample>& samples) {

@@ -9,20 +9,20 @@
 
 namespace foveola {
 
-/// Begins to look for the tracker at once, and does not wait for it. screen: what it watches the
-/// eyes look at. clock: that of samples, steady, must outlive the tracker. A simulated one watches
-/// a simulated eye whose time begins now, as does a recording's. Throws Error if a host is unknown,
-/// a recording bad, or the tracker a window's pointer.
+/// Begins to connect to the tracker at once, without waiting. screen: the screen that the tracker
+/// observes. clock: of the samples, steady, must outlive the tracker. A simulated eye's time, and a
+/// recording's, begins now. Throws Error for an unknown host or a bad recording, or if the tracker
+/// is a window's pointer.
 std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                              const Clock& clock);
 
-/// The tracker of the person who looks into a window.
+/// The tracker of a person in front of a window.
 struct WindowEyeTracker {
   std::unique_ptr<EyeTracker> tracker;
-  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the window is to move its pointer
+  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the window has to move its pointer
 };
 
-/// As open_eye_tracker(), but opens the window's pointer too.
+/// As open_eye_tracker(), but also opens the window's pointer.
 WindowEyeTracker open_window_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                          const Clock& clock);
 

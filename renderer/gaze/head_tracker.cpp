@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// What a stick asks for, rightwards and downwards, as a part of full speed: at most 1 long.
+/// A stick's demand, rightwards and downwards, as a share of full speed: at most 1 long.
 DVec2 part_asked_for(const DVec2& stick, const StickResponse& response) {
   const double push = glm::length(stick);
   const double travel = (push - response.dead_zone) / (response.full_push - response.dead_zone);

@@ -1,5 +1,5 @@
-// How long it takes from the eye's movement to the light of a frame that knows of it: the budget of
-// Koskela et al. 2018, figure 7.
+// Latency from the eye's movement to the light of the frame that reflects it: the budget of Koskela
+// et al. 2018, figure 7.
 #pragma once
 
 #include <array>
@@ -19,18 +19,18 @@ struct KnownDuration {
   Provenance provenance = Provenance::assumed;
 };
 
-/// What the budget is made of. Rates are positive.
+/// The components of the budget. Rates are positive.
 struct LatencyInputs {
   double tracker_rate_hz = 0.0;
   KnownDuration exposure;  ///< exposure time of one of the tracker's images
   KnownDuration transfer;
   KnownDuration processing;
-  KnownDuration frame_interval;  ///< time from one look at the newest gaze to the next
+  KnownDuration frame_interval;  ///< from one poll of the gaze to the next
   std::optional<KnownDuration>
-      waiting;  ///< how long the gaze waited for a certain frame, where it is known
+      waiting;  ///< the gaze's waiting time in a particular frame, if known
   KnownDuration tracing;
   KnownDuration film_and_resample;
-  KnownDuration present;   ///< presenting, the wait for the display's next refresh included
+  KnownDuration present;   ///< presentation, including the wait for the display's next refresh
   KnownDuration scan_out;  ///< until all of the frame is lit
 };
 
@@ -55,17 +55,17 @@ using LatencyStages = std::array<LatencyStage, 8>;
 /// 12.3 + 2 + 4 + 14 + 14 + 14 = 60.3 ms.
 LatencyStages latency_stages(const LatencyInputs& inputs);
 
-/// The sums over `stages`, measured only if all of them are.
+/// Sums over `stages`; measured only if all of them are.
 LatencyStage total_latency(std::span<const LatencyStage> stages);
 
-/// What a stage took in many frames.
+/// A stage's durations over many frames.
 struct LatencySpread {
   std::string_view name;
-  double best_s = 0.0;  ///< the best of all frames
+  double best_s = 0.0;  ///< minimum over all frames
   double median_s = 0.0;
   double percentile_95_s = 0.0;
   double worst_s = 0.0;
-  Provenance provenance = Provenance::assumed;  ///< measured if it is so in every frame
+  Provenance provenance = Provenance::assumed;  ///< measured if it is in every frame
 };
 
 struct LatencyReport {
@@ -73,8 +73,8 @@ struct LatencyReport {
   LatencySpread total;  ///< spread of the frames' totals, not the sum of the stages' spreads
 };
 
-/// frames: at least one. What lies between a frame's best and worst case is equally likely, for the
-/// eye moves at any moment: median and percentile are over frames and moments.
+/// frames: at least one. Between a frame's best and worst case every latency is equally likely,
+/// since the eye moves at any moment: median and percentile are over frames and moments.
 LatencyReport latency_report(std::span<const LatencyStages> frames);
 
 }  // namespace foveola

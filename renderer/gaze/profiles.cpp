@@ -246,7 +246,7 @@ auto read_profile(std::string_view folder, const std::string& name_or_path, cons
   return profile;
 }
 
-/// The recording that a profile, which may be anybody's, names.
+/// The recording named by a profile, which is untrusted.
 fs::path recording_beside(const fs::path& profile, const fs::path& recording) {
   try {
     return confined_path(fs::absolute(profile).parent_path(), recording);

@@ -42,7 +42,7 @@ std::size_t count_fields(std::string_view header) {
   return static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
 }
 
-/// The header that a file's first row is. Throws Error if it is none.
+/// The header in a file's first row. Throws Error if it is not one.
 std::string_view header_of(const CsvRow& first, const std::string& file,
                            const RecordingFormat& format) {
   const std::string found = fmt::format("{}", fmt::join(first, ","));
@@ -63,7 +63,7 @@ bool is_unit(const Vec3& direction) {
   return std::fabs(glm::length(direction) - 1.0F) <= length_tolerance;
 }
 
-/// Left alone, bit for bit, if its length is 1 as exactly as floats can say.
+/// Unchanged, bit for bit, if its length is 1 within a float's precision.
 Vec3 unit(const Vec3& direction) {
   constexpr float rounding = 1e-6F;
   return std::fabs(glm::length(direction) - 1.0F) <= rounding ? direction

@@ -1,10 +1,8 @@
-// Files of recorded gaze and head poses as comma-separated values, and the trackers that replay
-// them.
+// Recordings of gaze and head poses as comma-separated values, and the trackers that replay them.
 //
 // A gaze recording's first line is "time_ns,x,y,z,valid". Each further line is a sample: its time
 // in whole nanoseconds from 0 on, later than the one before; the direction's components, of unit
-// length in the head's axes; and 1. Where the tracker saw no eye, x, y and z are empty, and the
-// last is 0:
+// length in the head's axes; and 1. For an invalid sample, x, y and z are empty, and the last is 0:
 //
 //   time_ns,x,y,z,valid
 //   0,0.6,0,-0.8,1
@@ -27,29 +25,29 @@
 
 namespace foveola {
 
-/// How long a recording may be: 10^9 seconds.
+/// Maximum duration of a recording: 10^9 seconds.
 inline constexpr Nanoseconds longest_recording{1'000'000'000'000'000'000};
 
 struct RecordingFormat {
   std::string_view name;    ///< "gaze recording", for errors
   std::string_view header;  ///< the fields' names: "time_ns,x,y"
-  /// The same with more fields, for files that have those, too; empty: there are none.
+  /// A longer header for files with more fields; empty: none.
   std::string_view longer_header = {};
 };
 
 /// A line after the first.
 class RecordedLine {
  public:
-  /// where: "FILE:LINE". header: must outlive it. Throws Error if there are other fields than its,
-  /// or the first is no time.
+  /// where: "FILE:LINE". header: must outlive it. Throws Error for other fields than the header's,
+  /// or if the first is not a time.
   RecordedLine(CsvRow fields, std::string where, std::string_view header);
 
   Nanoseconds time() const { return time_; }
   std::size_t field_count() const { return fields_.size(); }
   /// The field's text; the time is number 0.
   std::string_view field(std::size_t number) const { return fields_[number]; }
-  /// The field as a number. Throws Error if it is none from `minimum` to `maximum`. Value: float,
-  /// double or std::int64_t.
+  /// The field as a number. Throws Error if it is not one from `minimum` to `maximum`. Value:
+  /// float, double or std::int64_t.
   template <typename Value>
   Value value(std::size_t number, Value minimum, Value maximum) const;
 
@@ -62,50 +60,49 @@ class RecordedLine {
   Nanoseconds time_{0};
 };
 
-/// Calls `take` with one line after the other, at least one. Lines may end with CR LF. Throws Error
-/// with FILE:LINE if the file is not as above.
+/// Calls `take` with each line, at least one. Lines may end with CR LF. Throws Error with FILE:LINE
+/// if the file has another format.
 void read_recording(const std::filesystem::path& file, const RecordingFormat& format,
                     const std::function<void(const RecordedLine&)>& take);
 
-/// Whether each moment is later than the one before. Moment: has a `time`.
+/// Whether times strictly ascend. Moment: has a `time`.
 template <typename Moment>
 bool times_ascend(std::span<const Moment> moments) {
   const auto is_not_earlier = [](const Moment& a, const Moment& b) { return a.time >= b.time; };
   return std::adjacent_find(moments.begin(), moments.end(), is_not_earlier) == moments.end();
 }
 
-/// Whether a file of these moments could be read, as far as their times go.
+/// Whether these moments' times could be read from a file.
 template <typename Moment>
 bool has_recordable_times(std::span<const Moment> moments) {
   return !moments.empty() && times_ascend(moments) && moments.front().time >= Nanoseconds::zero() &&
          moments.back().time <= longest_recording;
 }
 
-/// At least one pose, bit for bit as written; azimuths of at most 1000 either way, and no roll
-/// where the file has none. Throws Error with file:line for anything else than the above; lines may
-/// end with CR LF.
+/// At least one pose, bit for bit as written; azimuths within 1000 either way, roll 0 if the file
+/// has none. Throws Error with file:line for another format; lines may end with CR LF.
 std::vector<HeadPose> read_head_file(const std::filesystem::path& file);
 
-/// Replays poses: one of time t is taken at start + t. poses: at least one, times ascending. Throws
+/// Replays poses: the one of time t at start + t. poses: at least one, times ascending. Throws
 /// Error otherwise.
 ScriptedHeadTracker replayed_head(std::vector<HeadPose> poses, Nanoseconds start);
 
-/// At least one sample. Throws Error with file:line for anything else than the above; lines may end
-/// with CR LF, and a direction may be off unit length by a thousandth.
+/// At least one sample. Throws Error with file:line for another format; lines may end with CR LF,
+/// and a direction's length may deviate from 1 by a thousandth.
 std::vector<GazeSample> read_gaze_file(const std::filesystem::path& file);
 
-/// Directions come back bit for bit. samples: at least one, times from 0 ascending, directions of
-/// unit length where valid. Throws Error if they are not so, or the file cannot be written.
+/// Directions are restored bit for bit. samples: at least one, times from 0 ascending, directions
+/// of unit length if valid. Throws Error otherwise, or if the file cannot be written.
 void write_gaze_file(const std::filesystem::path& file, std::span<const GazeSample> samples);
 
-/// Samples that arrived one after the other, as they can be written and replayed: times count from
-/// the first one's, and what is not later than all before it is left out.
+/// Converts arrived samples to ones that can be written and replayed: times relative to the first
+/// one's; samples not later than all before are left out.
 std::vector<GazeSample> replayable(std::span<const GazeSample> arrived);
 
-/// Replays samples: one of time t is delivered at start + t + latency, as of start + t.
+/// Replays samples: the one of time t is delivered at start + t + latency, with the time start + t.
 class RecordedEyeTracker final : public EyeTracker {
  public:
-  /// samples: times ascending; there may be none. Throws Error otherwise.
+  /// samples: times ascending; may be empty. Throws Error otherwise.
   RecordedEyeTracker(std::vector<GazeSample> samples, Nanoseconds start, Nanoseconds latency);
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
@@ -113,7 +110,7 @@ class RecordedEyeTracker final : public EyeTracker {
   std::vector<GazeSample> samples_;
   Nanoseconds start_;
   Nanoseconds latency_;
-  std::size_t next_ = 0;  ///< the index of the sample to be delivered next
+  std::size_t next_ = 0;  ///< index of the next sample to deliver
 };
 
 }  // namespace foveola

@@ -15,12 +15,12 @@ namespace {
 constexpr double fastest_deg_s = 600.0;
 constexpr double curvature_deg = 6.0;
 
-/// So long before its start and after its end, no double-precision angle shows a saccade.
+/// Before its start and after its end by this time, a saccade is below double precision.
 constexpr Nanoseconds fade = std::chrono::milliseconds(200);
 
 constexpr Nanoseconds shortest_open = std::chrono::milliseconds(500);
 
-/// t smoothed at its bend: 0 far below 0, t far above.
+/// t smoothed at its kink: 0 far below 0, t far above.
 double smooth_ramp(double t) {
   return t < 0.0 ? 0.25 * std::exp(2.0 * t) : t + 0.25 * std::exp(-2.0 * t);
 }
@@ -29,7 +29,7 @@ double between(double low, double high, Pcg32& random) {
   return low + (high - low) * random.uniform();
 }
 
-/// Gamma-distributed with a whole shape: the sum of so many exponential numbers.
+/// Gamma-distributed with an integer shape: a sum of exponential numbers.
 double gamma(int shape, double mean, Pcg32& random) {
   double sum = 0.0;
   for (int i = 0; i < shape; ++i) {
@@ -42,7 +42,7 @@ double angle_between_deg(const DVec3& a, const DVec3& b) {
   return degrees(glm::length(rotation_between(a, b)));
 }
 
-/// `direction` with as much of the saccade done as is at `time`.
+/// `direction` after the part of the saccade done at `time`.
 DVec3 moved(const DVec3& direction, const SimulatedSaccade& saccade, Nanoseconds time) {
   const Nanoseconds middle = saccade.start + (saccade.end - saccade.start) / 2;
   const double done_deg = saccade_progress_deg(saccade.amplitude_deg, seconds(time - middle));
@@ -75,7 +75,7 @@ SimulatedEye::SimulatedEye(const SimulatedEyeSettings& settings)
       blink_random_(settings.seed, 2) {
   assert(settings.shortest_fixation_s > 0.0);
   assert(settings.longest_fixation_s >= settings.shortest_fixation_s);
-  // So that a next fixation is found soon.
+  // Makes the search for the next fixation short.
   assert(settings.smallest_saccade_deg > 0.0);
   assert(settings.spread_deg >= settings.smallest_saccade_deg);
   assert(settings.farthest_deg >= settings.spread_deg && settings.farthest_deg <= 90.0);
@@ -110,7 +110,7 @@ std::vector<SimulatedBlink> SimulatedEye::blinks(Nanoseconds end) {
   return started_before(blinks_, end);
 }
 
-/// A saccade starts after `until`, unless none ever does.
+/// Plans until a saccade starts after `until`, or none ever does.
 void SimulatedEye::plan_saccades(Nanoseconds until) {
   while (saccades_.empty() || saccades_.back().start <= until) {
     const double fixation_s =
@@ -133,7 +133,7 @@ void SimulatedEye::plan_microsaccades(Nanoseconds fixation_end) {
         gamma(amplitude_shape, settings_.microsaccade_amplitude_deg, microsaccade_random_);
     const Nanoseconds end =
         next_microsaccade_ + nanoseconds_from_seconds(saccade_duration_s(amplitude_deg));
-    // What would meet another saccade does not take place, nor does what begins at time 0.
+    // Microsaccades that would overlap another saccade, or begin at time 0, are left out.
     if (next_microsaccade_ > still_since_ && end < fixation_end) {
       add_saccade(next_microsaccade_, next_microsaccade_target(amplitude_deg), true);
     }
@@ -188,8 +188,8 @@ DVec3 SimulatedEye::next_fixation() {
   }
 }
 
-/// From the fixation anywhere, and from anywhere else roughly back to it, so that microsaccades do
-/// not lead away in the long run (assumed).
+/// From the fixation in any direction, otherwise roughly back to it, so that microsaccades do not
+/// drift away in the long run (assumed).
 DVec3 SimulatedEye::next_microsaccade_target(double amplitude_deg) {
   const DVec3 back = rotation_between(direction_, fixation_);
   const bool is_away = glm::length(back) > 1e-9;

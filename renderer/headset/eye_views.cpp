@@ -14,7 +14,7 @@
 namespace foveola {
 namespace {
 
-/// Our shaders' colours are encoded already: they are written as they are, and the runtime decodes
+/// Our shaders' colours are already encoded: they are written unchanged, and the runtime decodes
 /// them, since the pictures are in sRGB.
 std::int64_t chosen_format(const XrInstanceOwner& instance, XrSession session) {
   std::uint32_t count = 0;
@@ -32,9 +32,9 @@ std::int64_t chosen_format(const XrInstanceOwner& instance, XrSession session) {
               "update the headset's runtime");
 }
 
-constexpr int cells = 64;          // beside each other, and one below the other
-constexpr int cells_of_digit = 4;  // SeenPart's
-constexpr int points_of_cell = 4;  // beside each other; as many more stand around the cell
+constexpr int cells = 64;          // in each direction
+constexpr int cells_of_digit = 4;  // as in SeenPart
+constexpr int points_of_cell = 4;  // in each direction; as many more surround the cell
 
 /// Positive to the left of the line from `a` to `b`.
 float side_of(const Vec2& a, const Vec2& b, const Vec2& point) {
@@ -55,10 +55,10 @@ bool is_hidden(const Vec2& point, const HiddenTriangles& hidden) {
   return false;
 }
 
-/// An eye in the head, which sees along its own -z.
+/// An eye in the head, which looks along its own -z.
 struct EyeInHead {
   Quat eye_from_head;
-  Vec2 low;  ///< of what it sees on the plane at distance 1
+  Vec2 low;  ///< of its view on the plane at distance 1
   Vec2 high;
 
   EyeInHead(const XrView& eye, const Quat& head)
@@ -123,7 +123,7 @@ HiddenTriangles hidden_triangles(const XrInstanceOwner& instance, XrSession sess
   return triangles;
 }
 
-/// Where a view's sides are on the plane at distance 1.
+/// The sides of a view on the plane at distance 1.
 struct Sides {
   double left = 0.0;
   double right = 0.0;
@@ -231,8 +231,8 @@ Mat3 part_from_canvas(const std::array<XrView, 2>& eyes, std::size_t eye, const 
   const auto size_of = [](const Sides& sides) {
     return Vec2(sides.right - sides.left, sides.up - sides.down);
   };
-  // The canvas's middle is straight ahead, and its sides are as long as the left eye's picture's,
-  // seen from the middle between the eyes.
+  // The canvas's centre is straight ahead, and its sides are as long as the left eye's picture's,
+  // seen from between the eyes.
   const Vec2 canvas_m = distance_m * size_of(sides_of(eyes[0].fov));
   const Mat3 head_from_canvas(Vec3(canvas_m.x, 0.0F, 0.0F), Vec3(0.0F, -canvas_m.y, 0.0F),
                               Vec3(-0.5F * canvas_m.x, 0.5F * canvas_m.y, -distance_m));
@@ -244,7 +244,7 @@ Mat3 part_from_canvas(const std::array<XrView, 2>& eyes, std::size_t eye, const 
   const Vec2 size = size_of(sides);
   const auto left = static_cast<float>(-sides.left);
   const auto up = static_cast<float>(sides.up);
-  // What lies at (x, y, z) is seen at ((left + x / -z) / width, (up - y / -z) / height).
+  // A point (x, y, z) appears at ((left + x / -z) / width, (up - y / -z) / height).
   const Mat3 part_from_eye(Vec3(1.0F / size.x, 0.0F, 0.0F), Vec3(0.0F, -1.0F / size.y, 0.0F),
                            Vec3(-left / size.x, -up / size.y, -1.0F));
   return part_from_eye * eye_from_canvas;

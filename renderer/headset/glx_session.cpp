@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// The configuration that the context was made with, which GLFW does not tell.
+/// The context's configuration, which GLFW does not provide.
 GLXFBConfig config_of(Display* display, GLXContext context) {
   int number = 0;
   glXQueryContext(display, context, GLX_FBCONFIG_ID, &number);
@@ -56,7 +56,7 @@ IVec2 current_drawable_px() {
 }
 
 XrSession make_glx_session(const XrInstanceOwner& instance) {
-  // Runtimes refuse a session before they were asked this.
+  // Runtimes refuse a session before this call.
   XrGraphicsRequirementsOpenGLKHR requirements{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
   instance.require(instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>(
                        "xrGetOpenGLGraphicsRequirementsKHR")(instance.handle(), instance.system(),

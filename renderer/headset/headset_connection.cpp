@@ -75,7 +75,7 @@ void HeadsetConnection::ask(Nanoseconds now, const XrPlannedFrame& planned, Head
       motion.head_was(time, *head);
     }
   };
-  // In the order of time: of the gaze, which is past, of now, and of what is to be seen.
+  // In order of time: the gaze's, now, and the display's.
   if (sample) {
     tell_of_head(sample->time, instance_.xr_time(sample->time));
     motion.gaze_came(*sample);
@@ -142,7 +142,7 @@ void HeadsetConnection::show(const XrPlannedFrame& planned, ShownFrame& shown,
   session_.end_frame(planned, views);
 }
 
-/// Not where its lens never shows it.
+/// Except where its lens hides it.
 void HeadsetConnection::draw_film(std::size_t eye, const XrFovf& fov, const ShownView& view,
                                   const ShownFrame& shown, FramePainter& painter) const {
   const HiddenArea& hidden = hidden_[eye];

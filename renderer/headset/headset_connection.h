@@ -1,5 +1,5 @@
-// A headset that is there: what is asked of it and drawn for it, frame by frame, and what an
-// experimenter sees of it in the window.
+// A connected headset: polled and drawn frame by frame, with a mirror for the experimenter in the
+// window.
 #pragma once
 
 #include <array>
@@ -18,21 +18,21 @@
 
 namespace foveola {
 
-/// A few times a second, so that it costs the headset next to nothing. Needs the window's context
-/// in all that it does.
+/// The window's copy of the headset, updated a few times a second to cost it next to nothing. Needs
+/// the window's context throughout.
 class HeadsetMirror {
  public:
   static constexpr Nanoseconds interval = std::chrono::milliseconds(40);
 
-  /// window must outlive it; its swaps wait for nothing.
+  /// window must outlive it; its swaps do not wait.
   explicit HeadsetMirror(Window& window) : window_(&window) {}
 
-  /// A frame of the headset begins: whether the window's turn has come by `now`.
+  /// Begins a frame of the headset: checks whether the window is due at `now`.
   void begin_frame(Nanoseconds now);
-  /// Copies `view` from the framebuffer that is bound, if it has.
+  /// Copies `view` from the bound framebuffer, if due.
   void copy(const ShownView& view);
-  /// The frame was handed to the headset: shows what was copied, if anything was, and over it the
-  /// gaze (unit length, world), if it is known, and panels.
+  /// To be called once the frame was handed to the headset. Shows the copy, if any, and over it the
+  /// gaze (unit length, world), if known, and panels.
   void show(const std::optional<Vec3>& gaze, std::span<const TextPanel> panels,
             FramePainter& painter);
 
@@ -41,38 +41,36 @@ class HeadsetMirror {
   Nanoseconds next_{0};
   bool is_due_ = false;
   IVec2 window_px_{0};
-  std::optional<ShownView> copied_;  ///< and the part of the window that it fills
+  std::optional<ShownView> copied_;  ///< and its part of the window
 };
 
-/// The largest part in the middle of a window that has the shape of `picture`; sizes in pixels.
+/// The largest centred part of a window with the shape of `picture`; sizes in pixels.
 WindowPart largest_part(const IVec2& window, const IVec2& picture);
 
-/// One thread uses it, whose OpenGL context must be the one that it was made with.
+/// For one thread, whose OpenGL context must be the one that it was created with.
 class HeadsetConnection {
  public:
-  /// How far away pages stand: where eyes rest that look at them for long.
+  /// Distance of pages, comfortable for eyes over long times.
   static constexpr float page_distance_m = 1.5F;
 
-  /// Draws with the OpenGL context that is current. Throws Error, with what to do, if there is no
-  /// headset.
+  /// Draws with the current OpenGL context. Throws Error with a remedy if there is no headset.
   HeadsetConnection();
 
   XrSessionOwner& session() { return session_; }
 
-  /// As the session's.
+  /// As XrSessionOwner::follow_events.
   void follow_events(std::vector<HeadsetChange>& changes);
 
-  /// Asks for the keys, the head and the gaze `now`, of which `motion` and `keys` are told.
-  /// planned: the next frame.
+  /// Polls keys, head and gaze at `now` into `motion` and `keys`. planned: the next frame.
   void ask(Nanoseconds now, const XrPlannedFrame& planned, HeadsetMotion& motion,
            std::vector<WindowEvent>& keys);
-  /// What is known of the headset; empty before it knows where its eyes are. asked: when the
-  /// runtime asked for the frame.
+  /// The headset's facts; nullopt before the eyes' places are known. asked: when the runtime asked
+  /// for the frame.
   std::optional<HeadsetFacts> facts(const XrPlannedFrame& planned, Nanoseconds asked) const;
 
-  /// Shows what the eyes see of a frame, of which the film is drawn as it is now, as the head is
-  /// turned when the planned frame is to be seen. A picture that it asks for is given once. mirror:
-  /// gets what the left eye sees.
+  /// Shows the eyes' views of a frame, with the film's current state and the head's orientation at
+  /// the planned frame's display. A requested picture is delivered once. mirror: receives the left
+  /// eye's view.
   void show(const XrPlannedFrame& planned, ShownFrame& shown, const Quat& world_from_room,
             FramePainter& painter, HeadsetMirror& mirror);
 

@@ -1,4 +1,4 @@
-// What is known of a headset once it is there, and its profile.
+// Properties of a connected headset, and its profile.
 #pragma once
 
 #include <array>
@@ -11,20 +11,20 @@
 
 namespace foveola {
 
-/// What a headset's runtime tells of it.
+/// The properties that a headset's runtime reports.
 struct HeadsetFacts {
   std::string runtime;                   ///< as "Monado 25.0.0"
-  std::string headset;                   ///< its name
-  bool has_eye_tracker = false;          ///< one that programs may ask
-  std::array<IVec2, 2> eye_px{};         ///< of the pictures for the left eye and the right eye
-  std::array<FieldOfView, 2> eyes;       ///< what each sees
-  std::array<Quat, 2> head_from_eyes{};  ///< how each is turned in the head
-  FieldOfView both;  ///< what holds both, in the head's axes, and what of it is seen at first
+  std::string headset;                   ///< name of the headset
+  bool has_eye_tracker = false;          ///< whether it has one that programs may use
+  std::array<IVec2, 2> eye_px{};         ///< picture sizes of the left and the right eye
+  std::array<FieldOfView, 2> eyes;       ///< the eyes' fields of view
+  std::array<Quat, 2> head_from_eyes{};  ///< the eyes' orientations in the head
+  FieldOfView both;  ///< the view of both, in the head's axes, and its initially visible part
   double refresh_rate_hz = 0.0;
-  /// From when the runtime asks for a frame until the middle of when it is to be seen.
+  /// From the runtime's request for a frame until the middle of its display.
   Nanoseconds display_delay{0};
 
-  /// How far an eye is turned outwards in the head.
+  /// Outward rotation of an eye in the head, in degrees.
   double cant_deg(std::size_t eye) const {
     const Vec3 ahead = head_from_eyes[eye] * Vec3(0.0F, 0.0F, -1.0F);
     const double right_deg = degrees(azimuth_elevation(ahead).azimuth_rad);
@@ -32,8 +32,8 @@ struct HeadsetFacts {
   }
 };
 
-/// `profile`, of the kind openxr, with what it does not say itself: the views, the rate, and the
-/// time until a frame is seen. Its size is that of one eye's picture.
+/// `profile`, of the kind openxr, completed with the views, the rate, and the time until a frame is
+/// shown. Its size is that of one eye's picture.
 DisplayProfile told_by(const HeadsetFacts& facts, DisplayProfile profile);
 
 }  // namespace foveola

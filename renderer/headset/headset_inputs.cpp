@@ -19,7 +19,7 @@ struct Binding {
   const char* source;   ///< after /user/
 };
 
-/// What stands for a key of the keyboard.
+/// A control that acts as a key of the keyboard.
 struct ButtonDescription {
   const char* name;
   const char* shown_name;
@@ -126,7 +126,7 @@ XrAction HeadsetInputs::make_action(const char* name, const char* shown_name,
   return made;
 }
 
-/// A runtime may not know a controller: then nobody holds it.
+/// A runtime may not know a controller: it is then unused.
 void HeadsetInputs::suggest_bindings() const {
   std::map<std::string, std::vector<XrActionSuggestedBinding>> bindings;
   const auto suggest = [&](XrAction action, const std::vector<Binding>& inputs) {

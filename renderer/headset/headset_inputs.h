@@ -1,4 +1,4 @@
-// What a headset's wearer presses, and where the eyes look, by OpenXR's actions.
+// Input of a headset's wearer, keys and gaze, through OpenXR's actions.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@
 
 namespace foveola {
 
-/// An action set for one session, with bindings for the controllers and gamepads that runtimes
-/// know, and for the eyes.
+/// An action set for one session, with bindings for known controllers and gamepads, and for the
+/// gaze.
 class HeadsetInputs {
  public:
-  /// instance must outlive it; the session is the one whose first actions these are, and is
-  /// destroyed before it. Throws Error if the runtime refuses.
+  /// instance must outlive it; the session has no other actions yet, and is destroyed before it.
+  /// Throws Error if the runtime refuses.
   HeadsetInputs(const XrInstanceOwner& instance, XrSession session);
 
-  /// Asks what is pressed, and appends what changed since it was asked last as events of `now`.
-  /// While another program has the focus nothing is pressed.
+  /// Polls the keys, and appends changes since the last call as events at `now`. While another
+  /// program has the focus no key is pressed.
   void update(Nanoseconds now, std::vector<WindowEvent>& events);
 
-  /// Where the eyes look; empty while no eye tracker is active, as of the last update.
+  /// The space of the gaze as of the last update; nullopt while no eye tracker is active.
   std::optional<XrSpace> gaze_space() const;
 
  private:
@@ -33,7 +33,7 @@ class HeadsetInputs {
     bool is_down = false;
   };
 
-  /// What a stick that is pushed far enough stands for; 0 if it is not.
+  /// The key of a stick pushed far enough; 0 if none is.
   int key_of_stick() const;
   XrAction make_action(const char* name, const char* shown_name, XrActionType type) const;
   void suggest_bindings() const;

@@ -1,5 +1,4 @@
-// Where a worn head is turned and where its eyes look: from the thread that asks the headset to
-// those that follow it.
+// Passes a worn head's orientation and gaze from the thread that polls the headset to the others.
 #pragma once
 
 #include <mutex>
@@ -11,31 +10,30 @@
 
 namespace foveola {
 
-/// All of it may be called by any thread.
+/// Thread-safe.
 class HeadsetMotion {
  public:
-  /// How many orientations are kept at most, of the newest of times: those of a second or two.
+  /// Maximum number of stored orientations, the newest by time: those of a second or two.
   static constexpr std::size_t max_kept = 1024;
 
   HeadsetMotion();
 
-  /// The head's orientation in the room at `time`. What was foretold of that time and later ones is
-  /// forgotten.
+  /// Records the head's orientation in the room at `time`. Forgets predictions for that time and
+  /// later.
   void head_was(Nanoseconds time, const Quat& room_from_head);
-  /// What is known of times before may not be as it is now: the room has turned.
+  /// Forgets earlier orientations, which no longer hold after the room turned.
   void forget_past();
   void gaze_came(const GazeSample& sample);
 
-  /// The room turns, so that who looks straight ahead in it looks along this azimuth. The horizon
-  /// stays level.
+  /// Turns the room so that straight ahead in it is this azimuth. The horizon stays level.
   void face(const AzimuthElevation& heading);
   Quat world_from_room() const;
 
-  /// In the world, between what is known of before and after; before and beyond, the nearest. Empty
-  /// as long as nothing is known.
+  /// In the world, interpolated between recorded times, constant outside them. nullopt before the
+  /// first.
   std::optional<Quat> head_at(Nanoseconds time) const;
   void take_gaze(std::vector<GazeSample>& arrived);
-  /// The newest one in the world (unit length); empty if it is not valid, or there is none.
+  /// The newest gaze in the world (unit length); nullopt if it is invalid or absent.
   std::optional<Vec3> newest_gaze() const;
 
  private:
@@ -47,13 +45,13 @@ class HeadsetMotion {
   };
 
   mutable std::mutex mutex_;
-  std::vector<Turned> past_;  ///< in the order of time
+  std::vector<Turned> past_;  ///< in order of time
   Quat world_from_room_{1.0F, 0.0F, 0.0F, 0.0F};
   SampleQueue gaze_;
   GazeSample newest_gaze_;
 };
 
-/// The worn head. Looks straight ahead as long as nothing is known.
+/// The worn head. Faces straight ahead until an orientation is known.
 class HeadsetHead final : public HeadTracker {
  public:
   /// motion must outlive it.
@@ -66,7 +64,7 @@ class HeadsetHead final : public HeadTracker {
   HeadsetMotion* motion_;
 };
 
-/// Its wearer's eyes.
+/// The wearer's eyes.
 class HeadsetEyes final : public EyeTracker {
  public:
   /// motion must outlive it. has_tracker: whether the headset has one.
@@ -80,21 +78,19 @@ class HeadsetEyes final : public EyeTracker {
   bool has_tracker_;
 };
 
-/// What the runtime told when it was asked.
+/// The runtime's answer to a query of the gaze.
 struct ToldGaze {
   Nanoseconds asked{0};
-  std::optional<Nanoseconds> sampled;  ///< empty: it does not know
+  std::optional<Nanoseconds> sampled;  ///< nullopt if unknown
   Vec3 direction{0.0F, 0.0F, -1.0F};   ///< unit length, in the head's axes
   bool is_valid = false;
 };
 
-/// Turns what a runtime tells, asked again and again, into samples: the same one is told until
-/// there is another.
+/// Converts repeated answers of a runtime to samples: it repeats each until the next.
 class GazeTimes {
  public:
-  /// Empty if this is the sample before. A time that is unknown, to come, not later than that of
-  /// the sample before or more than a second ago is no time: the sample then has the one at which
-  /// it was asked for.
+  /// nullopt for a repetition of the last sample. A sample has the time of the query if its own is
+  /// unknown, in the future, not later than the last sample's or more than a second old.
   std::optional<GazeSample> sample_of(const ToldGaze& told);
 
  private:

@@ -7,9 +7,9 @@
 namespace foveola {
 namespace {
 
-/// A headset that was connected and switched on is ready long before.
+/// A connected and running headset is ready long before.
 constexpr Nanoseconds longest_start = std::chrono::seconds(20);
-/// Between attempts to find one again that was lost.
+/// Between attempts to find a lost headset.
 constexpr Nanoseconds search_interval = std::chrono::seconds(1);
 constexpr Nanoseconds frame_of_nobody = std::chrono::milliseconds(11);
 
@@ -73,7 +73,7 @@ void HeadsetPresenter::serve(FramePainter& painter, const std::stop_token& stop)
       }
       lose();
     } catch (const Error&) {
-      // Whoever begins without one is told why; one that fails later is sought until it is there.
+      // A missing headset at the start is an error; one lost later is sought until it is back.
       if (!facts_) {
         throw;
       }

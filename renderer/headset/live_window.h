@@ -1,4 +1,4 @@
-// What every command with a live window needs: how fast the display is, and a thread beside the
+// Common parts of commands with a live window: the display's rate, and a thread beside the
 // window's.
 #pragma once
 
@@ -12,15 +12,15 @@
 
 namespace foveola {
 
-/// The rate that the system says the monitor runs at, or its profile's if it says none.
+/// The monitor's rate by the system, or its profile's if the system has none.
 double said_refresh_rate_hz(const Window& window, int monitor, const DisplayProfile& display);
 
-/// Runs `work` in a thread of its own, with the window's size in pixels, while this one, which made
-/// the window, passes on its events; until the work is done. Rethrows what it throws.
+/// Runs `work` in its own thread, with the window's size in pixels, while this thread, which
+/// created the window, passes on its events; until the work is done. Rethrows its exceptions.
 void run_beside(Window& window, const std::stop_token& stop,
                 const std::function<void(const IVec2& framebuffer)>& work);
 
-/// load_watched of what a window is to show, which also stops if the user wants to leave: see
+/// load_watched for a window's content, which also stops if the user wants to leave: see
 /// WindowEvents::closing.
 template <typename Load>
 auto load_beside(const WindowEvents& events, const std::stop_token& stop, const Load& load) {

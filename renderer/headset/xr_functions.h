@@ -1,4 +1,4 @@
-// OpenXR's functions, found at run time: the program starts, and does all else, without its loader.
+// Loads OpenXR's functions at run time: the program starts and works without OpenXR's loader.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace foveola {
 
-/// Calls `DO` with the name of each function that is used, without its "xr".
+/// Calls `DO` with the name of each used function, without its "xr".
 #define FOVEOLA_FOR_EACH_XR_FUNCTION(DO) \
   DO(AcquireSwapchainImage)              \
   DO(AttachSessionActionSets)            \
@@ -51,28 +51,28 @@ struct XrFunctions {
 #undef FOVEOLA_XR_MEMBER
 };
 
-/// No other than that of what it is in.
+/// The identity pose.
 inline constexpr XrPosef same_pose = {{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
 
-/// Writes a text into a field of one of OpenXR's structures, cut to what it holds.
+/// Writes a text into a field of one of OpenXR's structures, truncated to its size.
 template <std::size_t size>
 void put_text(const std::string& text, char (&field)[size]) {
   field[text.copy(field, size - 1)] = '\0';
 }
 
-/// The loader writes nothing of its own, where the environment does not ask for it: what goes wrong
-/// is told by Error. To be called before there are threads.
+/// Silences the loader's own output, unless the environment asks for it, since faults are reported
+/// by Error. To be called before other threads start.
 void silence_xr_loader();
 
-/// The loader's library, for as long as it lives.
+/// The loader's library, loaded while this object lives.
 class XrLoader {
  public:
   /// Throws Error if it is not installed.
   XrLoader();
 
-  /// Empty if there is none. instance: null for those that need none.
+  /// nullptr if there is none. instance: null for functions without one.
   PFN_xrVoidFunction find(XrInstance instance, const char* name) const;
-  /// Throws Error if one is missing.
+  /// Throws Error if a function is missing.
   XrFunctions functions_of(XrInstance instance) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* opengl_extension = "XR_KHR_opengl_enable";
 constexpr const char* remedy_of_faults = "look at what the headset's runtime says, or restart it";
 
-/// Those without which there is no display.
+/// Extensions without which there is no display.
 constexpr std::array required_extensions = {opengl_extension,
                                             XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
 constexpr std::array optional_extensions = {XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME,

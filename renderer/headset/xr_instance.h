@@ -1,4 +1,4 @@
-// A runtime of OpenXR and the headset that it has.
+// An OpenXR runtime and its headset.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace foveola {
 
-/// The session or its runtime is gone: what was made of it is to be destroyed, and may be made
-/// anew.
+/// Thrown when the session or its runtime is gone: their objects must be destroyed, and may be
+/// created anew.
 struct HeadsetLost {};
 
 class XrInstanceOwner {
  public:
-  /// Throws Error, with what to do, if there is no loader, runtime or headset, or it cannot be
-  /// drawn for with OpenGL.
+  /// Throws Error with a remedy if there is no loader, runtime or headset, or no support for
+  /// OpenGL.
   XrInstanceOwner();
   ~XrInstanceOwner();
   XrInstanceOwner(const XrInstanceOwner&) = delete;
@@ -27,29 +27,29 @@ class XrInstanceOwner {
   XrInstance handle() const { return instance_; }
   XrSystemId system() const { return system_; }
   const XrFunctions& xr() const { return xr_; }
-  /// A function of an extension that is enabled.
+  /// A function of an enabled extension.
   template <typename Function>
   Function function(const char* name) const {
     return reinterpret_cast<Function>(loader_.find(instance_, name));
   }
 
   bool is_enabled(const char* extension) const;
-  /// Whether the headset has an eye tracker that programs may ask.
+  /// Whether the headset has an eye tracker that programs may use.
   bool has_eye_tracker() const { return has_eye_tracker_; }
   /// As "Monado 25.0.0".
   const std::string& runtime() const { return runtime_; }
-  /// What the runtime calls the headset.
+  /// The runtime's name for the headset.
   const std::string& headset() const { return headset_; }
-  /// What the runtime recommends to draw for each eye, left and right, in pixels.
+  /// The runtime's recommended picture size for each eye, left and right, in pixels.
   const std::array<IVec2, 2>& eye_px() const { return eye_px_; }
 
-  /// The runtime's clock and the steady clock, one by the other.
+  /// Convert between the runtime's clock and the steady clock.
   XrTime xr_time(Nanoseconds steady) const;
   Nanoseconds steady_time(XrTime time) const;
 
   XrPath path(const char* text) const;
 
-  /// Throws HeadsetLost if that is what `result` says, and Error for all else that is no success.
+  /// Throws HeadsetLost for a lost session or instance, and Error for any other failure.
   void require(XrResult result, const char* call) const;
 
  private:
@@ -59,7 +59,7 @@ class XrInstanceOwner {
   void read_eyes();
 
   XrLoader loader_;
-  std::vector<std::string> extensions_;  ///< those that are enabled
+  std::vector<std::string> extensions_;  ///< the enabled ones
   XrInstance instance_ = XR_NULL_HANDLE;
   XrFunctions xr_;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;

@@ -65,7 +65,7 @@ void XrSessionOwner::follow_events(std::vector<HeadsetChange>& changes) {
   }
 }
 
-/// A runtime tells it at first, too.
+/// A runtime reports it initially, too.
 void XrSessionOwner::follow_presence(bool is_worn, std::vector<HeadsetChange>& changes) {
   if (is_worn != std::exchange(is_worn_, is_worn)) {
     changes.push_back(is_worn ? HeadsetChange::put_on : HeadsetChange::taken_off);

@@ -1,4 +1,4 @@
-// A session of OpenXR: its states, its spaces and its frames.
+// An OpenXR session: its states, spaces and frames.
 #pragma once
 
 #include <array>
@@ -14,18 +14,18 @@
 
 namespace foveola {
 
-/// A frame as the runtime plans it.
+/// The runtime's plan for a frame.
 struct XrPlannedFrame {
-  XrTime display_time = 0;  ///< the middle of the time that it will be seen
-  Nanoseconds interval{0};  ///< from one frame to the next
-  bool is_drawn = false;    ///< whether anything of it would be seen
+  XrTime display_time = 0;  ///< middle of its display
+  Nanoseconds interval{0};  ///< between frames
+  bool is_drawn = false;    ///< whether any of it would be visible
 };
 
-/// One thread uses it, whose OpenGL context must be the one that it was made with.
+/// For one thread, whose OpenGL context must be the one that it was created with.
 class XrSessionOwner {
  public:
-  /// Draws with the OpenGL context of GLX that is current. instance must outlive it. Throws Error
-  /// if the runtime cannot do that.
+  /// Draws with the current GLX context. instance must outlive it. Throws Error if the runtime does
+  /// not support that.
   explicit XrSessionOwner(const XrInstanceOwner& instance);
   ~XrSessionOwner();
   XrSessionOwner(const XrSessionOwner&) = delete;
@@ -33,28 +33,28 @@ class XrSessionOwner {
 
   XrSession handle() const { return session_; }
 
-  /// Follows what happened since it was asked last, and appends what of it matters to others.
-  /// Throws HeadsetLost if the session is lost.
+  /// Handles events since the last call, and appends those that matter to others. Throws
+  /// HeadsetLost if the session is lost.
   void follow_events(std::vector<HeadsetChange>& changes);
-  /// Whether there are frames to be had.
+  /// Whether the session has frames.
   bool is_running() const { return is_running_; }
-  /// Whether what the lenses never show has changed since it was asked last.
+  /// Whether the lenses' hidden parts have changed since the last call.
   bool take_mask_change() { return std::exchange(has_mask_changed_, false); }
-  /// Whether the runtime wants the program to end.
+  /// Whether the runtime asks the program to end.
   bool is_over() const { return state_ == XR_SESSION_STATE_EXITING; }
 
-  /// Waits until it is time for the next frame.
+  /// Waits until the next frame is due.
   XrPlannedFrame wait_for_frame() const;
   void begin_frame() const;
-  /// views: in the room, the left eye's and the right eye's; none: nothing is shown.
+  /// views: in the room, the left eye's and the right eye's; empty: shows nothing.
   void end_frame(const XrPlannedFrame& frame,
                  std::span<const XrCompositionLayerProjectionView> views) const;
 
-  /// The head's orientation in the room; empty where it is not known.
+  /// The head's orientation in the room; nullopt if unknown.
   std::optional<Quat> head_at(XrTime time) const;
-  /// The eyes' views in the room; empty where they are not known.
+  /// The eyes' views in the room; nullopt if unknown.
   std::optional<std::array<XrView, 2>> eyes_at(XrTime time) const;
-  /// What is told of the gaze now, in the head's axes. gaze: its action's space.
+  /// The runtime's present answer on the gaze, in the head's axes. gaze: its action's space.
   ToldGaze gaze_at(Nanoseconds now, XrSpace gaze) const;
 
  private:
@@ -71,7 +71,7 @@ class XrSessionOwner {
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool is_running_ = false;
   bool has_mask_changed_ = false;
-  bool is_worn_ = true;  ///< as far as the runtime tells it
+  bool is_worn_ = true;  ///< as far as the runtime reports it
 };
 
 }  // namespace foveola

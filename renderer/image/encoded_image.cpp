@@ -23,17 +23,17 @@ constexpr unsigned for_obj = for_pictures | bit(ImageFormats::any_texture);
 constexpr unsigned for_textures = for_obj | bit(ImageFormats::gltf_texture);
 constexpr unsigned for_all = for_textures | for_environments;
 
-/// A file format, by its first bytes, and what it can say at most.
+/// A file format, recognised by its first bytes, and its maximum compression.
 struct Format {
-  const char* name;  ///< OpenImageIO's
+  const char* name;  ///< OpenImageIO's name
   std::string_view magic;
-  unsigned uses;  ///< a bit for each of ImageFormats
+  unsigned uses;  ///< one bit per ImageFormats
   std::size_t max_pixels_per_byte;
 };
 
 constexpr std::size_t any_number = std::numeric_limits<std::uint32_t>::max();
 
-/// A small file must not ask for much memory. Deflate shrinks to no less than 1/1032 (zlib,
+/// A small file must not request much memory. Deflate shrinks to no less than 1/1032 (zlib,
 /// "Technical Details"), and a PNG has eight pixels to the byte at most, as have EXR's blocks of 64
 /// pixels and TIFF; such a block takes a JPEG at least a bit; a run of 127 pixels takes an HDR two
 /// bytes for each of four channels, one of 255 a BMP two bytes, one of 128 a TGA two bytes; the
@@ -52,8 +52,8 @@ constexpr std::array<Format, 10> formats = {
 
 constexpr Format targa = {"targa", "", for_obj, 64};
 
-/// TGA files begin with nothing of their own: their header (Truevision, "TGA File Format
-/// Specification" 2.0) is one if all that it says can be.
+/// TGA files have no signature: their header (Truevision, "TGA File Format Specification" 2.0) is
+/// accepted if all its values are possible.
 bool is_targa(std::span<const unsigned char> encoded) {
   constexpr std::size_t header_size = 18;
   constexpr std::array<unsigned char, 6> kinds = {1, 2, 3, 9, 10, 11};
@@ -77,7 +77,7 @@ const char* refusal_of(ImageFormats allowed) {
   return "is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image";
 }
 
-/// Only few formats are let near a decoder.
+/// Only few formats are passed to a decoder.
 const Format& format_of(std::span<const unsigned char> encoded, ImageFormats allowed) {
   const std::string_view bytes(reinterpret_cast<const char*>(encoded.data()), encoded.size());
   const unsigned uses = bit(allowed);
@@ -96,7 +96,7 @@ const Format& format_of(std::span<const unsigned char> encoded, ImageFormats all
 }
 
 /// Walks the chunks: length, type, content, checksum (PNG specification, section 5.3). libpng
-/// leaves a reader that finds the end of the file too early by a long jump, past all destructors.
+/// leaves a reader of a truncated file by a long jump, past all destructors.
 void require_whole_png(std::span<const unsigned char> encoded) {
   constexpr std::size_t signature_size = 8;
   constexpr std::size_t frame_size = 12;
@@ -113,7 +113,7 @@ void require_whole_png(std::span<const unsigned char> encoded) {
   throw std::runtime_error("is damaged: the PNG image is cut off");
 }
 
-/// libjpeg paints what is missing of a cut file grey and calls it a picture. Compressed data never
+/// libjpeg paints the missing part of a cut file grey and reports success. Compressed data never
 /// holds a marker (ITU-T T.81, section F.1.2.3), so the end of image must follow the last scan.
 void require_whole_jpeg(std::span<const unsigned char> encoded) {
   constexpr unsigned char start_of_scan = 0xDA;
@@ -138,7 +138,7 @@ std::uint32_t little_endian(std::span<const unsigned char> encoded, std::size_t 
   return value;
 }
 
-/// The pixels that a WebP image announces (RFC 9649, sections 2.5, 2.6 and 2.7).
+/// The number of pixels that a WebP image announces (RFC 9649, sections 2.5, 2.6 and 2.7).
 std::size_t webp_pixels(std::span<const unsigned char> encoded) {
   constexpr std::size_t shortest = 30;
   const std::string_view bytes(reinterpret_cast<const char*>(encoded.data()), encoded.size());
@@ -177,7 +177,7 @@ void require_whole(std::span<const unsigned char> encoded, std::string_view form
 
 void require_plausible_size(const ImageHeader& header, const Format& format,
                             std::size_t encoded_size) {
-  constexpr std::size_t always_shown = std::size_t{1} << 26;  // of which a file may hold a part
+  constexpr std::size_t always_shown = std::size_t{1} << 26;  // a file may hold a part of them
   const std::size_t max_stored = format.max_pixels_per_byte * encoded_size;
   const std::size_t shown = static_cast<std::size_t>(header.width) * header.height;
   if (header.stored_pixels > max_stored || shown > std::max(always_shown, max_stored)) {

@@ -1,4 +1,4 @@
-// Opens encoded images, which are untrusted, once their headers have been found sensible.
+// Opens encoded images, which are untrusted, after validating their headers.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace foveola {
 
 enum class ImageFormats : std::uint8_t {
   gltf_texture,  ///< PNG, JPEG and WebP
-  any_texture,   ///< those, BMP, GIF, TGA and TIFF
+  any_texture,   ///< and BMP, GIF, TGA and TIFF
   environment,   ///< PNG, JPEG, EXR and HDR
   picture,       ///< all of these, and PNM
 };
 
 /// Opens an image of one of the formats, recognised by its first bytes. `encoded` must outlive the
-/// result. Throws std::runtime_error that says what is wrong if it is of another format, cut off or
-/// damaged, not flat, larger than 16384 pixels on a side (a picture: 65536), or announces more
-/// pixels than so many bytes can hold; of a WebP image, which can be of one colour in a few bytes,
-/// more than 2^26, since OpenImageIO decodes it when it opens it.
+/// result. Throws std::runtime_error that names the fault if the image has another format, is
+/// truncated, damaged or not flat, or is larger than 16384 pixels on a side (a picture: 65536).
+/// Throws too if it announces more pixels than its bytes can hold. A WebP image may compress
+/// without bound and is decoded on opening: its maximum is 2^26 pixels.
 std::unique_ptr<ImageReader> open_image(std::span<const unsigned char> encoded,
                                         ImageFormats allowed);
 

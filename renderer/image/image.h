@@ -23,8 +23,8 @@ struct RgbImage {
   const Rgb& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// What a display is given: sRGB in 8 bits a channel, red in a pixel's lowest byte, then green and
-/// blue; the highest is 255.
+/// A display's image: sRGB in 8 bits per channel; a pixel's bytes from the lowest are red, green,
+/// blue and 255.
 struct ByteImage {
   int width = 0;
   int height = 0;
@@ -41,8 +41,7 @@ struct ByteImage {
 struct FilmImage {
   RgbImage color;
   std::vector<std::uint32_t> samples;
-  /// Variance of the luminances of each pixel's samples; 0 where there are fewer than two. Empty if
-  /// not known.
+  /// Variance of the luminances of each pixel's samples; 0 with fewer than two. Empty if unknown.
   std::vector<float> variances;
 };
 

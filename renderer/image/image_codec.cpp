@@ -9,7 +9,7 @@ namespace {
 
 using CodecOfModule = const ImageCodec* (*)();
 
-/// The program's RUNPATH leads to it. It stays loaded, since what it read may outlive any owner.
+/// The program's RUNPATH leads to it. It stays loaded, since its images may outlive any owner.
 const ImageCodec& load_codec() {
   void* const module = dlopen(FOVEOLA_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);
   void* const function = module == nullptr ? nullptr : dlsym(module, "foveola_image_codec");

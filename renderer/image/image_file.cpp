@@ -66,7 +66,7 @@ std::string with_panorama_tag(std::string file, int width, int height) {
     constexpr std::size_t end_of_header = 8 + 25;  // the signature, and the chunk IHDR
     return file.insert(end_of_header, png_chunk(xmp));
   }
-  // Behind the start of the image and JFIF's segment, whose length its third and fourth bytes say.
+  // Behind the start of the image and JFIF's segment: its third and fourth bytes are its length.
   const auto byte = [&](std::size_t at) {
     return static_cast<std::size_t>(static_cast<unsigned char>(file[at]));
   };
@@ -74,7 +74,7 @@ std::string with_panorama_tag(std::string file, int width, int height) {
   return file.insert(has_jfif ? 4 + (byte(4) << 8U) + byte(5) : 2, jpeg_segment(xmp));
 }
 
-/// OpenImageIO's name of the format that a file of this name has; empty if it is not written.
+/// OpenImageIO's name of the format for a file of this name; empty if it is not supported.
 std::string format_to_write(const fs::path& path) {
   const std::string extension = lower_case_extension(path);
   if (extension == ".exr") {
@@ -96,7 +96,7 @@ std::string encoded(const fs::path& path, const EncodableImage& image) {
   }
 }
 
-/// samples, variances: empty for no such channel.
+/// samples, variances: empty for no channel.
 void write_exr(const fs::path& path, const RgbImage& image,
                const std::vector<std::uint32_t>& samples, const std::vector<float>& variances,
                const ImageFacts& facts) {
@@ -154,7 +154,7 @@ struct OpenPicture {
   std::string encoded;
   std::unique_ptr<ImageReader> reader;
 
-  /// One value of the channel `name` to each pixel; none if there is no such channel.
+  /// The pixels' values of the channel `name`; empty if there is no such channel.
   std::vector<float> values_of(const std::string& name) const {
     const ImageHeader& header = reader->header();
     const auto found = std::ranges::find(header.channel_names, name);
@@ -168,7 +168,7 @@ struct OpenPicture {
   }
 };
 
-/// Calls `work` with the picture at `path`; what is wrong with it becomes an Error that names it.
+/// Calls `work` with the picture at `path`; turns its faults into an Error that names the file.
 template <typename Work>
 auto with_picture(const fs::path& path, Work work) {
   OpenPicture picture{.encoded = read_file(path), .reader = nullptr};
@@ -182,7 +182,7 @@ auto with_picture(const fs::path& path, Work work) {
   }
 }
 
-/// A count that came as a float, whatever an untrusted file says.
+/// A count stored as a float in an untrusted file.
 std::uint32_t count_from(float value) {
   constexpr float largest = 0x1.fffffep31F;
   return value > 0.0F ? static_cast<std::uint32_t>(std::min(value, largest)) : 0;

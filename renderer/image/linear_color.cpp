@@ -91,7 +91,7 @@ DMat3 adaptation(const DVec3& from_white, const DVec3& to_white) {
          DMat3(DVec3(ratio.x, 0, 0), DVec3(0, ratio.y, 0), DVec3(0, 0, ratio.z)) * cones;
 }
 
-/// Nothing where the file's primaries are those of Rec. 709.
+/// nullopt if the file's primaries are those of Rec. 709.
 std::optional<Mat3> rec709_from_file(const ImageHeader& header) {
   const DMat3 xyz_from_rec709 = xyz_from_rgb(rec709);
   if (header.is_xyz) {
@@ -125,7 +125,7 @@ RgbImage read_linear_color(ImageReader& image) {
   constexpr std::size_t stride = sizeof(Rgb) / sizeof(float);
   const bool is_grey = channels[2] == channels[0];
   const bool are_neighbours = channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2;
-  // At once where that can be: only EXR gives each channel by itself again.
+  // Together if possible: only EXR can read each channel separately again.
   const int at_once = are_neighbours ? 3 : 1;
   for (int i = 0; i < (is_grey ? 1 : 3); i += at_once) {
     image.read_floats(channels[static_cast<std::size_t>(i)], at_once, &color.pixels[0][i], stride);

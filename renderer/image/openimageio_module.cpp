@@ -20,8 +20,8 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
-/// The file `encoded` without its alpha, by which decoders would multiply its colours: the same
-/// colours, also of invisible pixels, where it is no animation (RFC 9649, sections 2.7 and 3.4).
+/// The file `encoded` without its alpha, by which decoders would multiply its colours. Keeps the
+/// colours of invisible pixels, too, unless it is an animation (RFC 9649, sections 2.7 and 3.4).
 std::vector<unsigned char> without_webp_alpha(Bytes encoded) {
   constexpr std::size_t first_chunk = 12;
   constexpr std::size_t chunk_header = 8;
@@ -40,7 +40,7 @@ std::vector<unsigned char> without_webp_alpha(Bytes encoded) {
     } else if (kind == "VP8L") {
       content[4] &= static_cast<unsigned char>(~has_alpha);
     } else if (kind == "ALPH") {
-      chunk[0] = 'X';  // decoders pass over chunks that they do not know
+      chunk[0] = 'X';  // decoders skip unknown chunks
     }
     at += chunk_header + size + size % 2;
   }
@@ -65,7 +65,7 @@ class MemoryInput {
 
   const OIIO::ImageSpec& spec() const { return spec_; }
 
-  /// Channels from `first` until before `end` of each pixel to every `stride`-th value.
+  /// Reads the channels [first, end) of each pixel to every `stride`-th value.
   template <typename Value>
   void read(int first, int end, OIIO::TypeDesc type, Value* values, std::size_t stride) {
     const auto ends_reading = [](void* input, float /*portion_done*/) {
@@ -83,13 +83,13 @@ class MemoryInput {
     }
   }
 
-  OIIO::Filesystem::IOMemReader memory_;  ///< read by `input_`, so it dies after it
+  OIIO::Filesystem::IOMemReader memory_;  ///< read by `input_`, so destroyed after it
   std::unique_ptr<OIIO::ImageInput> input_;
   bool (*is_stopped_)();
   OIIO::ImageSpec spec_;
 };
 
-/// Whether OpenImageIO gives colours that are multiplied by alpha, though it was asked not to.
+/// Whether OpenImageIO multiplies colours by alpha despite the request not to.
 bool has_associated_alpha(const OIIO::ImageSpec& spec, const std::string& format) {
   return spec.alpha_channel >= 0 &&
          ((format == "tiff" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) ||
@@ -109,7 +109,7 @@ class OpenImageIoReader : public ImageReader {
       : input_(encoded, format, is_stopped),
         is_associated_(has_associated_alpha(input_.spec(), format)) {
     const OIIO::ImageSpec& spec = input_.spec();
-    const bool is_exr = format == "openexr";  // positions in other formats are on paper
+    const bool is_exr = format == "openexr";  // positions in other formats are for printing
     header_ = {.width = is_exr ? spec.full_width : spec.width,
                .height = is_exr ? spec.full_height : spec.height,
                .channels = spec.nchannels,
@@ -142,7 +142,7 @@ class OpenImageIoReader : public ImageReader {
                                  values, static_cast<int>(floats.size()));
       return;
     }
-    // Bytes as they are: OpenImageIO converts even bytes to bytes by way of a buffer of 64 MiB.
+    // Bytes unchanged: OpenImageIO converts even bytes to bytes through a buffer of 64 MiB.
     const OIIO::TypeDesc type = header_.has_bytes ? OIIO::TypeDesc::UNKNOWN : OIIO::TypeDesc::UINT8;
     read_channels(0, header_.channels, type, values, channels);
   }
@@ -201,11 +201,11 @@ class OpenImageIoReader : public ImageReader {
   }
 
   MemoryInput input_;
-  /// Left and top of what the file holds in the picture, where that is not all of it.
+  /// Left and top of the file's window in the picture, if it is not all of it.
   std::optional<std::array<int, 2>> window_;
   bool is_associated_;
   ImageHeader header_;
-  /// OpenImageIO multiplies a WebP's colours by its alpha: of one without, it cannot.
+  /// OpenImageIO multiplies a WebP's colours by its alpha: these bytes have none.
   std::vector<unsigned char> opaque_bytes_;
   std::unique_ptr<MemoryInput> opaque_input_;
 };
@@ -225,7 +225,7 @@ std::vector<unsigned char> encode(const EncodableImage& image, const std::string
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("Compression", "jpeg:95");  // read by that format alone
   } else {
-    // The same image is the same file, whenever it is made.
+    // Equal images give equal files, whatever the time.
     spec.attribute("DateTime", "");
   }
   for (const auto& [name, value] : image.attributes) {

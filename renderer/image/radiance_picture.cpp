@@ -23,7 +23,7 @@ struct RadianceHeader {
   Rgb multiplied_by{1.0F};
   bool is_xyz = false;
   std::optional<std::array<float, 8>> chromaticities;
-  // How the scanlines run.
+  // The order of the scanlines.
   bool is_transposed = false;  ///< a scanline is a column
   bool runs_left = false;
   bool runs_up = false;
@@ -40,7 +40,7 @@ std::vector<float> numbers_in(std::string_view text, std::size_t count) {
   return numbers;
 }
 
-/// Factors of red, green and blue: a number for each, or one for all.
+/// Factors of red, green and blue: one for each, or one for all.
 Rgb factors_in(std::string_view text, std::size_t count) {
   const std::vector<float> numbers = numbers_in(text, count);
   if (*std::ranges::min_element(numbers) <= 0.0F) {
@@ -81,7 +81,7 @@ RadianceHeader read_header(std::string_view text) {
   return header;
 }
 
-/// OpenImageIO reads RGBE alone, whose numbers are those of XYZE.
+/// OpenImageIO reads only RGBE, whose encoding equals XYZE's.
 std::vector<unsigned char> called_rgbe(std::span<const unsigned char> encoded) {
   std::string text(reinterpret_cast<const char*>(encoded.data()), encoded.size());
   text.replace(text.find(xyze), xyze.size(), "32-bit_rle_rgbe");

@@ -1,4 +1,4 @@
-// Radiance pictures (.hdr) as their headers say: OpenImageIO reads the pixels alone.
+// Decodes Radiance pictures (.hdr) with their headers; OpenImageIO reads only the pixels.
 #pragma once
 
 #include <memory>
@@ -8,10 +8,10 @@
 
 namespace foveola {
 
-/// Reads the picture in watts per steradian and square metre: divided by all EXPOSURE and COLORCORR
-/// lines, first row at the top and first column at the left, whichever way its scanlines run, RGBE
-/// or XYZE, with the PRIMARIES that it states ("File Formats", Radiance 1997). `encoded` must
-/// outlive it. Throws std::runtime_error that says what is wrong.
+/// Reads radiance in watts per steradian and square metre: pixels divided by all EXPOSURE and
+/// COLORCORR lines, RGBE or XYZE, with the stated PRIMARIES. The first row is at the top and the
+/// first column at the left for any scanline order ("File Formats", Radiance 1997). `encoded` must
+/// outlive the result. Throws std::runtime_error that names the fault.
 std::unique_ptr<ImageReader> open_radiance_picture(std::span<const unsigned char> encoded);
 
 }  // namespace foveola

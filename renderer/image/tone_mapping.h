@@ -1,4 +1,4 @@
-// From linear radiance to what a display shows.
+// Maps linear radiance to display values.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace foveola {
 
 /// The sRGB transfer function (IEC 61966-2-1) of a linear value, clamped to [0, 1] first, within
-/// 5e-7. NaN gives 0. Number: float, or Floats. The polynomial in the fourth root, in which the
-/// power 1 / 2.4 is one of 5 / 3, meets the function at the nine Chebyshev points of its range.
+/// 5e-7. NaN gives 0. Number: float, or Floats. A polynomial in the fourth root, in which the power
+/// 1 / 2.4 becomes 5 / 3, interpolates the function at the nine Chebyshev points of its range.
 template <typename Number>
 Number srgb_from_linear(const Number& linear) {
   constexpr float end_of_line = 0.0031308F;
@@ -29,16 +29,16 @@ Number srgb_from_linear(const Number& linear) {
 }
 float linear_from_srgb(float encoded);
 
-/// How radiance, after the exposure, becomes what a display shows.
+/// Tone curve from exposed radiance to display values.
 enum class ToneCurve : std::uint8_t {
-  plain,  ///< as it is, cut off at white
+  plain,  ///< linear, clipped at white
   filmic  ///< see filmic()
 };
 
-/// Bright light rolls off towards white instead of being cut off: Narkowicz's fit of the curve of
-/// the Academy Color Encoding System (ACES Filmic Tone Mapping Curve, 2015), each channel by
-/// itself, of 0.6 times the linear value, which is that curve's own exposure. 0.18 becomes 0.14,
-/// and 1 becomes 0.67; negative values and NaN become 0. Number: float, or Floats.
+/// Compresses highlights towards white instead of clipping them, per channel: Narkowicz's fit of
+/// the Academy Color Encoding System's curve (ACES Filmic Tone Mapping Curve, 2015), applied to 0.6
+/// times the linear value, its own exposure. 0.18 becomes 0.14, and 1 becomes 0.67; negative values
+/// and NaN become 0. Number: float, or Floats.
 template <typename Number>
 Number filmic(const Number& linear) {
   constexpr float exposure = 0.6F;
@@ -47,18 +47,17 @@ Number filmic(const Number& linear) {
   return smaller((x * (2.51F * x + 0.03F)) / (x * (2.43F * x + 0.59F) + 0.14F), 1.0F);
 }
 
-/// A linear value, exposed already, encoded for an sRGB display; in [0, 1]. Number: float, or
+/// Encodes an already exposed linear value for an sRGB display, in [0, 1]. Number: float, or
 /// Floats.
 template <typename Number>
 Number display_from_linear(const Number& linear, ToneCurve curve) {
   return srgb_from_linear(curve == ToneCurve::filmic ? filmic(linear) : linear);
 }
 
-/// What radiance is multiplied by for an exposure.
+/// The factor on radiance for an exposure.
 float exposure_scale(double stops);
 
-/// Exposure by a power of two, then the curve and the sRGB transfer function for each channel;
-/// values in [0, 1].
+/// Applies exposure, the curve and the sRGB transfer function per channel; values in [0, 1].
 RgbImage display_image(const RgbImage& linear, double exposure_stops,
                        ToneCurve curve = ToneCurve::plain);
 

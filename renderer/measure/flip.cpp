@@ -26,7 +26,7 @@ struct Plane {
         height(height_px),
         values(static_cast<std::size_t>(width_px) * height_px) {}
 
-  /// Beyond its borders the image goes on as it ends.
+  /// Beyond its borders the image is extended by its edge pixels.
   float at(int x, int y) const {
     return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width +
                   std::clamp(x, 0, width - 1)];
@@ -87,7 +87,7 @@ DVec3 linear_of(const DVec3& xyz) {
   return rgb_from_xyz * xyz;
 }
 
-/// The linear opponent space in which contrast sensitivity is known (section 4.1).
+/// The linear opponent space of the contrast sensitivity (section 4.1).
 DVec3 opponent_of(const DVec3& xyz) {
   const DVec3 relative = xyz / white_xyz();
   return {116.0 * relative.y - 16.0, 500.0 * (relative.x - relative.y),
@@ -99,7 +99,7 @@ DVec3 xyz_of_opponent(const DVec3& opponent) {
   return DVec3(y + opponent.y / 500.0, y, y - opponent.z / 200.0) * white_xyz();
 }
 
-/// CIE L*a*b* (CIE 15:2004), its chroma reduced as Hunt's effect has it in the dark.
+/// CIE L*a*b* (CIE 15:2004), with chroma reduced in the dark by Hunt's effect.
 DVec3 hunt_adjusted_lab(const DVec3& linear) {
   const auto f = [](double t) {
     constexpr double delta = 6.0 / 29.0;
@@ -130,7 +130,7 @@ Planes opponent_planes(const RgbImage& image) {
   return planes;
 }
 
-// --- What the eye blurs: the colour pipeline (section 4.1) ---
+// --- Blur by the eye: the colour pipeline (section 4.1) ---
 
 /// Contrast sensitivity as a sum of Gaussians over degrees: a sqrt(pi / b) exp(-pi^2 d^2 / b).
 struct Gaussian {
@@ -187,7 +187,7 @@ std::vector<DVec3> seen_colors(const Planes& opponent, double per_degree) {
   return colors;
 }
 
-/// Distances of Lab colours spread over [0, 1]: small ones, which are most, get most of it.
+/// Maps distances of Lab colours to [0, 1]: small ones, which are frequent, get most of the range.
 double color_error(const DVec3& a, const DVec3& b) {
   constexpr double exponent = 0.7;
   constexpr double knee = 0.4;
@@ -211,7 +211,7 @@ struct FeatureKernels {
 };
 
 /// Scales the positive weights to a sum of 1 and the negative ones to -1. In double, where the tail
-/// of a kernel that is far narrower than a pixel still has distinct weights.
+/// of a kernel far narrower than a pixel still has distinct weights.
 Kernel balanced(const std::vector<double>& weights) {
   double positive = 0.0;
   double negative = 0.0;
@@ -237,7 +237,7 @@ FeatureKernels feature_kernels(double per_degree) {
               radius, [&](int k) { return (k * k / (sigma * sigma) - 1.0) * gaussian(k); }))};
 }
 
-/// How much each pixel looks like an edge, or like a point.
+/// Each pixel's similarity to an edge, or to a point.
 Plane feature_strength(const Plane& luminance, const Kernel& detector, const Kernel& smooth) {
   Plane strength = filter(luminance, detector, smooth);
   const Plane down = filter(luminance, smooth, detector);
@@ -289,9 +289,9 @@ struct ExposureRange {
   double last;
 };
 
-/// The exposures at which the brightest and the median luminance become 0.85 (section 3.1).
+/// The exposures at which the maximum and the median luminance become 0.85 (section 3.1).
 ExposureRange exposure_range(const RgbImage& reference) {
-  constexpr double shown = 2.1189;  ///< the linear value that filmic() turns into 0.85
+  constexpr double shown = 2.1189;  ///< the linear value that filmic() maps to 0.85
   std::vector<double> luminances;
   for (const Rgb& pixel : reference.pixels) {
     luminances.push_back(xyz_of(DVec3(pixel)).y);

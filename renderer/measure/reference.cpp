@@ -22,11 +22,11 @@ namespace {
 
 constexpr std::uint64_t pass_samples = 1 << 18;
 
-/// Keeps the noise of a reference apart from that of previews, which may have the same seed: an
-/// image that shared paths with its reference would look closer to it than it is.
+/// Separates the noise of a reference from that of previews with the same seed: an image that
+/// shared paths with its reference would have too small an error.
 constexpr std::uint32_t reference_stream = 0x72656665U;
 
-/// Everything the image depends on, and this program's way of rendering it.
+/// All inputs of the image, and this program's version of the rendering.
 std::string cache_key(const std::string& scene_key, const ReferenceSettings& settings,
                       const BuildInfo& build) {
   std::string text = fmt::format(
@@ -40,7 +40,7 @@ std::string cache_key(const std::string& scene_key, const ReferenceSettings& set
   return sha256(std::string_view(text));
 }
 
-/// The cached image, unless it is missing or damaged: then it is simply made again.
+/// The cached image; nullopt if it is missing or damaged, so that it is made again.
 std::optional<FilmImage> read_cached(const fs::path& file) {
   if (!is_kept(file)) {
     return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<FilmImage> read_cached(const fs::path& file) {
   }
 }
 
-/// Adds samples of one sampler after the other to one film.
+/// Adds samples of several samplers to one film.
 class ReferenceRender {
  public:
   ReferenceRender(const PathTracer& tracer, const ReferenceSettings& settings,

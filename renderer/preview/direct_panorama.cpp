@@ -8,10 +8,10 @@
 namespace foveola {
 namespace {
 
-/// Pixels that one task shades.
+/// Number of pixels that one task shades.
 constexpr std::size_t pixels_in_task = 512;
 
-/// The middles of the pixels of the rows [begin, end).
+/// The centres of the pixels of the rows [begin, end).
 std::vector<ViewSample> middles(const EquirectFilm& film, int begin, int end) {
   const Vec2 size(film.width(), film.height());
   std::vector<ViewSample> samples;

@@ -1,4 +1,4 @@
-// A scene all around without noise, for when people get to know it and do not judge it.
+// A noise-free view of a scene in all directions, for getting to know it rather than judging it.
 #pragma once
 
 #include "renderer/base/work/parallel.h"
@@ -7,9 +7,8 @@
 
 namespace foveola {
 
-/// Clears the film and gives each of its pixels one sample, in its middle: what direct_color() says
-/// of it. It can then be shown as any film, at an exposure of 0 stops. The number of threads
-/// changes nothing.
+/// Clears the film and gives each of its pixels one sample at its centre, by direct_color(). It is
+/// shown like any film, at an exposure of 0 stops. Does not depend on the number of threads.
 void show_direct_shading(const Scene& scene, const RayScene& rays, const Vec3& viewpoint,
                          EquirectFilm& film, const Workers& workers);
 

@@ -7,10 +7,10 @@
 namespace foveola {
 namespace {
 
-/// The nominal rate, and what was measured before a pause, count as much as so many swaps.
+/// Weight of the nominal rate, and of measurements before a pause, in swaps.
 constexpr int swaps_believed = 8;
 
-/// The number of whole intervals that is nearest to `duration`.
+/// Number of whole intervals nearest to `duration`.
 double intervals_in(Nanoseconds duration, double interval_s) {
   return std::round(seconds(duration) / interval_s);
 }
@@ -36,15 +36,15 @@ Nanoseconds FrameBudget::begin_frame(Nanoseconds left, Nanoseconds interval) {
     return left;
   }
   const double default_rest_s = rest_s_.usual();
-  // As every frame is late, none keeps what is kept for being in time.
+  // As every frame is late, none keeps a reserve.
   const double kept_s = rest_s_.seldom_exceeded() - default_rest_s + reserve_s_;
   return left +
          nanoseconds_from_seconds((refreshes_for(default_rest_s) - 1.0) * interval_s_ + kept_s);
 }
 
 double FrameBudget::refreshes_for(double rest_s) const {
-  // The rest may have a little less than half: batches leave some time unused, and some frames end
-  // one refresh later than they aimed at.
+  // A little less than half: batches leave some time unused, and some frames end one refresh later
+  // than aimed at.
   constexpr double largest_rest_share = 0.45;
   const double wanted_rest_share = std::min(1.0 - traced_share_, largest_rest_share);
   const double wanted = std::ceil(rest_s / (wanted_rest_share * interval_s_));
@@ -54,7 +54,7 @@ double FrameBudget::refreshes_for(double rest_s) const {
 }
 
 std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
-  // Where drawing is too slow, being in time matters less than having few batches.
+  // If drawing is too slow, few batches matter more than being in time.
   const double share = is_drawing_too_slow_ ? 1.0 : 0.75;
   constexpr double fewest = 64.0;
   constexpr double shortest_s = 1e-3;
@@ -85,7 +85,7 @@ void FrameBudget::frame_ended(bool is_late) {
   constexpr double largest_s = 5e-3;
   judge_drawing();
   if (is_drawing_too_slow_) {
-    return;  // it is late because it was meant to be
+    return;  // late on purpose
   }
   const double change_s = is_late ? step_s : -step_s * late_share / (1.0 - late_share);
   reserve_s_ = std::clamp(reserve_s_ + change_s, 0.0, largest_s);
@@ -104,7 +104,7 @@ FrameBudget FrameBudget::for_another_preview() const {
 void FrameBudget::judge_drawing() {
   constexpr double gain = 1.0 / 16.0;
   constexpr double max_slow = 0.75;    // reached by 22 slow frames in a row
-  constexpr double hysteresis = 0.78;  // so much shorter is fast again
+  constexpr double hysteresis = 0.78;  // factor below which it is fast again
   const double longest_rest_s = (1.0 - traced_share_) * interval_s_;
   const bool is_slow = interval_s_ > 0.0 && rest_s_.mean() >= longest_rest_s;
   slow_share_ += gain * ((is_slow ? 1.0 : 0.0) - slow_share_);
@@ -126,7 +126,7 @@ RefreshEstimator::RefreshEstimator(double nominal_rate_hz)
 }
 
 void RefreshEstimator::swap_completed(Nanoseconds time) {
-  constexpr double longest_pause = 64.0;  // in intervals: then the error of as many adds up
+  constexpr double longest_pause = 64.0;  // in intervals: the error of as many adds up
   if (is_unsynchronised_) {
     return;
   }
@@ -147,7 +147,7 @@ void RefreshEstimator::find_anew(Nanoseconds time) {
 }
 
 void RefreshEstimator::judge(double intervals, double off_s) {
-  // No two swaps can have waited for the same refresh.
+  // Two swaps cannot have waited for the same refresh.
   constexpr double farthest_off = 0.5;
   const double off = intervals < 1.0 ? farthest_off : off_s / interval_s_;
   const auto judged = static_cast<double>(std::min<std::uint64_t>(swaps_, memory));
@@ -163,7 +163,7 @@ void RefreshEstimator::follow(double intervals, double off_s) {
   const double n = remembered_;
   const double alpha = 2.0 * (2.0 * n - 1.0) / (n * (n + 1.0));
   const double beta = 6.0 / (n * (n + 1.0));
-  const double farthest_s = 0.25 * interval_s_;  // what strays farther counts no more
+  const double farthest_s = 0.25 * interval_s_;  // larger deviations are clamped
   const double counted_s = std::clamp(off_s, -farthest_s, farthest_s);
   *refresh_ += nanoseconds_from_seconds(intervals * interval_s_ + alpha * counted_s);
   interval_s_ += beta * counted_s / std::max(intervals, 1.0);

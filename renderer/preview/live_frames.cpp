@@ -8,8 +8,8 @@
 namespace foveola {
 namespace {
 
-/// The most batches of a frame. The third fills what the second leaves, a sixteenth of the time or
-/// less where costs vary by a tenth; a fourth finds a hundredth.
+/// Maximum number of batches per frame. The third fills the rest of the second, a sixteenth of the
+/// time or less if costs vary by a tenth; a fourth would gain a hundredth.
 constexpr int max_batches = 3;
 
 KnownDuration measured(double duration_s) {
@@ -23,7 +23,7 @@ LatencyInputs inputs_of(const TrackerProfile& tracker) {
           .processing = tracker.processing};
 }
 
-/// The time from the moment that a sample shows until it is here.
+/// The delay of a sample from its time to its arrival.
 double delay_s(const TrackerProfile& tracker) {
   constexpr std::size_t tracker_stages = 3;
   const LatencyStages stages = latency_stages(inputs_of(tracker));
@@ -59,7 +59,7 @@ LiveFrame LiveFrames::next() {
   trace(frame);
   show(frame);
   budget_.frame_ended(frame.is_late());
-  // Nor is what hardly changes drawn often.
+  // A nearly constant picture is drawn rarely.
   constexpr int refreshes_skipped = 2;
   next_refresh_ = frame.shown + (gives_way_ ? refreshes_skipped : 0) * refresh_.interval();
   return frame;
@@ -108,7 +108,7 @@ void LiveFrames::show(LiveFrame& frame) {
   frame.is_refresh_measured = waited && refresh_.is_measured();
   if (waited) {
     budget_.rest_took(frame.resampling);
-    // No frame is shown before it should be: the output may not have waited, after all.
+    // No frame is shown before its refresh: the output may not have waited, after all.
     note_shown_at(refresh_.nearest_refresh(std::max(*swapped, frame.deadline)), frame);
   } else {
     budget_.rest_took(frame.resampling + frame.presenting);

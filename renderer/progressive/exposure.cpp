@@ -12,7 +12,7 @@
 namespace foveola {
 namespace {
 
-/// The samples of each pixel after those of the pixel before.
+/// Jobs pixel by pixel.
 std::vector<SampleJob> jobs_through(const Viewport& viewport,
                                     const SmallPictureSettings& settings) {
   const IVec2& size = settings.size;
@@ -35,11 +35,11 @@ std::vector<SampleJob> jobs_through(const Viewport& viewport,
 /// A fraction of a second of work.
 constexpr IVec2 metered_pixels{48, 27};
 
-/// The seed of the paths that are metered.
+/// The seed of the metering paths.
 constexpr std::uint32_t metering_seed = 0x6d657465U;
 
-/// Which of the metered pixels show the scene and nothing of what surrounds it, by rays through the
-/// corners of each; all, if these are too few to be what the picture is of.
+/// Marks the metered pixels that show only the scene and no environment, by rays through the
+/// corners of each; all, if these are too few to be the picture's subject.
 std::vector<bool> metered(const RayScene& rays, const Vec3& viewpoint, const Viewport& viewport) {
   constexpr double least_share = 0.05;
   const IVec2 corners = metered_pixels + 1;

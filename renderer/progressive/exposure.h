@@ -1,5 +1,5 @@
-// How bright a scene is shown: as it says itself, by what is seen of it in a small picture, or as
-// somebody says.
+// Chooses a scene's exposure: the scene's own, an automatic one from a small picture, or the
+// user's.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@ namespace foveola {
 struct SmallPictureSettings {
   IVec2 size{1};  ///< pixels
   std::uint32_t samples_per_pixel = 16;
-  /// Its seed is also that of the samples' places in their pixels, and the angle of a pixel is the
-  /// picture's own.
+  /// Its seed also places the samples in their pixels; its pixel angle is replaced by the
+  /// picture's.
   TraceSettings trace;
 };
 
-/// The mean radiance of each pixel, row after row from the top left; samples that are not finite
-/// count as black. Equal on any number of threads.
+/// The mean radiance of each pixel, row by row from the top left; non-finite samples count as
+/// black. Does not depend on the number of threads.
 std::vector<DVec3> small_picture(const PathTracer& tracer, const Vec3& viewpoint,
                                  const Viewport& viewport, SmallPictureSettings settings,
                                  const Workers& workers);
 
 struct ExposureChoice {
   enum class Base : std::uint8_t {
-    scene,      ///< the scene's exposure, or the automatic one where it has none
-    automatic,  ///< the automatic one
+    scene,      ///< the scene's exposure, or automatic without one
+    automatic,  ///< automatic
     none        ///< 0
   };
   Base base = Base::scene;
@@ -43,29 +43,28 @@ struct Exposure {
   bool is_automatic = false;
 };
 
-/// The stops that bring the logarithmic mean of the luminances to 0.18, as Reinhard et al. (2002,
-/// "Photographic Tone Reproduction for Digital Images", equations 1 and 2) do it for a picture in
-/// the middle key, rounded to hundredths. What is black does not count, such as the surroundings of
-/// an object where there is no environment; nor does what is over 8 stops darker than all but 5 %
-/// of what counts, and would be shown as black beside it. A small lamp counts as little as its part
-/// of the picture. Up to two stops darker if more than 5 % were white otherwise, such as a pale
-/// object on dark ground. None if nothing shines.
+/// The stops that bring the logarithmic mean of the luminances to 0.18, as in Reinhard et al.
+/// (2002, "Photographic Tone Reproduction for Digital Images", equations 1 and 2) for a picture in
+/// the middle key, rounded to hundredths. Black pixels are excluded, such as an object's
+/// surroundings without an environment. So are pixels over 8 stops below the 95th percentile, which
+/// would be shown as black. A small lamp has little weight. Up to two stops darker if more than 5 %
+/// were white otherwise, such as a pale object on dark ground. nullopt if all is black.
 std::optional<double> automatic_exposure_stops(std::vector<float> luminances);
 
-/// The same of what is seen through `viewport` from `viewpoint`: of a small picture, which is equal
-/// on any number of threads and whatever the seed of `trace`. What surrounds the scene counts only
-/// if less than a twentieth of the picture shows the scene alone.
+/// The same for the view through `viewport` from `viewpoint`, by a small picture that does not
+/// depend on the number of threads or the seed of `trace`. The environment counts only if less than
+/// a twentieth of the picture shows the scene alone.
 std::optional<double> automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
                                                const Viewport& viewport, TraceSettings trace,
                                                const Workers& workers);
 
-/// Looks at the scene only if nobody says how bright it is shown; 0 stops, and not automatic, if it
+/// The chosen exposure. Renders the small picture only if needed; 0 stops, and not automatic, if it
 /// is black.
 Exposure chosen_exposure(const ExposureChoice& choice, const LoadedScene& loaded,
                          const Viewport& viewport, const TraceSettings& trace,
                          const Workers& workers);
 
-/// A line that says an automatic exposure, and how to have it again.
+/// A line that states an automatic exposure, and the option to repeat it.
 std::string exposure_note(const Exposure& exposure);
 
 }  // namespace foveola

@@ -18,16 +18,15 @@
 namespace foveola {
 namespace {
 
-/// Samples are traced in batches so that Ctrl-C and a time limit are answered soon, and large
-/// enough for neighbouring rays to be found in them. The image does not depend on their sizes, but
-/// with adaptive sampling, whose batches are of one size so that neither a machine's speed nor a
-/// replay matters.
+/// Batches are small enough for Ctrl-C and time limits, and large enough for coherent rays. The
+/// image does not depend on their sizes, except with adaptive sampling, whose batches have one
+/// size, independent of the machine's speed and of replays.
 constexpr std::uint64_t smallest_batch = 1 << 14;
 constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr double batch_target_s = 0.1;
 
-/// A head that holds still. Its gaze goes through the head's axes and back, as a live preview's
-/// does, so that both give the same picture, to the bit.
+/// A head at rest. Its gaze is transformed to the head's axes and back, as in a live preview, so
+/// that both give the same picture, to the bit.
 Aim aim_of_panorama(const RenderSettings& settings, const LoadedScene& loaded) {
   const AzimuthElevation& heading = loaded.camera.heading;
   const Quat head = head_orientation(heading);
@@ -41,7 +40,7 @@ Aim aim_of_picture(const Picture& picture, const LoadedScene& loaded) {
           .gaze = direction_from(loaded.camera.heading)};
 }
 
-/// Where there is no camera, one is chosen for the picture that is made.
+/// Without a camera, one is chosen for this render's picture.
 SceneChoices choices_of(const RenderSettings& settings) {
   SceneChoices choices = settings.scene;
   if (settings.picture) {
@@ -50,7 +49,7 @@ SceneChoices choices_of(const RenderSettings& settings) {
   return choices;
 }
 
-/// What the film of a render is of.
+/// The view of a render's film.
 struct Shot {
   IVec2 size{0};
   FieldOfView field_of_view;
@@ -75,7 +74,7 @@ Shot shot_of(const RenderSettings& settings, const LoadedScene& loaded) {
           .sampler = make_view_sampler(settings.method)};
 }
 
-/// Samples of each part that is split by seeds.
+/// Number of samples of a part by seeds.
 std::uint64_t samples_in_part(const Shard& shard, std::uint64_t samples) {
   const std::int64_t part = part_of(shard, static_cast<std::int64_t>(samples)).size();
   if (part == 0) {
@@ -85,7 +84,7 @@ std::uint64_t samples_in_part(const Shard& shard, std::uint64_t samples) {
   return static_cast<std::uint64_t>(part);
 }
 
-/// With the samples counted in all, or in the part.
+/// The budget with its number of samples, in all or in the part.
 RenderBudget counted(const RenderSettings& settings, const IVec2& size) {
   RenderBudget budget = settings.budget;
   if (budget.samples_per_pixel > 0.0) {
@@ -98,7 +97,7 @@ RenderBudget counted(const RenderSettings& settings, const IVec2& size) {
   return budget;
 }
 
-/// Keeps the random numbers of parts apart.
+/// Separates the random numbers of parts.
 constexpr std::uint32_t part_stream = 0x70617274U;
 
 std::uint32_t seed_of(const RenderSettings& settings) {
@@ -108,7 +107,7 @@ std::uint32_t seed_of(const RenderSettings& settings) {
              : seed;
 }
 
-/// Throws Error for what does not go with parts.
+/// Throws Error for settings that cannot be split into parts.
 void require_splittable(const RenderSettings& settings) {
   if ((settings.part || settings.so_far != nullptr) && settings.progressive.adaptive) {
     throw Error("adaptive sampling", "looks at the whole film, which is not in one place",
@@ -119,7 +118,7 @@ void require_splittable(const RenderSettings& settings) {
   }
 }
 
-/// Leaves what falls in the tiles of a part. film: must outlive it.
+/// Keeps the samples in the tiles of a part. film: must outlive it.
 ProgressiveRender::Filter tiles_of(const Shard& shard, const EquirectFilm& film) {
   return [shard, &film](std::vector<ViewSample>& samples) {
     std::erase_if(samples, [&](const ViewSample& sample) {
@@ -137,7 +136,7 @@ Exposure exposure_of(const RenderSettings& settings, const LoadedScene& loaded,
   return {.stops = loaded.source.exposure_stops.value_or(0.0)};
 }
 
-/// Throws Error for adaptive sampling of a picture: it takes the film for one of the sphere.
+/// Throws Error for adaptive sampling of a picture, since that requires a film of the sphere.
 ProgressiveSettings progressive_of(const RenderSettings& settings, const LoadedScene& loaded,
                                    const Shot& shot, const Exposure& exposure) {
   if (settings.picture && settings.progressive.adaptive) {
@@ -154,7 +153,7 @@ ProgressiveSettings progressive_of(const RenderSettings& settings, const LoadedS
   return progressive;
 }
 
-/// A scene that is loaded for one render.
+/// A scene loaded for one render.
 struct SceneOfRender {
   Workers workers;
   LoadedScene loaded;
@@ -166,7 +165,7 @@ struct SceneOfRender {
         })) {}
 };
 
-/// A render that is aimed. Scene and workers must outlive it.
+/// An aimed render. Scene and workers must outlive it.
 struct StillRender {
   const LoadedScene& loaded;
   const Workers& workers;
@@ -242,7 +241,7 @@ RenderReport report_on(const StillRender& still, const RenderSettings& settings)
   return report;
 }
 
-/// Throws Error for what was kept of a film of another kind.
+/// Throws Error for the state of a film of another kind.
 void go_on_from(const RenderProgress& so_far, ProgressiveRender& render) {
   const EquirectFilm& film = render.film();
   if (so_far.film_size != IVec2(film.width(), film.height()) ||
@@ -265,7 +264,7 @@ RenderProgress progress_of(const StillRender& still, const RenderReport& report)
           .pixels = state_of(still.render.film())};
 }
 
-/// progress: where it is shown; null: nowhere.
+/// progress: its display; null: none.
 Rendering rendering_of(const LoadedScene& loaded, const RenderSettings& settings,
                        const Workers& workers, const std::stop_token& stop, Progress* progress) {
   require_splittable(settings);
@@ -286,7 +285,7 @@ Rendering rendering_of(const LoadedScene& loaded, const RenderSettings& settings
   Nanoseconds saved = start;
   double fraction = fraction_done(still.budget, still.render.points_drawn(), report.seconds);
   while (fraction < 1.0 && !stop.stop_requested()) {
-    // With adaptive sampling fewer are traced than are drawn.
+    // Adaptive sampling traces fewer than are drawn.
     const std::uint64_t drawn = still.render.points_drawn();
     still.render.look_at(still.shot.aim.gaze);
     const TracedSamples traced = still.render.advance(

@@ -23,7 +23,7 @@
 namespace foveola {
 namespace {
 
-/// What any renderer can show: for comparing with others.
+/// A material that any renderer supports, for comparisons.
 void make_diffuse(Material& material) {
   material.metallic = 0.0F;
   material.specular = 0.0F;
@@ -43,7 +43,7 @@ Scene as_chosen(Scene scene, bool diffuse, bool has_studio_light) {
   return scene;
 }
 
-/// The camera where nobody says where to stand. Adds notes that say so.
+/// The default camera. Adds notes about it.
 CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
                                 const SceneChoices& choices, std::vector<std::string>& warnings) {
   const FieldOfView framed_for = choices.framed_for.value_or(picture_of({}, {}).field_of_view);
@@ -57,7 +57,7 @@ CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
   return view;
 }
 
-/// The camera of the file that is called so, see camera_names. Throws UsageError.
+/// The file's camera of this name, see camera_names. Throws UsageError.
 const CameraView& camera_named(const Scene& scene, const std::string& name) {
   const std::vector<std::string> names = camera_names(scene.cameras);
   const auto found = std::find(names.begin(), names.end(), name);
@@ -107,7 +107,7 @@ CameraView choose_camera(const SceneSource& source, const Scene& scene, const Ra
   return view;
 }
 
-/// The result of `step` and how long it took.
+/// The result of `step` and its duration.
 template <typename Step>
 auto timed(const Step& step) {
   const SteadyClock clock;
@@ -128,8 +128,8 @@ PathTracer build(const Scene& scene, const Workers& workers, KeptForReload* kept
 
 namespace fs = std::filesystem;
 
-/// All files that the scene was made of or, like a descriptor beside its file, may be the next
-/// time.
+/// All files of the scene, including those that may be read the next time, like a descriptor beside
+/// its file.
 std::set<fs::path> files_of(const LoadedScene& loaded) {
   std::set<fs::path> files = loaded.scene.files;
   files.insert(loaded.source.file);
@@ -207,18 +207,18 @@ void SceneReloader::run(const std::stop_token& stop) {
   const WorkScope scope(stop);
   try {
     reload_until(stop);
-  } catch (const WorkStopped&) {  // nobody waits for that scene any longer
+  } catch (const WorkStopped&) {  // the result is no longer wanted
   }
 }
 
 void SceneReloader::reload_until(const std::stop_token& stop) {
   if (kept_->parts.places_instances) {
-    reload();  // So that the first change, as later ones, finds memory that was in use before.
+    reload();  // The first change, like later ones, then reuses memory.
   }
   std::string last_refusal;
   for (FileChange change = watch_.wait_for_change(stop); change != FileChange::none;
        change = watch_.wait_for_change(stop)) {
-    // A scene that did not load may lack a file that nobody knows of yet.
+    // A scene that failed to load may lack an unknown file.
     if (change == FileChange::of_another_file && last_refusal.empty()) {
       continue;
     }
@@ -239,9 +239,9 @@ void SceneReloader::reload_until(const std::stop_token& stop) {
 ReloadedScene SceneReloader::reload() {
   ReloadedScene reloaded;
   try {
-    // Where one change was, others follow.
+    // After one change, others follow.
     kept_->expects_changes();
-    // Learning would take up to 0.1 s of the 0.3 s within which a change is to be seen.
+    // Learning would take up to 0.1 s of the 0.3 s within which a change should be visible.
     SceneChoices choices = settings_.choices;
     choices.learns_lights = false;
     reloaded.scene =

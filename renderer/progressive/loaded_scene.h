@@ -1,5 +1,5 @@
-// A scene ready to be rendered: loaded, built for tracing, with a camera chosen for it, and loaded
-// again whenever its files change.
+// A scene ready for rendering: loaded, built for tracing, with a camera, and reloaded when its
+// files change.
 #pragma once
 
 #include <atomic>
@@ -27,26 +27,26 @@
 
 namespace foveola {
 
-/// What a user may choose otherwise than the scene has it.
+/// The user's choices that override the scene's.
 struct SceneChoices {
   std::optional<DVec3> camera;           ///< in the file's world; default: see LoadedScene::camera
   std::string camera_name;               ///< see camera_names(); empty: no choice
-  std::optional<AzimuthElevation> head;  ///< world, with its horizon level; default: the camera's
-  /// The field of view of the picture that a place to stand is chosen for.
-  std::optional<FieldOfView> framed_for;  ///< default: the usual picture's
+  std::optional<AzimuthElevation> head;  ///< world, with a level horizon; default: the camera's
+  /// Field of view of the picture for which a viewpoint is chosen.
+  std::optional<FieldOfView> framed_for;  ///< default: the default picture's
   bool diffuse = false;       ///< every material is Lambertian in its base colour, emission kept
-  bool lights_unlit = false;  ///< a scene in which nothing shines gets a studio light
-  /// Which lights reach where is learned from the camera's place (see PathTracer::learn_lights).
+  bool lights_unlit = false;  ///< adds a studio light to a scene without emission
+  /// Whether light probabilities are learned at the camera (see PathTracer::learn_lights).
   bool learns_lights = true;
 };
 
-/// What loading and building a scene made, kept for its next version.
+/// Parts of a loaded and built scene, kept for its next version.
 struct KeptForReload {
   KeptSceneParts parts;
   KeptHierarchies hierarchies;
 
-  /// From now on scenes are loaded so that changes are loaded soon: with a hierarchy for each mesh,
-  /// through which rays take a third longer.
+  /// Optimises later loads for fast reloading: one hierarchy per mesh, which makes rays a third
+  /// slower.
   void expects_changes() { parts.places_instances = true; }
 };
 
@@ -54,61 +54,61 @@ struct LoadedScene {
   SceneSource source;
   double load_seconds = 0.0;
   double build_seconds = 0.0;
-  bool has_studio_light = false;  ///< whether only that lights it
+  bool has_studio_light = false;  ///< whether it is the only light
   Scene scene;
   PathTracer tracer;
-  /// One line each: what loading warned of, where one stands if neither the scene nor the choices
-  /// say so (see choose_standpoint), and what the scene lacks.
+  /// One line each: warnings of loading, the viewpoint if neither scene nor choices have one (see
+  /// choose_standpoint), and what the scene lacks.
   std::vector<std::string> warnings;
-  /// Where the choices say, else the source, else the file's first, else by choose_standpoint; in
-  /// the scene's coordinates (see Scene::origin).
+  /// By the choices, else the source, else the file's first camera, else choose_standpoint; in the
+  /// scene's coordinates (see Scene::origin).
   CameraView camera;
-  /// Whether no light comes to the camera's place from outside the scene.
+  /// Whether no light reaches the camera's place from outside the scene.
   bool camera_is_enclosed = false;
 
-  /// kept: what is used again and left for the next version, or null. Throws Error for what is
-  /// wrong with the scene, and UsageError for a camera that it has not.
+  /// kept: stores parts for reuse, or null. Throws Error for a fault of the scene, and UsageError
+  /// for a camera that it lacks.
   LoadedScene(const SceneSource& source, const Workers& workers, const SceneChoices& choices = {},
               KeptForReload* kept = nullptr);
-  /// For a scene that comes from no file.
+  /// For a scene without a file.
   LoadedScene(const SceneSource& source, Scene scene, const Workers& workers,
               const SceneChoices& choices = {});
   LoadedScene(const LoadedScene&) = delete;
   LoadedScene& operator=(const LoadedScene&) = delete;
 
-  /// `settings` of a render of this scene: with its viewpoint and its exposure.
+  /// `settings` with this scene's viewpoint and exposure.
   ProgressiveSettings rendered_with(ProgressiveSettings settings) const;
 
  private:
-  /// The scene and the seconds that loading it took.
+  /// timed_scene: the scene, and the seconds of loading it.
   LoadedScene(const SceneSource& source, std::pair<Scene, double> timed_scene,
               const Workers& workers, const SceneChoices& choices, KeptForReload* kept);
 };
 
-/// What became of a change of a scene's files.
+/// The result of reloading changed files.
 struct ReloadedScene {
-  std::shared_ptr<const LoadedScene> scene;  ///< null: it does not load
-  std::string refusal;                       ///< why, then
+  std::shared_ptr<const LoadedScene> scene;  ///< null if loading failed
+  std::string refusal;                       ///< the reason of a failure
   Nanoseconds changed{0};                    ///< when the change was complete, by the steady clock
 };
 
-/// In a thread of its own. Files are read once nobody writes to them any more. What has not changed
-/// is neither decoded nor built again.
+/// Reloads a scene in a thread of its own, once its files are no longer written to. Unchanged parts
+/// are neither decoded nor built again.
 class SceneReloader {
  public:
   struct Settings {
-    /// Finds the scene again, as it was found first: its descriptor may have changed too.
+    /// Finds the scene again: its descriptor may have changed too.
     std::function<SceneSource()> find_source;
     SceneChoices choices;
-    int threads = 0;  ///< 0: one for each core
+    int threads = 0;  ///< 0: one per core
     FileWatchTiming timing;
   };
 
-  /// first: what is shown. kept: what loading that left, which must outlive this. Throws Error if
-  /// the system does not let its folders be watched.
+  /// first: the scene shown. kept: the parts of its loading; must outlive this. Throws Error if the
+  /// system does not allow watching its folders.
   SceneReloader(const LoadedScene& first, KeptForReload& kept, Settings settings);
 
-  /// What came of the last change, once. Does not wait.
+  /// The result of the last change, once; nullopt before. Does not wait.
   std::optional<ReloadedScene> take();
 
   /// Whether a change is being loaded.
@@ -128,7 +128,7 @@ class SceneReloader {
   std::atomic<bool> is_loading_ = false;
   std::mutex mutex_;
   std::optional<ReloadedScene> reloaded_;
-  std::jthread thread_;  ///< ends before what it uses
+  std::jthread thread_;  ///< last: it ends before the members that it uses
 };
 
 }  // namespace foveola

@@ -14,7 +14,7 @@ IVec2 fitted_size(double aspect_ratio) {
   return glm::max(IVec2(width, height), IVec2(1));
 }
 
-/// The part of the picture, each way, that is filled.
+/// Share of the picture, each way, that the content fills.
 constexpr double filled = 0.9;
 
 double half_extent(double fov_deg) { return filled * std::tan(0.5 * radians(fov_deg)); }
@@ -41,7 +41,7 @@ Picture picture_of(const CameraView& camera, const PictureChoices& choices) {
 }
 
 Viewport viewport_of(const CameraView& camera, const FieldOfView& field_of_view) {
-  // Clockwise as the camera sees it is a negative turn about +Z, which points back.
+  // Clockwise for the camera is a negative rotation about +Z, which points back.
   const Quat roll = glm::angleAxis(static_cast<float>(-camera.roll_rad), Vec3(0.0F, 0.0F, 1.0F));
   return Viewport(head_orientation(camera.heading) * roll, radians(field_of_view.horizontal_deg),
                   radians(field_of_view.vertical_deg), field_of_view.lens);
@@ -85,8 +85,8 @@ void Framing::include(const Bounds& bounds) {
 }
 
 // A camera at c has p in view if, to the right, (p - c) . right <= half width * (c - p) . back, or
-// side . p <= side . c; and so to the other sides. Two opposite sides in equality give the place
-// along their axis and the least distance; the larger of the two distances holds all.
+// side . p <= side . c; likewise for the other sides. Two opposite sides in equality give the place
+// along their axis and the minimum distance; the larger of the two distances serves both.
 Vec3 Framing::position() const {
   const double across = 0.5 * (furthest_[0] - furthest_[1]);
   const double upwards = 0.5 * (furthest_[2] - furthest_[3]);

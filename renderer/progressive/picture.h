@@ -1,5 +1,5 @@
-// An ordinary picture of a scene, as a camera with a flat sensor makes it: its size, its view, and
-// standing back until all of something is in it.
+// An ordinary picture of a scene, by a camera with a flat sensor: its size, its view, and framing
+// of objects.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace foveola {
 
-/// The larger side of what a picture shows where neither the camera nor the user says it. About
-/// what a lens of 31 mm shows in front of a sensor 36 mm wide.
+/// Default field of view across a picture's larger side, about that of a 31 mm lens on a sensor 36
+/// mm wide.
 inline constexpr double default_picture_fov_deg = 60.0;
 
-/// A picture has at most so many pixels each way unless the user gives its size.
+/// Maximum default size of a picture, in pixels.
 inline constexpr IVec2 default_picture_size{1280, 720};
 
-/// What a user may choose of a picture.
+/// The user's choices for a picture.
 struct PictureChoices {
   std::optional<IVec2> size;                 ///< pixels
   std::optional<double> horizontal_fov_deg;  ///< in (0, 180)
@@ -31,36 +31,36 @@ struct Picture {
   FieldOfView field_of_view;
 };
 
-/// The picture of `camera`. Its size is the usual one, cut down to the camera's aspect ratio; its
-/// height shows the camera's vertical field of view, and its pixels are square.
+/// The picture of `camera`. Its size is the default, cut to the camera's aspect ratio; its height
+/// covers the camera's vertical field of view, and its pixels are square.
 Picture picture_of(const CameraView& camera, const PictureChoices& choices);
 
-/// How `camera` sees the picture, its roll included.
+/// The picture's view from `camera`, including roll.
 Viewport viewport_of(const CameraView& camera, const FieldOfView& field_of_view);
 
-/// The angle that a pixel in the picture's middle spans across.
+/// The angle across a pixel in the picture's centre.
 float pixel_angle_rad(const Picture& picture);
 
-/// The nearest place from which a camera that looks along `heading` with the horizon level has all
-/// that was included in its picture, in the middle, with a margin around.
+/// The nearest position of a level camera along `heading` at which everything included is in its
+/// picture, centred, with a margin.
 class Framing {
  public:
   /// field_of_view: the picture's; its lens is ignored.
   Framing(const AzimuthElevation& heading, const FieldOfView& field_of_view);
 
   void include(const Vec3& position);
-  /// All vertices of an object.
+  /// Includes all vertices of an object.
   void include(const Scene& scene, std::uint32_t object);
-  /// The eight corners.
+  /// Includes the eight corners.
   void include(const Bounds& bounds);
 
-  /// Where the camera stands; meaningless before anything was included.
+  /// The camera's position; meaningless before anything is included.
   Vec3 position() const;
 
  private:
   DVec3 right_, up_, back_;
-  std::array<DVec3, 4> sides_;      ///< normals of the pyramid of view, outwards; of no unit length
-  std::array<double, 4> furthest_;  ///< the furthest that was included, along each of them
+  std::array<DVec3, 4> sides_;      ///< outward normals of the view pyramid, not of unit length
+  std::array<double, 4> furthest_;  ///< the furthest included point along each of them
   DVec2 half_size_;                 ///< of the picture without its margin, at distance 1
 };
 

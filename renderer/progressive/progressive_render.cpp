@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// Keeps the pattern of the directions apart from the randomness of the paths.
+/// Separates the directions' pattern from the randomness of the paths.
 constexpr std::uint32_t view_stream = 0x76696577U;
 
 FilmStatistics statistics_for(const ProgressiveSettings& settings) {
@@ -18,8 +18,8 @@ FilmStatistics statistics_for(const ProgressiveSettings& settings) {
                                                       : FilmStatistics::mean;
 }
 
-/// A path's numbers run through a sequence over the samples of its pixel. The first sample of a
-/// pixel that no other path has is independent of all others'.
+/// A path's numbers follow a sequence over the samples of its pixel. The first sample of a pixel
+/// without other paths is independent of all others'.
 std::vector<SampleJob> independent_of_each_other(std::span<const SampleJob> jobs) {
   std::vector<SampleJob> independent(jobs.begin(), jobs.end());
   for (SampleJob& job : independent) {

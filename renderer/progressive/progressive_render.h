@@ -1,4 +1,4 @@
-// A progressive render: samples drawn, traced and added to a film, for as long as somebody asks.
+// A progressive render: draws and traces samples and adds them to a film, call by call.
 #pragma once
 
 #include <cstdint>
@@ -18,99 +18,98 @@ namespace foveola {
 
 struct ProgressiveSettings {
   Vec3 viewpoint{0.0F};         ///< in the scene's coordinates (see Scene::origin), metres
-  IVec2 film_size{2048, 1024};  ///< pixels, as EquirectFilm takes them
-  /// The angle of the film's pixels; default: those of a 360-degree image.
+  IVec2 film_size{2048, 1024};  ///< pixels, as for EquirectFilm
+  /// Angle of the film's pixels; default: of a 360-degree image.
   std::optional<float> pixel_angle_rad;
-  /// Its seed is that of the paths. Its pixel angle is that of the film, whatever stands here.
+  /// Its seed is that of the paths; its pixel angle is replaced by the film's.
   TraceSettings trace;
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
-  /// Visits all pixels in rounds where the sampler is uniform over the film, so that their counts
-  /// differ by one at most. Off in studies, whose sample positions are those of one sequence.
+  /// Visits all pixels in rounds if the sampler is uniform over the film, so that their counts
+  /// differ by at most one. Off in studies, whose sample positions come from one sequence.
   bool visits_pixels_in_rounds = false;
-  /// Sends samples away from pixels whose noise is no longer seen. Off in the published study.
+  /// Redirects samples from pixels whose noise is invisible. Off in the published study.
   std::optional<VisibleNoise> adaptive;
-  bool keep_variances = false;  ///< in the film, even without adaptive sampling
+  bool keep_variances = false;  ///< in the film, without adaptive sampling too
 };
 
-/// What was traced in one go.
+/// The samples traced in one call.
 struct TracedSamples {
   std::uint64_t samples = 0;
   RayCounts rays;
   double trace_seconds = 0.0;  ///< without drawing directions and without the film
 };
 
-/// Samples after which adaptive sampling looks again at what is done, where no frame says when.
+/// Default number of samples between updates of adaptive sampling.
 constexpr std::uint64_t adaptive_pass = 1 << 16;
 
-/// The film of one viewpoint. Each call draws the next points of one pattern, whose directions an
-/// aimed sampler chooses; it may be another sampler in each call. It refers to the tracer and the
-/// workers, which must outlive it.
+/// The film of one viewpoint. Each call draws the next points of one pattern, mapped to directions
+/// by an aimed sampler, which may differ between calls. The tracer and the workers must outlive it.
 class ProgressiveRender {
  public:
-  /// Throws Error for a film size that cannot be.
+  /// Throws Error for an impossible film size.
   ProgressiveRender(const PathTracer& tracer, const ProgressiveSettings& settings,
                     const Workers& workers);
 
-  /// Clears the film and draws paths and directions anew from `seed`.
+  /// Clears the film and restarts paths and directions with `seed`.
   void restart(std::uint32_t seed);
 
-  /// Restarts with the same seed at another place, in the scene's coordinates.
+  /// Restarts with the same seed at another viewpoint, in the scene's coordinates.
   void stand_at(const Vec3& viewpoint);
 
-  /// Cuts each channel of the samples from now on, as TraceSettings::largest_radiance. Those that
-  /// are in the film stay.
+  /// Clamps each channel of later samples, as TraceSettings::largest_radiance. Samples in the film
+  /// stay.
   void cut_samples(float largest_radiance) { settings_.trace.largest_radiance = largest_radiance; }
 
-  /// Draws directions from the first point of another pattern on, into the same film. Without it,
-  /// the pattern's seed is made from the paths' seed.
+  /// Draws directions from the beginning of another pattern, into the same film. By default the
+  /// pattern's seed is derived from the paths' seed.
   void begin_pattern(std::uint32_t seed);
 
-  /// Adaptive sampling judges noise as an eye does that looks along `gaze` (unit length, world).
-  /// After each look it draws other random numbers.
+  /// Sets the gaze (unit length, world) of adaptive sampling's visibility threshold. Also begins
+  /// new random numbers.
   void look_at(const Vec3& gaze);
 
-  /// Takes over what a render with the same settings had come to when it had drawn so many points
-  /// of its pattern. Without adaptive sampling it goes on as that would.
+  /// Restores the state of a render with the same settings after `points_drawn` points of its
+  /// pattern. Without adaptive sampling it continues as that render would.
   void go_on_from(std::span<const PixelState> pixels, std::uint64_t points_drawn,
                   std::vector<DroppedSample> dropped);
 
-  /// Takes away samples that are not to be traced.
+  /// Removes samples that are not to be traced.
   using Filter = std::function<void(std::vector<ViewSample>& samples)>;
-  /// Traces only what `filter` leaves of the samples that were drawn.
+  /// Traces only the drawn samples that `filter` leaves.
   void filter_samples(Filter filter) { filter_ = std::move(filter); }
 
-  /// The radiance of samples that were traced, one element a job.
+  /// Receives the radiance of traced samples, one element per job.
   using Observe =
       std::function<void(std::span<const SampleJob> jobs, std::span<const Rgb> radiance)>;
-  /// Shows `observe` what each call of advance() traces, whatever the film makes of it.
+  /// Passes the samples traced by each advance() to `observe`, before the film.
   void observe_samples(Observe observe) { observe_ = std::move(observe); }
 
-  /// Goes on with another tracer, of the same scene or, before a restart, of another.
+  /// Continues with another tracer, of the same scene or, before a restart, of another.
   void use(const PathTracer& tracer) { tracer_ = &tracer; }
 
-  /// Draws so many points, all in memory at once, by a sampler that was aimed, and traces what
-  /// adaptive sampling and the filter leave of them.
+  /// Draws `points` points, all in memory at once, by an aimed sampler. Traces those that adaptive
+  /// sampling and the filter leave.
   TracedSamples advance(const ViewSampler& sampler, std::uint64_t points);
 
-  /// Draws so many points and returns their jobs. They are only traced where the samples decide
-  /// where the next ones go, in adaptive sampling; else the film gets black ones.
+  /// Draws `points` points and returns their jobs. Traces them only for adaptive sampling, where
+  /// they decide about the next samples; otherwise the film gets black samples.
   std::vector<SampleJob> pass_over(const ViewSampler& sampler, std::uint64_t points);
 
-  /// As pass_over, but returns the job of one sample of one pixel, if it is among them. pixel: its
-  /// row times the film's width, plus its column.
+  /// As pass_over, but returns the job of one sample of one pixel; nullopt if it is not among them.
+  /// pixel: its row times the film's width, plus its column.
   std::optional<SampleJob> find_job(const ViewSampler& sampler, std::uint64_t points,
                                     std::uint32_t pixel, std::uint32_t sample_number);
 
-  /// Points drawn of the present pattern.
+  /// Number of points drawn from the current pattern.
   std::uint64_t points_drawn() const { return next_point_; }
   const EquirectFilm& film() const { return film_; }
-  /// Samples dropped since the film was clear because they were not finite.
+  /// Samples dropped since the last clear because they were not finite.
   const std::vector<DroppedSample>& dropped() const { return dropped_; }
   /// The settings of its paths, the film's pixel angle included.
   const TraceSettings& trace_settings() const { return settings_.trace; }
 
  private:
-  /// The jobs of the next points, without those that adaptive sampling and the filter take away.
+  /// The jobs of the next points, without those that adaptive sampling and the filter remove.
   std::span<const SampleJob> draw(const ViewSampler& sampler, std::uint64_t points);
   /// Fills radiance_.
   RayCounts trace(std::span<const SampleJob> jobs);

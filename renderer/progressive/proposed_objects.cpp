@@ -24,7 +24,7 @@ Vec3 direction_of_ray(std::size_t ray) {
   return fibonacci_direction(static_cast<int>(ray), static_cast<int>(rays));
 }
 
-/// The meshes and instances that bear one name.
+/// The meshes and instances of one name.
 struct Group {
   std::string name;
   bool shines = true;
@@ -60,7 +60,7 @@ Groups groups_of(const Scene& scene) {
   return groups;
 }
 
-/// What lies along one ray: the groups that it meets, each once, in the order of their distances.
+/// The groups along one ray, each once, in order of distance.
 struct RayThrough {
   std::vector<std::uint32_t> groups;
   float first_distance_m = 0.0F;
@@ -69,7 +69,7 @@ struct RayThrough {
 RayThrough follow(const RayScene& scene, const Groups& groups, const Vec3& origin,
                   const Vec3& direction) {
   constexpr int max_surfaces = 64;
-  constexpr float beyond = 1.0F + 1e-4F;  // further than the rounding of a hit's distance
+  constexpr float beyond = 1.0F + 1e-4F;  // above the rounding of a hit's distance
   RayThrough through;
   Ray ray{.origin = origin, .direction = direction};
   for (int surface = 0; surface < max_surfaces; ++surface) {
@@ -89,16 +89,16 @@ RayThrough follow(const RayScene& scene, const Groups& groups, const Vec3& origi
   return through;
 }
 
-/// What is seen of a group.
+/// The visible part of a group.
 struct Seen {
-  std::size_t meeting = 0;             ///< rays that would meet it if it were alone
-  DVec3 sum{0.0};                      ///< of the directions of the rays that meet it first
-  std::vector<std::size_t> first_met;  ///< these rays
+  std::size_t meeting = 0;             ///< rays that would hit it if it were alone
+  DVec3 sum{0.0};                      ///< of the directions of first hits
+  std::vector<std::size_t> first_met;  ///< rays that hit it first
 };
 
 struct View {
-  std::vector<RayThrough> through;  ///< of each ray
-  std::vector<Seen> seen;           ///< of each group
+  std::vector<RayThrough> through;  ///< per ray
+  std::vector<Seen> seen;           ///< per group
 };
 
 View look_around(const LoadedScene& loaded, const Groups& groups, const Workers& workers) {
@@ -125,7 +125,7 @@ View look_around(const LoadedScene& loaded, const Groups& groups, const Workers&
   return view;
 }
 
-/// The ray to what is seen of an object that is nearest to the middle of it.
+/// The ray nearest to the centre of an object's visible part.
 std::size_t middle_ray(const Seen& seen) {
   const Vec3 middle(glm::normalize(seen.sum));
   return *std::max_element(
@@ -134,8 +134,8 @@ std::size_t middle_ray(const Seen& seen) {
       });
 }
 
-/// The angle around `middle` within which 98 of 100 rays lie that see the object: a few may pass by
-/// a table's leg.
+/// The angle around `middle` that contains 98 of 100 rays to the object: a few may pass a table's
+/// leg.
 double angular_radius_rad(const Seen& seen, const Vec3& middle) {
   constexpr double covered = 0.98;
   std::vector<double> angles_rad;
@@ -190,13 +190,13 @@ std::optional<Candidate> candidate(const LoadedScene& loaded, const Group& group
                    .score = visible_share * fill * std::min(1.0, radius_deg / large_enough_deg)};
 }
 
-/// Whether a gaze could tell the two apart.
+/// Whether a gaze could distinguish the two.
 bool are_apart(const Candidate& a, const Candidate& b) {
   return degrees(angle_between(a.direction, b.direction)) >
          a.proposed.object.radius_deg + b.proposed.object.radius_deg;
 }
 
-/// The best that lie apart, of candidates in the order of their scores.
+/// The best non-overlapping candidates, in order of their scores.
 std::vector<ProposedObject> best_of(const std::vector<Candidate>& candidates,
                                     std::size_t max_objects) {
   std::vector<Candidate> chosen;

@@ -1,4 +1,4 @@
-// Objects of a scene that participants of a study might choose, proposed from what the camera sees.
+// Proposes objects that participants of a study might choose, from the camera's view.
 #pragma once
 
 #include <vector>
@@ -10,33 +10,31 @@
 namespace foveola {
 
 struct ProposedObject {
-  /// Called as in the file. Its position, in the file's world in metres, is a point of its surface
-  /// that is seen from the camera, in the middle of what is seen of it.
+  /// Named as in the file. Its position, in the file's world in metres, is a point of its surface
+  /// visible from the camera, in the centre of its visible part.
   ObjectOfInterest object;
-  /// Of the rays from the camera that would meet the object if nothing stood before it, the share
-  /// that meets it first; in (0, 1].
+  /// Share of unoccluded rays among the camera's rays that would hit the object if it stood alone;
+  /// in (0, 1].
   double visible_share = 0.0;
   double distance_m = 0.0;
 };
 
-/// What makes an object worth choosing.
+/// Criteria for worthwhile objects.
 struct ProposalRule {
   double least_radius_deg = 1.0;
   double largest_radius_deg = 20.0;
   double largest_elevation_deg = 60.0;  ///< above and below the horizon
   double least_visible_share = 0.5;
-  /// Of the circle of its radius, the least share that what is seen of it fills: neither cables nor
-  /// frames.
+  /// Minimum share of the object's circle that its visible part fills: excludes cables and frames.
   double least_fill = 0.15;
   std::size_t max_objects = 12;
 };
 
-/// Proposes objects, the best first. An object is what bears one name in the file, or if it has no
-/// name one mesh; what shines by itself is none. Of those that keep to `rule`, the best have the
-/// largest product of visible share, filled share of the circle, and radius as far as 4 degrees. An
-/// object whose circle overlaps that of a better one is left out: a gaze could not tell them apart.
-/// 2^18 rays are traced in directions that lie evenly on the sphere, each through up to 64
-/// surfaces.
+/// Proposes objects, the best first. An object consists of all meshes of one name in the file, or
+/// of one unnamed mesh; emitters are excluded. Objects within `rule` are ranked by the product of
+/// visible share, filled share of the circle, and radius up to 4 degrees. An object whose circle
+/// overlaps that of a better one is left out, since a gaze could not distinguish them. 2^18 rays
+/// are traced in directions that lie evenly on the sphere, each through up to 64 surfaces.
 std::vector<ProposedObject> propose_objects(const LoadedScene& loaded, const Workers& workers,
                                             const ProposalRule& rule = {});
 

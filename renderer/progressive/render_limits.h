@@ -1,4 +1,4 @@
-// The ranges of a render's settings, for the command line and for Python.
+// Checks the ranges of a render's settings, for the command line and for Python.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace foveola {
 
-/// What settings are called where a person gives them; messages begin with these.
+/// The settings' names in the user's interface; messages begin with these.
 struct SettingNames {
   const char* camera = "--camera";
   const char* head = "--head";
@@ -22,7 +22,7 @@ struct SettingNames {
   const char* remedy = "see foveola render --help";
 };
 
-/// How much is to be rendered: one of them.
+/// The amount of rendering: one of these.
 struct BudgetChoices {
   std::optional<double> samples_per_pixel;
   std::optional<std::int64_t> samples;
@@ -33,7 +33,7 @@ struct BudgetChoices {
 /// Throws UsageError for more than one choice, and for a number out of its range.
 RenderBudget budget_of(const BudgetChoices& choices, const SettingNames& names = {});
 
-/// Throws UsageError for the first setting, but for the budget, that no render can have.
+/// Throws UsageError for the first impossible setting, except the budget.
 void require_possible(const RenderSettings& settings, const SettingNames& names = {});
 
 }  // namespace foveola

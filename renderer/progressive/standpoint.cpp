@@ -33,7 +33,7 @@ std::vector<Bounds> bounds_of_objects(const Scene& scene) {
   return all;
 }
 
-/// Extents of the bounds along the axes, as parts of the largest.
+/// Extents of the bounds along the axes, relative to the largest.
 struct Shape {
   Vec3 extents;
   int thinnest_axis;
@@ -45,7 +45,7 @@ struct Shape {
 
   bool is_flat() const { return extents[thinnest_axis] < 1e-3F; }
 
-  /// The direction from the middle to where no slab or sheet is seen edge-on.
+  /// The direction from the centre from which no slab or sheet is seen edge-on.
   Vec3 front() const {
     Vec3 direction(0.0F, 0.0F, 1.0F);
     direction[thinnest_axis] = 1.0F;
@@ -53,14 +53,14 @@ struct Shape {
   }
 };
 
-/// What the picture should have all of.
+/// The bounds that the picture must contain.
 struct Subject {
   std::vector<std::uint32_t> objects;
   Bounds bounds{.lower = Vec3(nowhere), .upper = Vec3(-nowhere)};
   bool leaves_out_floor = false;
 };
 
-/// Whether it is a floor under all the rest, and reaches beyond it on all sides.
+/// Whether it is a floor under all the rest, and extends beyond it on all sides.
 bool is_floor_under(const Bounds& floor, const Bounds& rest) {
   const Vec3 extent = floor.upper - floor.lower;
   constexpr float flat = 0.01F;
@@ -97,10 +97,10 @@ Subject subject_of(const std::vector<Bounds>& objects) {
   return has_rest && is_floor_under(*largest, rest.bounds) ? rest : all;
 }
 
-/// How much a picture from outside shows: the mean over what its rays meet. A front counts 1, and
-/// the depth in which it is met behind the nearest point of the bounds, as a part of the bounds'
-/// size. A back counts twice its depth: near by it is the wrong side of something, and deep within
-/// it is the inside of something open, like a helmet seen from the front.
+/// Score of a picture from outside: the mean over its rays' hits. A front face counts 1 plus its
+/// depth behind the nearest point of the bounds, relative to the bounds' size. A back face counts
+/// twice its depth: nearby it is the wrong side of something, but deep within it is the inside of
+/// an open object, like a helmet seen from the front.
 double shown_from(const Scene& scene, const RayScene& rays, const Subject& subject,
                   const AzimuthElevation& heading, const FieldOfView& field_of_view) {
   Framing framing(heading, field_of_view);
@@ -121,7 +121,7 @@ double shown_from(const Scene& scene, const RayScene& rays, const Subject& subje
   return hits > 0 ? shown / hits : 0.0;
 }
 
-/// From the front and the right and slightly from above, unless another side shows much more.
+/// From the front and right and slightly from above, unless another side scores much higher.
 AzimuthElevation best_heading(const Scene& scene, const RayScene& rays, const Subject& subject,
                               const FieldOfView& field_of_view) {
   constexpr double much_more = 0.3;
@@ -151,12 +151,12 @@ Standpoint outside(const Scene& scene, const Subject& subject, const AzimuthElev
 }
 
 bool has_extent(const Bounds& bounds) {
-  constexpr float largest = 1e18F;  // beyond it Embree meets nothing
+  constexpr float largest = 1e18F;  // Embree finds no hits beyond it
   return bounds.lower.x <= bounds.upper.x && bounds.lower != bounds.upper &&
          max_component(bounds.upper - bounds.lower) < largest;
 }
 
-/// As --camera and --head take them, in the file's world.
+/// The options --camera and --head, in the file's world.
 std::string as_options(const Scene& scene, const Vec3& position, const AzimuthElevation& heading) {
   const DVec3 place = DVec3(position) + scene.origin;
   const auto whole_deg = [](double angle_rad) { return std::round(degrees(angle_rad)) + 0.0; };
@@ -164,7 +164,7 @@ std::string as_options(const Scene& scene, const Vec3& position, const AzimuthEl
                      whole_deg(heading.azimuth_rad), whole_deg(heading.elevation_rad));
 }
 
-/// The share of a picture's rays that meet something.
+/// Share of a picture's rays that hit something.
 double share_covered(const RayScene& rays, const Vec3& from, const Viewport& viewport) {
   const std::vector<SightLine> lines = sight_lines(rays, from, viewport, {64, 36});
   const auto hits = std::count_if(lines.begin(), lines.end(),
@@ -172,7 +172,7 @@ double share_covered(const RayScene& rays, const Vec3& from, const Viewport& vie
   return static_cast<double>(hits) / static_cast<double>(lines.size());
 }
 
-/// A camera before what lies around the first vertex, in a hundredth of the scene's size.
+/// A camera in front of the surroundings of the first vertex, of a hundredth of the scene's size.
 Vec3 place_near_a_part(const Scene& scene, const Standpoint& standpoint,
                        const FieldOfView& field_of_view) {
   constexpr float nearby = 0.01F;

@@ -15,15 +15,15 @@ namespace foveola {
 namespace {
 
 constexpr double eye_height_m = 1.6;
-/// Heights of rooms that people stand in.
+/// Heights of rooms for people.
 constexpr double lowest_room_m = 1.9;
 constexpr double highest_room_m = 100.0;
 
-/// The share of rays around that something must stop in a room, which may lack its ceiling.
+/// Minimum share of rays with hits in a room, which may lack its ceiling.
 constexpr double least_enclosure = 0.6;
 constexpr double nearly_all = 0.95;
 
-/// A place where somebody could stand.
+/// A place where a person could stand.
 struct Place {
   Vec3 eye{0.0F};
   double room_height_m = 0.0;
@@ -34,7 +34,7 @@ float distance_along(const RayScene& rays, const Vec3& from, const Vec3& directi
   return rays.closest_hit(from, direction).t;
 }
 
-/// The place above the floor below `point`; none where there is no floor.
+/// The place above the floor below `point`; nullopt without a floor.
 std::optional<Place> place_at(const RayScene& rays, const Vec3& point, float top) {
   const float down_m = distance_along(rays, point, {0.0F, -1.0F, 0.0F});
   if (!std::isfinite(down_m)) {
@@ -50,7 +50,7 @@ std::optional<Place> place_at(const RayScene& rays, const Vec3& point, float top
   return place;
 }
 
-/// Places all over the bounds, above every floor that is met.
+/// Places all over the bounds, above every floor found.
 std::vector<Place> places_in(const RayScene& rays, const Bounds& bounds) {
   constexpr std::array along = {0.1F, 0.3F, 0.5F, 0.7F, 0.9F};
   constexpr std::array upwards = {0.25F, 0.5F, 0.75F};
@@ -71,11 +71,11 @@ std::vector<Place> places_in(const RayScene& rays, const Bounds& bounds) {
 /// The enclosed places of a scene.
 struct Enclosure {
   Place widest;
-  double mean_share_fronts = 0.0;  ///< of what is seen from them; see Surroundings
+  double mean_share_fronts = 0.0;  ///< over the places; see Surroundings
 };
 
-/// The widest is that with the most space around; among places where fronts are mostly seen, if
-/// there are such. None if nothing is enclosed.
+/// The widest place has the most free space, preferably among places with mostly front faces.
+/// nullopt if no place is enclosed.
 std::optional<Enclosure> enclosure_of(const Scene& scene, const RayScene& rays,
                                       const std::vector<Place>& places, double furthest_m) {
   constexpr int directions = 64;
@@ -108,7 +108,7 @@ constexpr int level_directions = 48;
 
 double level_azimuth_rad(int i) { return 2.0 * std::numbers::pi * i / level_directions; }
 
-/// The distances of what is around on the level of the eyes, infinite where nothing is.
+/// Horizontal distances at eye level, infinite without hits.
 std::array<double, level_directions> level_distances_m(const RayScene& rays, const Vec3& eye) {
   std::array<double, level_directions> distances_m{};
   for (int i = 0; i < level_directions; ++i) {
@@ -118,7 +118,7 @@ std::array<double, level_directions> level_distances_m(const RayScene& rays, con
   return distances_m;
 }
 
-/// Whether there is something on nearly all sides: two walls and a floor make no room.
+/// Whether there are hits on nearly all sides: two walls and a floor are not a room.
 bool has_walls_around(const RayScene& rays, const Vec3& eye) {
   constexpr double least_walls = 0.75;
   const auto distances_m = level_distances_m(rays, eye);
@@ -147,8 +147,7 @@ bool is_room(const Scene& scene, const RayScene& rays, const Enclosure& enclosur
          enclosure.mean_share_fronts >= furnished;
 }
 
-/// What is met towards one azimuth: how far away on the level of the eyes, and which objects there
-/// and below.
+/// The hits towards one azimuth: the distance at eye level, and the objects there and below.
 struct Outlook {
   double log_depth = 0.0;
   std::set<std::uint32_t> objects;
@@ -171,7 +170,7 @@ std::vector<Outlook> outlooks(const RayScene& rays, const Vec3& eye, double furt
   return all;
 }
 
-/// The 60 degrees around each azimuth together.
+/// Merges the 60 degrees around each azimuth.
 std::vector<Outlook> wide_outlooks(const std::vector<Outlook>& narrow) {
   constexpr std::size_t to_either_side = 4;
   std::vector<Outlook> wide(narrow.size());
@@ -186,8 +185,8 @@ std::vector<Outlook> wide_outlooks(const std::vector<Outlook>& narrow) {
   return wide;
 }
 
-/// The azimuth around which there is most to see: depth, as the geometric mean of distances, and
-/// objects count alike, each as a part of the most that there is around any azimuth.
+/// The azimuth with the most depth (geometric mean of distances) and objects around it, equally
+/// weighted, each relative to its maximum over azimuths.
 double best_azimuth_rad(const RayScene& rays, const Vec3& eye, double furthest_m) {
   const std::vector<Outlook> all = wide_outlooks(outlooks(rays, eye, furthest_m));
   double deepest = all.front().log_depth;
@@ -211,8 +210,8 @@ double best_azimuth_rad(const RayScene& rays, const Vec3& eye, double furthest_m
   return wrapped_angle(level_azimuth_rad(static_cast<int>(best)));
 }
 
-/// How much stands in a picture: the length of the outlines in it, where of two rays beside one
-/// another one goes much further.
+/// Amount of content in a picture: the length of its outlines, where one of two adjacent rays is
+/// much longer.
 int outlines_in(const RayScene& rays, const Vec3& eye, const Viewport& viewport) {
   constexpr IVec2 grid{48, 27};
   constexpr float much_further = 1.2F;
@@ -232,7 +231,7 @@ int outlines_in(const RayScene& rays, const Vec3& eye, const Viewport& viewport)
   return outlines;
 }
 
-/// Straight ahead, or downwards if much more stands there.
+/// Straight ahead, or downwards for much more content.
 double best_elevation_rad(const RayScene& rays, const Vec3& eye, double azimuth_rad,
                           const FieldOfView& field_of_view) {
   constexpr double much_more = 1.2;
@@ -275,7 +274,7 @@ Surroundings look_around(const Scene& scene, const RayScene& rays, const Vec3& f
       ++hits;
       fronts += is_front(scene, hit, direction) ? 1 : 0;
     }
-    const double nearest_m = 1e-6 * furthest_m;  // at which logarithms end
+    const double nearest_m = 1e-6 * furthest_m;  // lower limit of logarithms
     log_distances += std::log(std::clamp<double>(hit.t, nearest_m, furthest_m));
   }
   return {.share_hit = static_cast<double>(hits) / rays_count,

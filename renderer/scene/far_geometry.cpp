@@ -28,7 +28,7 @@ void drop_far_triangles(Mesh& mesh, Warnings& warnings) {
           return !is_traceable(mesh.positions[corner]);
         });
       });
-  // Vertices that no triangle uses any more must not count for the scene's bounds.
+  // Unused vertices must not count for the scene's bounds.
   std::replace_if(
       mesh.positions.begin(), mesh.positions.end(),
       [](const Vec3& position) { return !is_traceable(position); },

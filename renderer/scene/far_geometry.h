@@ -1,4 +1,4 @@
-// Leaves out of a scene what stands farther away than rays can be traced.
+// Removes the parts of a scene beyond the coordinates at which rays can be traced.
 #pragma once
 
 #include "renderer/base/vec.h"
@@ -7,11 +7,11 @@
 
 namespace foveola {
 
-/// The largest coordinate in metres that rays are traced at. The way between any two such places is
+/// Maximum coordinate of traceable geometry, in metres. The distance between any two such places is
 /// within Embree's limit of 1.844e18.
 inline constexpr float max_coordinate_m = 9e17F;
 
-/// Whether no coordinate is beyond the limit, or not a number.
+/// Whether all coordinates are within the limit, and none is NaN.
 bool is_traceable(const Vec3& position);
 
 /// Drops triangles, instances and lights with a position that is not traceable, with warnings.

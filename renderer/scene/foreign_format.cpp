@@ -51,7 +51,7 @@ constexpr std::array foreign_formats{
     ForeignFormat{".c4d", "a file of Cinema 4D", export_from_its_program},
     ForeignFormat{".skp", "a file of SketchUp", export_from_its_program}};
 
-/// As many of the first bytes as all that is looked for needs; fewer of a short file.
+/// The first bytes that all signatures need; fewer of a short file.
 std::string start_of_file(const fs::path& path) {
   std::array<char, 24> bytes{};
   std::ifstream file(path, std::ios::binary);
@@ -59,8 +59,8 @@ std::string start_of_file(const fs::path& path) {
   return {bytes.data(), static_cast<std::size_t>(file.gcount())};
 }
 
-/// Files that Blender compresses, which it does with gzip or since 3.0 with Zstandard, show what
-/// they are by their names alone.
+/// Files compressed by Blender, with gzip or since 3.0 with Zstandard, are recognised by their
+/// names alone.
 const ForeignFormat* format_of(const fs::path& path) {
   const std::string start = start_of_file(path);
   if (start.starts_with("glTF")) {

@@ -1,4 +1,4 @@
-// What loading a scene decoded, kept for loading its next version.
+// Keeps decoded parts of a scene for loading its next version.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace foveola {
 
-/// Parts by the SHA-256 of all that they were made from. May be used from several threads.
+/// Parts by the SHA-256 of everything they were made from. Thread-safe.
 template <typename Part>
 class KeptParts {
  public:
@@ -32,7 +32,7 @@ class KeptParts {
     in_use_[digest] = std::move(part);
   }
 
-  /// Forgets what was neither found nor kept since the last call.
+  /// Forgets parts that were neither found nor kept since the last call.
   void forget_unused() {
     const std::lock_guard lock(mutex_);
     former_ = std::exchange(in_use_, {});
@@ -43,11 +43,11 @@ class KeptParts {
 
   std::mutex mutex_;
   Parts former_;
-  Parts in_use_;  ///< since forget_unused() was called
+  Parts in_use_;  ///< since the last forget_unused()
 };
 
-/// The part of the digest that `digest()` returns, if it is kept, else the one that `make()`
-/// returns, which then is. kept: null for none, then nothing is digested.
+/// The part with the digest `digest()` if it is kept; else the result of `make()`, which is then
+/// kept. kept: null makes without a digest.
 template <typename Part, typename Digest, typename Make>
 std::shared_ptr<const Part> kept_or_made(KeptParts<Part>* kept, Digest digest, Make make) {
   if (kept == nullptr) {
@@ -63,12 +63,12 @@ std::shared_ptr<const Part> kept_or_made(KeptParts<Part>* kept, Digest digest, M
 }
 
 struct KeptSceneParts {
-  /// Whether each mesh becomes a prototype and instances, so that it is known again where it stands
-  /// elsewhere. Rays are slower then.
+  /// Makes each mesh a prototype with instances, so that it is recognised when it moves. Rays are
+  /// slower then.
   bool places_instances = false;
-  KeptParts<Mesh> meshes;  ///< of glTF's primitives, in their own space, without material and name
+  KeptParts<Mesh> meshes;  ///< of glTF primitives, in their own space, without material and name
   KeptParts<Texels> texels;
-  /// Of the file that was read last: fresh memory takes longer than reading the next one into it.
+  /// Of the last file; its memory is reused, since fresh memory takes longer than reading.
   std::string file_content;
 
   void forget_unused() {

@@ -20,7 +20,7 @@ bool is_radiance(const Rgb& value) {
   return is_finite(value) && value.r >= 0.0F && value.g >= 0.0F && value.b >= 0.0F;
 }
 
-/// 0, 1 or 2 where `direction` is plus or minus that axis, else -1.
+/// 0, 1 or 2 if `direction` is plus or minus that axis, else -1.
 int axis_of(const Vec3& direction) {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 unit(0.0F);
@@ -66,7 +66,7 @@ Material emitter(const std::string& name, const Rgb& radiance) {
   return material;
 }
 
-/// center: seen from the scene's origin.
+/// center: relative to the scene's origin.
 Mesh rectangle(const RectangleLight& light, const Vec3& center) {
   const int axis = axis_of(light.normal);
   const int first_axis = axis == 0 ? 1 : 0;
@@ -112,7 +112,7 @@ void require_valid(const SceneSource& source) {
   }
 }
 
-/// The distances grow, and with them what falls off with their squares: the picture stays.
+/// Distances grow, and intensities with their squares: the picture stays equal.
 void scale_light(PunctualLight& light, float scale) {
   light.position *= scale;
   light.radius_m *= scale;
@@ -169,7 +169,7 @@ void add_sun(Scene& scene, const Sun& sun) {
   scene.lights.push_back(std::move(light));
 }
 
-/// `radiance` times the environment's strength. Throws Error where no float holds that.
+/// `radiance` times the environment's strength. Throws Error if it overflows a float.
 Rgb strengthened(const Rgb& radiance, const SceneSource& source) {
   const Rgb result = radiance * static_cast<float>(source.environment_strength);
   if (!is_radiance(result)) {
@@ -179,7 +179,7 @@ Rgb strengthened(const Rgb& radiance, const SceneSource& source) {
   return result;
 }
 
-/// The environment's rotation carries the sun along, which is not in its map.
+/// The environment's rotation also rotates the sun, which is not in its map.
 void add_sun_of_sky(Scene& scene, SunAndSky sky, const SceneSource& source) {
   sky.sun.azimuth_rad += source.environment_rotation_rad;
   if (std::optional<PunctualLight> sun = sun_light(sky)) {
@@ -216,7 +216,7 @@ void resize_lights(Scene& scene, const SceneSource& source) {
   }
 }
 
-/// Where the file is not the one that the source was written for.
+/// nullopt if the file is the one that the source was written for.
 std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source) {
   if (source.described_sha256.empty() || scene.sha256 == source.described_sha256) {
     return std::nullopt;
@@ -227,7 +227,7 @@ std::optional<std::string> warning_of_another_file(const Scene& scene, const Sce
       source.file.filename().string(), source.title);
 }
 
-/// Where nobody named it, who looks at the scene should know of it.
+/// Tells the user of a descriptor that was used without being named.
 std::optional<std::string> note_of_descriptor(const SceneSource& source) {
   if (source.descriptor_beside.empty()) {
     return std::nullopt;

@@ -1,4 +1,4 @@
-// From a file to a Scene.
+// Loads a Scene from a file.
 #pragma once
 
 #include <filesystem>
@@ -11,36 +11,34 @@
 
 namespace foveola {
 
-/// How a scene file is read, where that is a matter of choice: see SceneSource's members of the
-/// same names.
+/// Options for reading a scene file: see SceneSource's members of the same names.
 struct SceneReading {
   std::optional<LightUnits> light_units;
   bool strict = false;
   std::optional<double> time_s;
   std::string clip{};
-  KeptSceneParts* kept = nullptr;  ///< where what was decoded is found and left, or null
+  KeptSceneParts* kept = nullptr;  ///< stores decoded parts for reuse, or null
 };
 
-/// Loads a glTF 2.0 file (.glb or .gltf). Throws Error naming the file and the JSON path of what
-/// is wrong: missing or truncated file, no glTF, a required extension that is not supported, an
-/// index out of range, a reference outside the file's own folder. What is optional and not
-/// supported, geometry that had to be dropped, and, unless `reading` is strict, a texture that is
-/// missing or cannot be read, becomes a warning in the scene.
+/// Loads a glTF 2.0 file (.glb or .gltf). Throws Error that names the file and the JSON path of the
+/// fault: a missing or truncated file, not glTF, an unsupported required extension, an index out of
+/// range, or a reference outside the file's folder. Unsupported optional extensions and dropped
+/// geometry become warnings in the scene. Unless `reading` is strict, so do missing and unreadable
+/// textures.
 Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading = {});
 
-/// Loads a Wavefront OBJ file and the material libraries and images in its folder that it names;
-/// mtl_materials.h says what the libraries' statements mean. One mesh for each object (or group,
-/// where there are no objects) and material. Throws Error naming the file and what is wrong; what
-/// is missing of libraries and images is one only if `reading` is strict, else a warning.
+/// Loads a Wavefront OBJ file with its material libraries and images, which must be in its folder;
+/// mtl_materials.h describes the libraries' statements. One mesh per object (or group, without
+/// objects) and material. Throws Error that names the file and the fault. Missing libraries and
+/// images are errors only if `reading` is strict, else warnings.
 Scene load_obj(const std::filesystem::path& path, const SceneReading& reading = {});
 
-/// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.
+/// load_obj for names that end with ".obj" in either case, load_gltf for all others.
 Scene load_scene_file(const std::filesystem::path& path, const SceneReading& reading = {});
 
-/// load_scene_file, brought to metres, with the source's environment, sun and rectangle lights
-/// added and its sizes of lights. A scene in other units looks the same, only larger or smaller.
-/// Throws Error as well for what of these makes no sense. Its first warning is that the file is not
-/// the one that the source was written for, if so.
+/// load_scene_file scaled to metres, with the source's environment, sun, rectangle lights and light
+/// sizes. Equal scenes in other units differ only in size. Also throws Error for invalid values of
+/// these. If the file is not the one that the source was written for, that is the first warning.
 Scene load_scene(const SceneSource& source, KeptSceneParts* kept = nullptr);
 
 }  // namespace foveola

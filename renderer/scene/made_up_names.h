@@ -1,4 +1,4 @@
-// Names of what has none in its file, for users who choose among the things of a scene.
+// Generates names for unnamed things of a scene, so that users can choose among them.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace foveola {
 
-/// "KIND NUMBER"; "another KIND NUMBER", and so on, where that is among `taken`, to which the name
-/// is added.
+/// "KIND NUMBER", preceded by as many "another" as needed to differ from `taken`. Adds the name to
+/// `taken`.
 std::string made_up_name(std::string_view kind, std::size_t number, std::set<std::string>& taken);
 
-/// `names` without two that are equal: one that is empty, or that stands before, becomes one made
-/// up of `kind` and its number, counted from 1.
+/// `names` made unique: an empty or repeated name is replaced by one made up of `kind` and its
+/// number, counted from 1.
 std::vector<std::string> distinct_names(std::vector<std::string> names, std::string_view kind);
 
-/// A name for each camera, no two of them equal: its own where it can be, else one of "camera".
+/// A unique name for each camera: its own if possible, else a made-up one of "camera".
 std::vector<std::string> camera_names(const std::vector<CameraView>& cameras);
 
 }  // namespace foveola

@@ -13,7 +13,7 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// The transform of normals: the transposed inverse, up to a positive factor. As a matrix of
-/// cofactors it also exists where the transform flattens space.
+/// cofactors it also exists for transforms that flatten space.
 DMat3 normal_transform(const DMat3& linear) {
   const DMat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                         glm::cross(linear[0], linear[1]));
@@ -26,8 +26,8 @@ DVec3 area_vector_of(const Mesh& mesh, const Triangle& triangle) {
   return glm::cross(DVec3(mesh.positions[triangle[1]]) - a, DVec3(mesh.positions[triangle[2]]) - a);
 }
 
-/// False as well for a triangle that is not finite: every comparison with NaN fails, and an
-/// infinite corner makes the length infinite or NaN.
+/// False also for a non-finite triangle: every comparison with NaN fails, and an infinite corner
+/// makes the length infinite or NaN.
 bool has_area(const Mesh& mesh, const Triangle& triangle) {
   const double length = glm::length(area_vector_of(mesh, triangle));
   return length > 0.0 && std::isfinite(length);
@@ -76,7 +76,7 @@ void transform(Mesh& mesh, const DMat4& to_from) {
   const bool mirrors = glm::determinant(linear) < 0.0;
   for (Vec4& tangent : mesh.tangents) {
     // The bitangent is a direction of the surface like the tangent; the cross product of normal and
-    // tangent turns round in a mirror.
+    // tangent is reversed by mirroring.
     tangent = Vec4(Vec3(glm::normalize(linear * DVec3(tangent))), mirrors ? -tangent.w : tangent.w);
   }
   if (mirrors) {

@@ -1,4 +1,4 @@
-// What loaders do to meshes: move them, and take out or mend what cannot be rendered.
+// Edits meshes for loaders: transforms, and repairs or removes what cannot be rendered.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace foveola {
 
-/// Calls `edit` with each list of `mesh` that has one element a vertex.
+/// Calls `edit` with each list of `mesh` that has one element per vertex.
 template <typename Edit>
 void for_each_vertex_list(Mesh& mesh, Edit edit) {
   edit(mesh.positions);
@@ -26,27 +26,26 @@ void for_each_vertex_list(Mesh& mesh, Edit edit) {
   }
 }
 
-/// Moves `mesh`, in double precision. A transform that mirrors swaps two corners of each triangle,
-/// so that front faces stay in front (glTF 2.0.1, section 3.7.4). Normals and tangents come out of
-/// unit length, or not finite where the transform leaves none.
+/// Transforms `mesh` in double precision. A mirroring transform swaps two corners of each triangle,
+/// so that front faces stay in front (glTF 2.0.1, section 3.7.4). Resulting normals and tangents
+/// are not of unit length, and may be non-finite.
 void transform(Mesh& mesh, const DMat4& to_from);
 
-/// Drops triangles that have no area or are not finite, then the vertices that only they used.
-/// Returns how many.
+/// Drops triangles without area or with non-finite corners, then their otherwise unused vertices.
+/// Returns the number of dropped triangles.
 std::size_t drop_degenerate_triangles(Mesh& mesh);
 
-/// Gives normals unit length, and those that have no direction that of the triangles around them.
-/// Returns how many had none.
+/// Normalises normals; those without direction get that of the surrounding triangles. Returns the
+/// number without direction.
 std::size_t repair_normals(Mesh& mesh);
 
-/// Replaces texture coordinates that are not finite by 0. Returns how many.
+/// Replaces non-finite texture coordinates by 0. Returns their number.
 std::size_t repair_uvs(Mesh& mesh);
 
-/// Brings vertex colours into [0, 1]; those that are not a number become 1. Returns how many
-/// vertices changed.
+/// Clamps vertex colours to [0, 1]; NaN becomes 1. Returns the number of changed vertices.
 std::size_t repair_colors(Mesh& mesh);
 
-/// Takes the vertex colours away if all are white and change nothing.
+/// Removes the vertex colours if all are white.
 void drop_white_colors(Mesh& mesh);
 
 }  // namespace foveola

@@ -13,7 +13,7 @@
 namespace foveola {
 namespace {
 
-// Fractions of a second's work.
+// Limits to fractions of a second.
 constexpr std::size_t max_vertices = 30'000'000;
 constexpr std::size_t max_comparisons = 10'000'000;
 
@@ -22,7 +22,7 @@ struct Volume {
   Bounds bounds;
 };
 
-/// Those that light passes through and is refracted by, in the order of their lower x.
+/// The refracting volumes, in order of their lower x.
 std::vector<Volume> volumes_of(const Scene& scene) {
   std::vector<Volume> volumes;
   std::size_t vertices = 0;

@@ -1,5 +1,5 @@
-// Volumes within volumes, such as water in a glass: there are no nested dielectrics, outside of
-// each volume is air.
+// Warns of nested volumes, such as water in a glass. Nested dielectrics are not supported: the
+// medium around each volume is air.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,8 @@
 
 namespace foveola {
 
-/// A line that says so of the first object of refracting material whose bounds lie within those of
-/// another, if there is one: it may as well stand in the other's hollow. Of very many such
-/// objects, not all are looked at.
+/// A warning about the first refracting object whose bounds lie within another's, if any; it may
+/// also stand in the other's hollow. Of very many such objects only some are tested.
 std::optional<std::string> warning_of_nested_volumes(const Scene& scene);
 
 }  // namespace foveola

@@ -23,8 +23,8 @@ std::string with_slashes(std::string_view name) {
 
 bool is_letter(char character) { return std::isalpha(static_cast<unsigned char>(character)) != 0; }
 
-/// RFC 3986, section 3.1: a letter, then letters, digits, "+", "-" and ".", up to a colon. That of
-/// a path of another machine is its own matter.
+/// RFC 3986, section 3.1: a letter, then letters, digits, "+", "-" and ".", up to a colon. Paths of
+/// another machine are handled elsewhere.
 bool has_other_scheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
   if (colon == std::string_view::npos || colon == 0 || is_foreign_reference(uri)) {

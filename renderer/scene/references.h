@@ -1,5 +1,5 @@
-// References of a scene file to others. They are kept inside the scene's own folder, since scene
-// files are untrusted, and may be written for another machine, whose paths mean nothing here.
+// Resolves a scene file's references to other files. Scene files are untrusted: references stay
+// inside the scene's folder. They may hold paths of another machine.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,16 @@
 
 namespace foveola {
 
-/// `uri` with each percent sign and two hexadecimal digits replaced by the byte that they name (RFC
-/// 3986, section 2.1).
+/// `uri` with percent-encoded bytes decoded (RFC 3986, section 2.1).
 std::string percent_decoded(std::string_view uri);
 
 /// The regular file inside `folder` (or a folder of it) that the percent-encoded reference `uri`
-/// (RFC 3986) names, as local_reference() has it. Throws std::runtime_error that says why if it has
-/// a scheme other than "file:", contains "..", leads out of the folder through a symbolic link, or
-/// is not a regular file.
+/// (RFC 3986) names, as by local_reference(). Throws std::runtime_error with the reason if it has a
+/// scheme other than "file:", contains "..", leads out of the folder through a symbolic link, or is
+/// not a regular file.
 std::filesystem::path confined_file(const std::filesystem::path& folder, std::string_view uri);
 
-/// The same file, or nothing if `uri` stays in the folder and names a file that does not exist.
+/// The same file; nullopt if `uri` stays in the folder and names a file that does not exist.
 std::optional<std::filesystem::path> confined_file_if_there(const std::filesystem::path& folder,
                                                             std::string_view uri);
 
@@ -30,11 +29,11 @@ std::optional<std::filesystem::path> confined_file_if_there(const std::filesyste
 /// of the scheme "file:".
 bool is_foreign_reference(std::string_view name);
 
-/// What the decoded reference `name` is looked for as, in the folder of the file that has it: with
-/// slashes between folders, and of a path of another machine the name of its file alone.
+/// The path to search for the decoded reference `name` in its file's folder: with slashes as
+/// separators. For a path of another machine, only its file name.
 std::string local_reference(std::string_view name);
 
-/// Warns where files of two folders of another machine have one name, and so become one here.
+/// Warns if files of two folders of another machine have one name, and so become one here.
 class ForeignReferences {
  public:
   void add(std::string_view name, Warnings& warnings);

@@ -1,4 +1,4 @@
-// Text from untrusted files, sanitised so that it can appear in a message.
+// Sanitises text from untrusted files for messages.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace foveola {
 
-/// `text` made printable(), and cut at 120 bytes or before the character that stands there.
+/// `text` made printable(), and cut at 120 bytes, at a character's border.
 std::string sanitised(std::string_view text);
 
 }  // namespace foveola

@@ -21,8 +21,8 @@ bool holds(const Bounds& outer, const Bounds& inner) {
          glm::all(glm::lessThanEqual(inner.upper, outer.upper));
 }
 
-/// The box of a mesh's vertices where the instance stands; it holds them all. Rounding keeps the
-/// order of numbers, so that no vertex comes to lie beyond the corners.
+/// The box of a mesh's vertices at the instance's place. Rounding is monotonic, so that no
+/// transformed vertex lies outside.
 Bounds box_of(const Instance& instance, const Bounds& mesh) {
   Bounds box = nowhere;
   for (unsigned corner = 0; corner < 8; ++corner) {
@@ -34,7 +34,7 @@ Bounds box_of(const Instance& instance, const Bounds& mesh) {
   return box;
 }
 
-/// The numbers of the boxes that reach farthest to either side along each axis.
+/// The numbers of the boxes with the extreme sides along each axis.
 std::vector<std::size_t> farthest(const std::vector<Bounds>& boxes) {
   std::vector<std::size_t> numbers;
   for (int axis = 0; axis < 3 && !boxes.empty(); ++axis) {
@@ -120,7 +120,7 @@ Bounds Scene::bounds() const {
     add(object);
   }
   const std::vector<Bounds> boxes = boxes_of_instances(*this);
-  // Instances that reach farthest come first. Then few others may have a vertex beyond them.
+  // Instances with extreme boxes come first: then few others may have a vertex beyond them.
   for (const std::size_t instance : farthest(boxes)) {
     add(meshes.size() + instance);
   }

@@ -103,7 +103,7 @@ class FactFinder {
 
   const Scene& scene_;
   SceneFacts facts_;
-  std::vector<bool> is_used_;  ///< whether a material is
+  std::vector<bool> is_used_;  ///< by material
   bool has_colors_ = false;
 };
 

@@ -1,4 +1,4 @@
-// One SHA-256 for all the files that a scene was loaded from.
+// One SHA-256 over all files that a scene was loaded from.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace foveola {
 
-/// SHA-256s by the path of the file.
+/// SHA-256s by file path.
 using FileHashes = std::map<std::filesystem::path, std::string>;
 
-/// The scene file's own SHA-256 where it refers to no others. Else that of the text of all of them,
-/// a line each, the scene file's first and the others' in the order of their paths, which is what
-/// `sha256sum FILE... | cut -c-64 | sha256sum` prints.
+/// The scene file's own SHA-256 if it refers to no others. Else the SHA-256 of all files' digests,
+/// one per line, the scene file's first and the others' in the order of their paths: the output of
+/// `sha256sum FILE... | cut -c-64 | sha256sum`.
 std::string scene_sha256(const std::string& scene_file_sha256, const FileHashes& referred);
 
 }  // namespace foveola

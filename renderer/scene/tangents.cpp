@@ -20,7 +20,7 @@ namespace {
 using DVec2 = glm::dvec2;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// How the texture lies on a triangle.
+/// A texture's mapping on a triangle.
 struct Layout {
   DVec3 direction;  ///< the texture's horizontal axis, not of unit length
   bool mirrored;
@@ -28,8 +28,8 @@ struct Layout {
 
 constexpr float sign_of(bool mirrored) { return mirrored ? -1.0F : 1.0F; }
 
-/// The part of `direction` in the plane of the unit vector `normal`, with unit length; none if that
-/// is too short to have a direction.
+/// The part of `direction` in the plane of the unit vector `normal`, with unit length; nullopt if
+/// it is too short.
 std::optional<DVec3> in_plane(const DVec3& direction, const DVec3& normal) {
   const double length = glm::length(direction);
   const DVec3 flat = direction - glm::dot(direction, normal) * normal;
@@ -56,8 +56,8 @@ std::optional<Layout> layout_of(const Mesh& mesh, const Triangle& triangle, int 
     return std::nullopt;
   }
   const DVec3 along_u = second.y * (corners[1] - corners[0]) - first.y * (corners[2] - corners[0]);
-  // v points down in the texture: one that is not mirrored has corners that turn clockwise in
-  // (u, v) where they turn counter-clockwise on the surface.
+  // v points down in the texture: an unmirrored one has corners that turn clockwise in (u, v) where
+  // they turn counter-clockwise on the surface.
   const bool mirrored = area > 0.0;
   return Layout{.direction = mirrored ? along_u : -along_u, .mirrored = mirrored};
 }
@@ -94,8 +94,7 @@ std::vector<Vec3> flat_normals(const Mesh& mesh) {
   return normals;
 }
 
-/// For each vertex the number of the first one with the same position, normal and texture
-/// coordinates.
+/// For each vertex, the number of the first with the same position, normal and texture coordinates.
 std::vector<std::uint32_t> welded(const Mesh& mesh, int uv_set) {
   using Key = std::array<std::uint32_t, 8>;
   const std::vector<Vec2>& uvs = mesh.uv_sets[static_cast<std::size_t>(uv_set)];
@@ -116,7 +115,7 @@ std::vector<std::uint32_t> welded(const Mesh& mesh, int uv_set) {
   return first;
 }
 
-/// The angle at corner `i` of `triangle`, between its edges laid into the plane of `normal`.
+/// The angle at corner `i` of `triangle`, between its edges projected into the plane of `normal`.
 double corner_angle(const Mesh& mesh, const Triangle& triangle, std::size_t i,
                     const DVec3& normal) {
   const DVec3 corner(mesh.positions[triangle[i]]);
@@ -125,12 +124,12 @@ double corner_angle(const Mesh& mesh, const Triangle& triangle, std::size_t i,
   return a && b ? 2.0 * std::atan2(glm::length(*a - *b), glm::length(*a + *b)) : 0.0;
 }
 
-/// The sum of directions around a vertex, apart for triangles that show the texture as it is, [0],
-/// and mirrored, [1].
+/// Sums of directions around a vertex, for triangles with an unmirrored texture [0] and a mirrored
+/// one [1].
 using Around = std::array<DVec3, 2>;
 
-/// Appends a copy of each vertex that both kinds of triangles share; the mirrored ones use it.
-/// Returns which vertices are mirrored, and for each copy the vertex that it is of.
+/// Appends a copy of each vertex shared by both kinds of triangles, for the mirrored ones. Returns
+/// the mirrored vertices, and each copy's original.
 void double_shared_vertices(Mesh& mesh, const std::vector<std::optional<Layout>>& layouts,
                             std::vector<bool>& mirrored, std::vector<std::uint32_t>& original) {
   const std::size_t count = mesh.positions.size();

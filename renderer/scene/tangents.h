@@ -1,4 +1,4 @@
-// Tangents, along which normal textures are laid.
+// Computes tangents for normal textures.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,17 @@
 namespace foveola {
 
 /// Gives `mesh` tangents along its texture's horizontal axis, perpendicular to its normals, with
-/// the sign that makes sign * cross(normal, tangent) the texture's upward axis, against v
-/// (glTF 2.0.1, section 3.7.2.1).
+/// the sign that makes sign * cross(normal, tangent) the texture's upward axis, against v (glTF
+/// 2.0.1, section 3.7.2.1).
 ///
-/// What is done is what MikkTSpace does (Mikkelsen 2008, "Simulation of Wrinkled Surfaces
-/// Revisited", appendix A), but for one thing: vertices of equal position, normal and texture
-/// coordinates are one; at each the directions of the triangles around it, laid into the plane of
-/// its normal, are averaged by the angles of their corners; and triangles whose texture is mirrored
-/// are kept apart from those whose is not, for which vertices that both share are doubled.
-/// MikkTSpace also keeps apart triangles that meet in a corner without a chain of edges between
-/// them.
+/// Follows MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", appendix A).
+/// Vertices of equal position, normal and texture coordinates are merged. At each, the surrounding
+/// triangles' directions, projected into the plane of its normal, are averaged by the angles of
+/// their corners. Vertices shared by triangles with mirrored and unmirrored textures are split.
+/// Unlike here, MikkTSpace also separates triangles that meet in a corner without a chain of edges
+/// between them.
 ///
-/// Triangles whose texture coordinates span no area have no say; a vertex with no others gets any
+/// Triangles whose texture coordinates span no area are ignored; a vertex with no others gets any
 /// direction in the plane of its normal. A mesh without normals is flat: its vertices are first
 /// unshared, and its tangents lie in its triangles. No tangent is zero or not finite.
 ///
@@ -28,9 +27,9 @@ namespace foveola {
 /// have an area.
 void add_tangents(Mesh& mesh, int uv_set, const Mat3x2& texture_from_mesh);
 
-/// Makes the tangents of `mesh`, which has normals, perpendicular to them and of unit length, and
-/// their signs 1 or -1. Returns how many it could not, because they have no direction that differs
-/// from the normal's, or no sign; these it leaves alone.
+/// Makes the tangents of `mesh`, which has normals, perpendicular to them and of unit length, with
+/// signs 1 or -1. Returns the number of tangents left unchanged, because they are parallel to the
+/// normal or have no sign.
 std::size_t straighten_tangents(Mesh& mesh);
 
 }  // namespace foveola

@@ -5,7 +5,7 @@
 namespace foveola {
 namespace {
 
-/// Lets `materials` count the textures as they are in `decoded`, without those that are lost.
+/// Renumbers the textures of `materials` to those of `decoded`, without the lost ones.
 void renumber_textures(std::vector<Material>& materials, const DecodedTextures& decoded) {
   for (Material& material : materials) {
     for (TextureUse* use : texture_uses(material)) {

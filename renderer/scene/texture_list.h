@@ -1,5 +1,5 @@
-// The textures that a scene's materials use, collected before they are decoded, and what becomes of
-// those that cannot be.
+// Collects the textures of a scene's materials before they are decoded, and handles those that
+// cannot be.
 #pragma once
 
 #include <atomic>
@@ -20,28 +20,28 @@
 
 namespace foveola {
 
-/// Textures as far as they could be made.
+/// Decoded textures and their faults.
 struct DecodedTextures {
   std::vector<Texture> textures;
-  std::vector<int> place_of;  ///< in `textures`, of each index that add() returned; -1: none
-  std::vector<std::exception_ptr> faults;  ///< of each content; null if there is nothing wrong
+  std::vector<int> place_of;  ///< index in `textures` for each index from add(); -1: none
+  std::vector<std::exception_ptr> faults;  ///< per content; null: no fault
 };
 
-/// The textures that could be made. `materials` then count these, and use no others. Throws the
-/// first fault if `is_strict`, else warns of each that text_of() tells from those before it.
+/// The decoded textures. Renumbers the textures of `materials`, and removes the others. If
+/// `is_strict`, throws the first fault; else warns of each fault with a different text_of().
 std::vector<Texture> take_textures(DecodedTextures decoded, std::vector<Material>& materials,
                                    bool is_strict,
                                    std::string (*text_of)(const std::runtime_error& fault),
                                    Warnings& warnings);
 
-/// Warns of a texture that is left out. what: what it is and what is wrong with it.
+/// Warns of a texture that is left out. what: its name and its fault.
 void warn_of_lost_texture(const std::string& what, const std::string& place, Warnings& warnings);
 
-/// Content: what makes one Texels, ordered. Textures that differ in their samplers only share it.
+/// Content: the ordered key of one Texels, shared by textures that differ only in their samplers.
 template <typename Content>
 class TextureList {
  public:
-  /// The index, into what decode() will return, of the texture of `content` seen through `sampler`.
+  /// The index, in the result of decode(), of the texture of `content` with `sampler`.
   int add(const Content& content, const Sampler& sampler) {
     const std::size_t number = number_of(content);
     with_mips_[number] = with_mips_[number] || sampler.mip != MipFilter::none;
@@ -53,11 +53,12 @@ class TextureList {
     return known->second;
   }
 
-  /// Each once, in the order in which they were added.
+  /// Each content once, in the order of addition.
   const std::vector<Content>& contents() const { return contents_; }
 
-  /// texels_of: the Texels of a Content (shared_ptr<const Texels>), with coarser levels or without;
-  /// called once for each, on several threads. A std::runtime_error that it throws is kept.
+  /// texels_of: returns the Texels of a Content (shared_ptr<const Texels>), with or without coarser
+  /// levels; called once per content, on several threads. A std::runtime_error that it throws is
+  /// kept.
   template <typename TexelsOf>
   DecodedTextures decode(TexelsOf texels_of) const {
     std::vector<std::shared_ptr<const Texels>> texels(contents_.size());
@@ -99,9 +100,8 @@ class TextureList {
 
   std::vector<Content> contents_;
   std::vector<bool> with_mips_;  ///< whether a sampler reads a content's coarser levels
-  std::map<Content, std::size_t> number_of_;  ///< index into both
-  std::vector<std::pair<std::size_t, Sampler>>
-      textures_;  ///< a content's number, and how it is seen
+  std::map<Content, std::size_t> number_of_;               ///< index into both
+  std::vector<std::pair<std::size_t, Sampler>> textures_;  ///< a content's number, and its sampler
   std::map<std::pair<std::size_t, Sampler>, int> index_of_;  ///< into textures_
 };
 

@@ -1,4 +1,4 @@
-// Counts what a scene file asked for and did not get, so that each kind is said once.
+// Counts a scene file's unmet requests, so that each kind is reported once.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ class Warnings {
   /// where: the place of the first of these `count` cases; may be empty.
   void add(const std::string& what, const std::string& where = {}, std::size_t count = 1);
 
-  /// Cases of all kinds together.
+  /// Number of cases of all kinds.
   std::size_t cases() const { return cases_; }
 
   /// One line for each kind, in the order of their first occurrence.

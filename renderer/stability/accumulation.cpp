@@ -11,17 +11,17 @@
 namespace foveola {
 namespace {
 
-/// Samples that go into the film at a time.
+/// Samples per batch.
 constexpr std::uint64_t batch_samples = 1 << 20;
 
-/// A batch of radiance with a mean that whole numbers give: each channel in units of 2^-24.
+/// A batch of radiance with an exact mean: each channel in units of 2^-24.
 struct KnownBatch {
   std::vector<Rgb> radiance;
   DVec3 mean{0.0};
 };
 
-/// Red: a tenth, which no float is, always the same. Green: anything in [0, 1). Blue: a spark of
-/// 10000 in every 65536 samples of 2^-20, the kind of sum that loses small terms.
+/// Red: a constant tenth, which is not a float. Green: anything in [0, 1). Blue: a spark of 10000
+/// in every 65536 samples of 2^-20, the kind of sum that loses small terms.
 KnownBatch known_batch() {
   constexpr std::uint32_t tenth = 1677722;
   constexpr std::uint32_t small = 1 << 4;

@@ -18,12 +18,12 @@ constexpr double view_extent_rad = 1.5;
 /// One that spreads samples evenly over tiles and one that gathers them in a few.
 constexpr std::array<const char*, 2> methods{"od", "fv"};
 
-/// How a picture is made that must not depend on it.
+/// A way to make a picture, on which it must not depend.
 struct Manner {
   std::string name;
   int threads = 1;
-  std::uint64_t pass = std::numeric_limits<std::uint64_t>::max();  ///< points at most in one go
-  bool stops = false;  ///< after a third, and goes on with another tracer
+  std::uint64_t pass = std::numeric_limits<std::uint64_t>::max();  ///< maximum points per pass
+  bool stops = false;  ///< after a third, to continue with another tracer
 };
 
 FilmImage render(const Scene& scene, const std::string& method, const Manner& manner,

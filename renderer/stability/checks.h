@@ -1,4 +1,4 @@
-// The stress tests of numerical stability, each a function from its size to its figures.
+// The stress tests of numerical stability, as functions from their size to their figures.
 #pragma once
 
 #include <cmath>
@@ -15,22 +15,22 @@ namespace foveola {
 
 struct StabilityFigure {
   std::string name;
-  double measured = 0.0;  ///< not a number if it could not be measured, which is a failure
-  double bound = 0.0;     ///< the largest value that is accepted
+  double measured = 0.0;  ///< NaN if it could not be measured, which is a failure
+  double bound = 0.0;     ///< maximum accepted value
   std::string unit;       ///< unit of both values: "%", "standard errors", "of 1000000 paths"
-  std::string details;    ///< how it was measured, and where the worst case is
+  std::string details;    ///< the method, and the place of the worst case
 
   bool passes() const { return measured <= bound; }
 };
 
 /// The sizes of all stress tests. The defaults are for a minute or two on two cores.
 struct StabilityEffort {
-  /// Relative tolerance of radiance with a known answer, which is sampled until five of its
+  /// Relative tolerance of radiance with a known answer. Sampling continues until five of its
   /// standard errors are below this.
   double tolerance = 0.01;
-  std::uint64_t max_samples = 1 << 22;  ///< most samples for one such radiance
+  std::uint64_t max_samples = 1 << 22;  ///< maximum number of samples for one such radiance
   int picture_width = 64;  ///< width of compared pictures, twice their height; multiple of 32
-  int picture_samples_per_pixel = 64;        ///< in pictures that are compared with each other
+  int picture_samples_per_pixel = 64;        ///< in pictures to compare
   std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
   std::uint64_t scene_paths = 1'000'000;     ///< over all given scenes
   std::uint32_t scene_seed = 1;              ///< seed of these paths
@@ -53,12 +53,12 @@ constexpr StabilityEffort full_effort{.tolerance = 0.001,
                                       .scene_paths = 1'000'000'000,
                                       .film_samples = 1'000'000'000};
 
-/// What every stress test is given. `workers` must outlive it.
+/// The input of every stress test. `workers` must outlive it.
 struct StabilityRun {
   const Workers& workers;
   StabilityEffort effort;
-  std::stop_token stop;  ///< a test that is stopped returns early, and its figures are of no use
-  std::function<void(double)> progress = [](double) {};  ///< gets the fraction done of this test
+  std::stop_token stop;  ///< a stopped test returns early, with meaningless figures
+  std::function<void(double)> progress = [](double) {};  ///< receives this test's done fraction
 };
 
 /// Radiance 1 everywhere: lossless materials must show 1, and no material more. In a constant
@@ -73,13 +73,13 @@ std::vector<StabilityFigure> check_mixed_layers(const StabilityRun& run);
 std::vector<StabilityFigure> check_known_answers(const StabilityRun& run);
 
 /// A closed room, scaled by 10^-3 to 10^6 and moved up to 10^3 times its size by its vertices and
-/// up to 10^5 times by glTF's nodes: the same picture; and surfaces that do not shadow themselves.
+/// up to 10^5 times by glTF's nodes: equal pictures; and no self-shadowing.
 std::vector<StabilityFigure> check_scale_and_place(const StabilityRun& run);
 
-/// Closed rooms with a bright world outside: paths that see anything of it, per room.
+/// Closed rooms in a bright world: number of paths per room that see the outside.
 std::vector<StabilityFigure> check_leaks(const StabilityRun& run);
 
-/// Triangles, normals and materials that no careful exporter writes.
+/// Triangles, normals and materials that careful exporters never write.
 std::vector<StabilityFigure> check_degenerate_input(const StabilityRun& run);
 
 /// Very many samples in one pixel against their exact mean.
@@ -99,12 +99,12 @@ struct StabilityCheck {
   std::function<std::vector<StabilityFigure>(const StabilityRun&)> run;
 };
 
-/// All of checks.h, in its order. The scenes are those whose radiance must be finite; their camera
-/// positions must be known.
+/// All checks of this header, in order. scenes: for check_finite_radiance; their camera positions
+/// must be known.
 std::vector<StabilityCheck> stability_checks(const std::vector<SceneSource>& scenes);
 
-/// The figures of every check that ended before `stop` was requested. progress gets the fraction
-/// done and the name of the check.
+/// The figures of every check that ended before `stop` was requested. progress: receives the done
+/// fraction and the check's name.
 std::vector<StabilityFigure> measure_stability(
     const std::vector<StabilityCheck>& checks, const StabilityEffort& effort,
     const Workers& workers, const std::function<void(double, const std::string&)>& progress,

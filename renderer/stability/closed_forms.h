@@ -1,4 +1,4 @@
-// Answers that are known without tracing a ray, in double.
+// Closed forms of radiometric quantities, in double.
 #pragma once
 
 #include <span>
@@ -17,8 +17,8 @@ double polygon_irradiance(std::span<const DVec3> corners, const DVec3& point, co
 /// Transfer Configuration Factors", B-3).
 double corner_rectangle_form_factor(double width, double height, double distance);
 
-/// The share of unpolarised light that a smooth dielectric reflects. cosine: of the angle of
-/// incidence, in [0, 1]; eta: the index of refraction behind the surface over that before it.
+/// Reflectance of a smooth dielectric for unpolarised light. cosine: of the angle of incidence, in
+/// [0, 1]; eta: the index of refraction behind the surface over that before it.
 double fresnel_reflectance(double cosine, double eta);
 
 /// A plane-parallel slab of glass in air.
@@ -28,7 +28,7 @@ struct GlassSlab {
   double attenuation_per_m = 0.0;  ///< coefficient of Beer and Lambert's law
 };
 
-/// What a slab transmits and reflects, all reflections between the two faces included: the
+/// Transmitted and reflected shares of a slab, with all reflections between the two faces: the
 /// geometric series of Stokes (1862). cosine: of the angle of incidence in air.
 struct SlabShares {
   double transmitted = 0.0;

@@ -30,7 +30,7 @@ Mesh loose_triangles(const std::vector<std::array<Vec3, 3>>& triangles, int mate
   return mesh;
 }
 
-/// Triangles that are points and lines, in the middle of the room.
+/// Triangles degenerate to points and lines, in the middle of the room.
 Mesh without_area(int material) {
   const Vec3 p(0.0F, 0.25F, 0.5F);
   const Vec3 q(0.5F, 0.25F, 0.0F);
@@ -55,14 +55,14 @@ Mesh not_finite() {
                          white);
 }
 
-/// The floor once more, in other triangles, its normals of no use.
+/// The floor once more, in other triangles, with useless normals.
 Mesh second_floor(const Vec3& normal) {
   Mesh floor = tessellated_quad(Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 0, -2), 7, white);
   floor.normals.assign(floor.positions.size(), normal);
   return floor;
 }
 
-/// The furnished room with everything added that must not change its picture.
+/// The furnished room with additions that must not change its picture.
 Scene spoilt_room() {
   Scene scene = furnished_room();
   const Mesh floor = scene.meshes.front();
@@ -108,7 +108,8 @@ StabilityFigure not_finite_figure(std::string name, const Scene& scene, const Ve
               "duplicates, overlaps, roughness 0, black"};
 }
 
-/// What the loader must say of extreme_room() in a file, with an albedo of 2: parts of its lines.
+/// The warnings that the loader of extreme_room() in a file, with an albedo of 2, failed to give:
+/// parts of their lines.
 std::vector<std::string> warnings_missing(const Scene& loaded) {
   const std::array<std::string, 3> wanted{"without area", "normals of no use", "baseColorFactor"};
   std::vector<std::string> missing;
@@ -144,7 +145,7 @@ StabilityFigure warnings_figure(const Scene& loaded) {
   return figure;
 }
 
-/// The albedo that is left of 2.
+/// The clamped albedo of 2.
 StabilityFigure albedo_figure(const Scene& loaded) {
   float largest = 0.0F;
   for (const Material& material : loaded.materials) {

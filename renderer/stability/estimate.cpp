@@ -48,11 +48,11 @@ std::vector<SampleJob> jobs_of(const Grid& grid, std::uint32_t seed, std::uint32
 
 constexpr std::uint32_t batches = 64;
 constexpr std::uint32_t smallest_batch = 16;   ///< samples of each batch
-constexpr std::uint32_t largest_batch = 8192;  ///< so many that a batch's jobs stay in memory
+constexpr std::uint32_t largest_batch = 8192;  ///< a batch's jobs then stay in memory
 
 constexpr double percent = 100.0;
 
-/// Sums of radiance that can be continued batch after batch.
+/// Sums of radiance that are continued batch by batch.
 class Batches {
  public:
   Batches(const PathTracer& tracer, const Measurement& measurement, const Workers& workers)
@@ -103,7 +103,7 @@ double largest(const DVec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
 
 bool is_number(const DVec3& v) { return !std::isnan(v.x + v.y + v.z); }
 
-/// How much of its bound a figure takes up; infinite where it could not be measured.
+/// A figure relative to its bound; infinite if it could not be measured.
 double severity(const StabilityFigure& figure) {
   if (std::isnan(figure.measured)) {
     return std::numeric_limits<double>::infinity();
@@ -267,7 +267,7 @@ StabilityFigure picture_difference(std::string name, const std::vector<RadianceE
       const double score = beyond <= 0.0 ? 0.0 : beyond / noise;
       sum += picture[i].mean[channel];
       reference_sum += expected;
-      if (!(score <= figure.measured)) {  // also where it is not a number
+      if (!(score <= figure.measured)) {  // also if it is NaN
         figure.measured = score;
         figure.details = fmt::format("block {}: {:.5f} against {:.5f}, standard error {:.2g}", i,
                                      picture[i].mean[channel], expected, noise);

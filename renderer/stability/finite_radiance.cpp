@@ -27,11 +27,11 @@ bool is_sound(const Rgb& radiance) {
   return is_finite(radiance) && radiance.r >= 0.0F && radiance.g >= 0.0F && radiance.b >= 0.0F;
 }
 
-/// What was found of the paths so far.
+/// Findings about the paths so far.
 struct FiniteRadiance {
   std::uint64_t paths = 0;
   std::uint64_t faults = 0;  ///< paths whose radiance is not finite, or negative
-  std::string first_fault;   ///< where to find it again; empty if there is none
+  std::string first_fault;   ///< how to reproduce it; empty if there is none
 };
 
 /// A scene that is loaded.
@@ -44,7 +44,7 @@ struct TracedScene {
       : source(from), scene(load_scene(from)), tracer(scene, workers) {}
 };
 
-/// Traces so many paths with the method, through the film as a render does. traced: is called after
+/// Traces `paths` paths with the method, through the film as a render does. traced: called after
 /// each pass.
 void trace(const TracedScene& traced_scene, const std::string& method, std::uint64_t paths,
            const StabilityRun& run, const std::function<void()>& traced, FiniteRadiance& found) {

@@ -110,7 +110,7 @@ Scene furnished_room() {
 
 namespace {
 
-/// Glass that tints what goes a tenth of a metre through it.
+/// Glass with a tint per tenth of a metre.
 Material tinted_glass() {
   Material material = glass();
   material.attenuation_color = Rgb(0.3F, 0.7F, 0.9F);

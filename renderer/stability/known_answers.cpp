@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// What floats leave open, above all where a point is moved off the surface for its rays.
+/// Allowance for floats, above all for the offset of rays from the surface.
 constexpr double float_slack = 1e-4;
 
 constexpr float floor_albedo = 0.8F;
@@ -28,7 +28,7 @@ Scene floor_scene() {
   return scene;
 }
 
-/// The floor at the origin, seen from the side, against what this irradiance gives.
+/// The floor at the origin, seen from the side, compared with this irradiance.
 StabilityFigure floor_against(std::string name, const Scene& scene, const DVec3& irradiance,
                               const StabilityRun& run) {
   const DVec3 expected = static_cast<double>(floor_albedo) / pi * irradiance;
@@ -38,7 +38,7 @@ StabilityFigure floor_against(std::string name, const Scene& scene, const DVec3&
                    run.effort.tolerance);
 }
 
-/// Radiance is Le + Kd Le + Kd^2 Le + ... = 1 everywhere within.
+/// Radiance is Le + Kd Le + Kd^2 Le + ... = 1 everywhere inside.
 StabilityFigure emitting_enclosure(std::string name, Mesh enclosure, const StabilityRun& run) {
   Scene scene;
   scene.materials = {matte(Rgb(0.5F))};
@@ -53,7 +53,7 @@ StabilityFigure emitting_enclosure(std::string name, Mesh enclosure, const Stabi
                    run.effort.tolerance);
 }
 
-/// The light of a convex mesh of radiance 1 around `center`: that of its triangles which face the
+/// Irradiance from a convex mesh of radiance 1 around `center`: that of the triangles facing the
 /// point, none of which hides another.
 double convex_mesh_irradiance(const Mesh& mesh, const DVec3& center, const DVec3& point,
                               const DVec3& normal) {
@@ -95,7 +95,7 @@ StabilityFigure rectangle_light(const StabilityRun& run) {
   return floor_against("rectangle's form factor", scene, irradiance * DVec3(2.0, 1.0, 0.5), run);
 }
 
-/// A lamp at (0.6, 1.2, -0.4) that shines straight down where it has a direction.
+/// A lamp at (0.6, 1.2, -0.4) that points straight down, if it has a direction.
 PunctualLight lamp_of(PunctualLight::Kind kind) {
   PunctualLight light;
   light.kind = kind;
@@ -105,8 +105,8 @@ PunctualLight lamp_of(PunctualLight::Kind kind) {
   return light;
 }
 
-/// Irradiance of the floor at the origin from radiant intensity 1 at the lamp's place. A sphere of
-/// any radius that shows all of itself gives the same.
+/// Irradiance of the floor at the origin from radiant intensity 1 at the lamp's place. A fully
+/// visible sphere of any radius gives the same.
 double from_lamp() {
   const DVec3 to(Vec3(0.6F, 1.2F, -0.4F));
   return to.y / std::pow(glm::length(to), 3.0);
@@ -145,8 +145,7 @@ StabilityFigure directional_light(float angular_radius_rad, const StabilityRun& 
                 0.8, run);
 }
 
-/// A slab of coloured glass between y = -0.5 and 0 and a sheet of radiance 1 that shines through it
-/// from below or on it from above.
+/// A slab of coloured glass between y = -0.5 and 0, and a sheet of radiance 1 below or above it.
 Scene slab_scene(bool from_below, const Rgb& attenuation_color) {
   Scene scene;
   scene.materials = {glass(), lamp(Rgb(1.0F))};

@@ -19,7 +19,7 @@
 namespace foveola {
 namespace {
 
-/// Light that must not come in is blue; light that may be seen is red.
+/// Light from outside is blue; light inside is red.
 const Rgb outside(0.0F, 0.0F, 1.0F);
 const Rgb inside(1.0F, 0.0F, 0.0F);
 
@@ -57,7 +57,7 @@ Room box_of_many_triangles() {
   return room;
 }
 
-/// At its edges a point that is moved off one wall comes close to the next.
+/// At its edges a point moved off one wall comes close to the next.
 Room tetrahedron_of_sharp_edges() {
   Room room{.name = "tetrahedron of 16000 triangles",
             .scene = under_blue_sky(),
@@ -72,8 +72,8 @@ Room tetrahedron_of_sharp_edges() {
 }
 
 /// The sheet sticks out of the box, so that it meets the walls without a gap; behind it is a lamp.
-/// What is nearer to the line where they meet than floats can distinguish, a ten-millionth of the
-/// room's size, may be taken for a point behind the sheet.
+/// Nearer to their intersection than a ten-millionth of the room's size, below floats' resolution,
+/// a point may count as behind the sheet.
 Room room_behind_a_sheet() {
   Room room{.name = "room behind a sheet without thickness",
             .scene = under_blue_sky(),
@@ -119,7 +119,7 @@ std::string describe(const Placement& placement) {
                      placement.distance, placement.by_instances ? ", as instances" : "");
 }
 
-/// A room turned, scaled and moved, with the paths that are traced in it.
+/// A rotated, scaled and moved room, with its paths.
 class PlacedRoom {
  public:
   PlacedRoom(const Room& room, const Placement& placement, const Workers& workers)
@@ -142,7 +142,7 @@ class PlacedRoom {
   PlacedRoom(const PlacedRoom&) = delete;
   PlacedRoom& operator=(const PlacedRoom&) = delete;
 
-  /// How many of `paths` paths in all directions see what is outside.
+  /// Number of `paths` paths in all directions that see the outside.
   std::uint64_t count(std::uint64_t paths, const StabilityRun& run) const {
     constexpr std::uint64_t paths_per_viewpoint = 1 << 14;
     Pcg32 random(11);
@@ -174,7 +174,7 @@ class PlacedRoom {
     const auto jobs = jobs_all_around(static_cast<std::uint32_t>(paths), seed);
     std::vector<Rgb> radiance(jobs.size());
     tracer_->trace(viewpoint, jobs, radiance, {.max_depth = 16, .seed = seed}, workers);
-    // A radiance that is not a number is no darkness either.
+    // A NaN radiance counts as a leak, too.
     return static_cast<std::uint64_t>(std::count_if(
         radiance.begin(), radiance.end(), [](const Rgb& value) { return !(value.b == 0.0F); }));
   }

@@ -18,11 +18,11 @@ constexpr std::array<float, 9> scales{1e-3F, 1e-2F, 1e-1F, 1e1F, 1e2F, 1e3F, 1e4
 /// A direction along no axis, so that all three coordinates are large.
 const DVec3 away = glm::normalize(DVec3(1.0, -0.7, 0.8));
 
-/// Moving vertices that far, in multiples of the scene's size, rounds them, which changes the scene
-/// by this much relative to its size: half a unit in the last place for each of a few vertices.
+/// Moving vertices by a multiple of the scene's size rounds them, which changes the scene by this
+/// much relative to its size: half a unit in the last place for each of a few vertices.
 double rounding_of(double distance) { return 4.0 * distance * 0x1p-24; }
 
-/// A copy of the room, and where to look at it from.
+/// A copy of the room, and its viewpoint.
 struct Copy {
   std::string name;
   Scene scene;
@@ -64,7 +64,7 @@ class RoomPictures {
   }
 
  private:
-  /// Every picture has a seed of its own.
+  /// Every picture has its own seed.
   std::vector<RadianceEstimate> render(const Scene& scene, const Vec3& viewpoint) {
     const PathTracer tracer(scene, run_.workers);
     return render_blocks(tracer, viewpoint, {.seed = ++pictures_}, run_);
@@ -75,7 +75,7 @@ class RoomPictures {
   std::vector<RadianceEstimate> reference_;
 };
 
-/// A floor of many triangles under a rectangle of radiance 1: it must get all of the light.
+/// A floor of many triangles under a rectangle of radiance 1: it must receive all of the light.
 StabilityFigure lit_floor(float scale, double distance, const StabilityRun& run) {
   Scene scene;
   scene.materials = {matte(Rgb(0.8F)), lamp(Rgb(1.0F))};

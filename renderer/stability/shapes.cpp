@@ -14,7 +14,7 @@ namespace {
 
 using TriangleIndices = std::array<std::uint32_t, 3>;
 
-/// Appends `mesh` as it is: vertices are not shared, though they may be equal.
+/// Appends `mesh` unchanged: equal vertices are not merged.
 void append(Mesh& to, const Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(to.positions.size());
   to.positions.insert(to.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -23,7 +23,7 @@ void append(Mesh& to, const Mesh& mesh) {
   }
 }
 
-/// Puts the fronts of a convex mesh on the side of `center`, which lies inside.
+/// Turns the front faces of a convex mesh towards `center`, which lies inside.
 void turn_fronts_inside(Mesh& mesh, const Vec3& center) {
   for (TriangleIndices& t : mesh.triangles) {
     const Vec3 normal = glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]],
@@ -34,7 +34,7 @@ void turn_fronts_inside(Mesh& mesh, const Vec3& center) {
   }
 }
 
-/// Four triangles for one, the new corners at the middles of its edges.
+/// Replaces a triangle by four, with new corners at the centres of its edges.
 void subdivide(Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
   const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {

@@ -12,12 +12,12 @@
 namespace foveola {
 namespace {
 
-/// So many vertices that what longer paths would bring is below 1e-4. Half is lost at each vertex
-/// of the closed furnace, but what enters a ball of glass at random may be reflected inside for
+/// Number of vertices beyond which paths contribute less than 1e-4. Half is lost at each vertex of
+/// the closed furnace. But light that enters a glass ball at random may be reflected inside for
 /// long: 0.4 % (smooth) and 1 % (roughness 0.2) of the light after 40 vertices, 0.1 % after 400.
 constexpr int furnace_depth = 4000;
 
-/// What floats and tables leave open in a product of a few vertices.
+/// Allowance for floats and tables in a product of a few vertices.
 constexpr double rounding = 1e-4;
 
 constexpr std::array<float, 6> roughnesses{0.001F, 0.1F, 0.3F, 0.5F, 0.8F, 1.0F};
@@ -26,8 +26,8 @@ constexpr std::array<double, 4> cosines{1.0, 0.5, 0.1, 0.01};
 /// A kind of material at one roughness.
 struct Variety {
   std::string name;
-  bool lossless = false;  ///< else it may reflect less than it gets, but never more
-  bool solid = false;     ///< makes sense on closed meshes only
+  bool lossless = false;  ///< otherwise it may reflect less than it receives, but never more
+  bool solid = false;     ///< valid on closed meshes only
   Material (*at)(float roughness) = nullptr;
 };
 
@@ -70,14 +70,14 @@ const std::vector<Variety>& varieties() {
   return all;
 }
 
-/// What a furnace of radiance 1 must show of a material.
+/// Compares a material's radiance with a furnace of radiance 1.
 StabilityFigure judge(std::string name, const RadianceEstimate& estimate, bool lossless,
                       const StabilityEffort& effort) {
   return lossless ? deviation(std::move(name), estimate, DVec3(1.0), rounding, effort.tolerance)
                   : excess(std::move(name), estimate, 1.0, rounding, effort.tolerance);
 }
 
-/// Objects stand so far from each other that each fills little of what another sees.
+/// Objects are so far apart that each fills little of another's view.
 constexpr float spacing = 10.0F;
 
 Vec3 place_of(std::size_t object) { return {spacing * static_cast<float>(object), 0.0F, 0.0F}; }
@@ -134,7 +134,7 @@ Measurement plate_at(std::size_t object, double cosine) {
   return along(place_of(object) + 0.9F * from, -from, furnace_depth, 1.0);
 }
 
-/// Rays from a distance of 3 that all but fill the disc of the ball, grazing included.
+/// Rays from a distance of 3 that nearly fill the disc of the ball, including grazing ones.
 Measurement across_ball(std::size_t object) {
   return {.viewpoint = place_of(object) + Vec3(0, 0, 3),
           .direction =
@@ -211,7 +211,7 @@ class Furnace {
   std::vector<Material> materials_;
 };
 
-/// Any values that a material may have, its colours white so that nothing is lost to them.
+/// Any allowed values of a material, its colours white so that they absorb nothing.
 Material random_material(Pcg32& random) {
   const auto uniform = [&] { return static_cast<float>(random.uniform()); };
   // Half of the layers are absent, as they are in most scenes.

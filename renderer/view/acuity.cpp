@@ -44,7 +44,7 @@ double watson_density(Meridian meridian, double eccentricity_deg) {
                                                       {0.9935, 1.035, 16.35},
                                                       {0.9729, 1.084, 7.633},
                                                       {0.996, 0.9932, 12.13}}};
-  // Where the share of midget cells among ganglion cells is half of what it is at the gaze (eq. 7).
+  // Where the share of midget cells among ganglion cells is half of that at the gaze (eq. 7).
   constexpr double midget_scale_deg = 41.03;
   const auto& [a, r2_deg, re_deg] = table[static_cast<std::size_t>(meridian)];
   const double y = 1.0 + eccentricity_deg / r2_deg;

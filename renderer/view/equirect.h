@@ -1,4 +1,4 @@
-// Directions and the 360-degree equirectangular image.
+// Maps between directions and positions in the 360-degree equirectangular image.
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ inline Vec3 direction_from_equirect(const Vec2& image) {
   return {horizontal * x, y, -horizontal * minus_z};
 }
 
-/// The angle that a pixel of an image `width` pixels wide spans along the horizon.
+/// Angle of a pixel along the horizon in an image of `width` pixels.
 inline float pixel_angle_rad(int width) {
   return 2.0F * std::numbers::pi_v<float> / static_cast<float>(width);
 }

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 constexpr double root_factor_deg = 18.64;
 
-/// By rising powers of u, degrees.
+/// In rising powers of u, degrees.
 constexpr double c0 = 3.232;
 constexpr double c1 = 23.87;
 constexpr double c2 = 27.61;
@@ -34,7 +34,7 @@ struct Quadrant {
   Meridian across;
   Meridian upright;
 };
-/// The quadrants in the order in which the azimuth runs from the temple over the head's up.
+/// The quadrants in the order of the azimuth, from the temple over the head's up.
 constexpr std::array<Quadrant, 4> sides{{{Meridian::temporal, Meridian::upper},
                                          {Meridian::nasal, Meridian::upper},
                                          {Meridian::nasal, Meridian::lower},
@@ -63,8 +63,8 @@ double Equation7Distribution::cumulative(double eccentricity_deg) const {
   if (eccentricity_deg >= cutoff_deg_) {
     return 1.0;
   }
-  // All of the polynomial's coefficients are positive, so it is convex, and Newton's steps from
-  // beyond the root come down to it without passing it: they end where rounding says otherwise.
+  // All of the polynomial's coefficients are positive, so it is convex: Newton's steps from beyond
+  // the root descend to it without passing it, until rounding reverses them.
   double u = 1.0;
   for (;;) {
     const double next = u - (beyond_switch_deg(u) - eccentricity_deg) / slope_beyond_switch_deg(u);

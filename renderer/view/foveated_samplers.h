@@ -1,6 +1,5 @@
-// Foveated samplers (FV): by a distribution of eccentricity, as published to the letter (equation 7
-// of Koskela et al. 2018), and by Watson's acuity, which differs between left and right, above and
-// below.
+// Foveated samplers (FV): by a distribution of eccentricity, by equation 7 of Koskela et al. 2018
+// as printed, and by Watson's acuity, which differs between meridians.
 #pragma once
 
 #include <array>
@@ -14,28 +13,27 @@
 
 namespace foveola {
 
-/// Equation 7 as it is printed, which approximates the inverse of Reddy's distribution to 80
-/// degrees (ReddyDistribution) and is not mended here: the radius of a uniform random number u is
+/// Equation 7 as printed, uncorrected. It approximates the inverse of Reddy's distribution to 80
+/// degrees (ReddyDistribution). The radius of a uniform random number u is
 ///
 ///   18.64 sqrt(u)                                                for u <= 0.0965
 ///   25.09 u^4 + 0.1680 u^3 + 27.61 u^2 + 23.87 u + 3.232         beyond
 ///
-/// in degrees. The two do not meet: no sample falls between the first's last radius and the
-/// second's first one, and the last radius of all is 79.97.
+/// in degrees. The branches do not meet: no sample falls between them. The maximum radius is 79.97.
 class Equation7Distribution final : public RadialDistribution {
  public:
-  /// Where the second branch takes over from the first, which still holds there.
+  /// The last u of the first branch.
   static constexpr double switch_u = 0.0965;
 
   /// The radius at u = 1.
   double cutoff_deg() const override { return cutoff_deg_; }
-  /// The two ends of the ring without samples, the gap: the radius of either branch at the switch.
+  /// The ends of the gap, a ring without samples: the radii of both branches at the switch.
   std::vector<double> knees_deg() const override { return {gap_begin_deg_, gap_end_deg_}; }
-  /// The u whose radius it is; in the gap that of the switch.
+  /// The u of a radius; in the gap, switch_u.
   double cumulative(double eccentricity_deg) const override;
   double eccentricity_deg(double u) const override;
-  /// That of these radii, not of the acuity: with the slope p'(u) of the radius, 1 / (2 pi e p'(u))
-  /// for each planar square degree. 0 in the gap.
+  /// Density of these radii, not of the acuity: 1 / (2 pi e p'(u)) per planar square degree, with
+  /// the slope p'(u) of the radius. 0 in the gap.
   double density_per_sr(double eccentricity_deg) const override;
 
  private:
@@ -47,7 +45,7 @@ class Equation7Distribution final : public RadialDistribution {
   double cutoff_deg_ = beyond_switch_deg(1.0);
 };
 
-/// Following a distribution around the gaze.
+/// Samples a radial distribution around the gaze.
 class FoveatedSampler final : public ViewSampler {
  public:
   explicit FoveatedSampler(std::unique_ptr<RadialDistribution> distribution);
@@ -62,19 +60,19 @@ class FoveatedSampler final : public ViewSampler {
   Frame around_{Vec3(0.0F, 0.0F, -1.0F)};
 };
 
-/// Whose visual field: one eye's, or the mean of both.
+/// The modelled visual field: of one eye, or the mean of both.
 enum class Eyes { left, right, both };
 
 /// Between two meridians Watson (2014, eq. 9 and 10) combines their spacings like the half-axes of
-/// an ellipse, and spacing is the inverse root of density: at (x, y) from the gaze, with
-/// r^2 = x^2 + y^2, r^2 / d = x^2 / d_x(r) + y^2 / d_y(r). In a quadrant this has a closed form: it
-/// integrates over the azimuth to pi/2 sqrt(d_x d_y), and an azimuth follows it if it is that of
-/// (sqrt(d_x) cos t, sqrt(d_y) sin t) with t uniform. So samples follow the model itself, and no
-/// table of it has to be fine enough.
+/// an ellipse, and spacing is the inverse root of density: at (x, y) from the gaze, with r^2 = x^2
+/// + y^2, r^2 / d = x^2 / d_x(r) + y^2 / d_y(r). In a quadrant this has a closed form: it
+/// integrates over the azimuth to pi/2 sqrt(d_x d_y), and the azimuth of (sqrt(d_x) cos t,
+/// sqrt(d_y) sin t) follows it for uniform t. Samples thus follow the model itself, without a
+/// table's error.
 class WatsonSampler final : public ViewSampler {
  public:
-  /// exponent: to which the meridians' densities are raised before they are combined; positive.
-  /// cutoff_deg in (0, 180).
+  /// exponent: power of the meridians' densities before they are combined; positive. cutoff_deg in
+  /// (0, 180).
   WatsonSampler(Eyes eyes, double exponent, double cutoff_deg, EccentricityMeasure measure);
 
   void aim(const Aim& aim) override;
@@ -83,14 +81,14 @@ class WatsonSampler final : public ViewSampler {
 
  private:
   static constexpr std::size_t quadrants =
-      4;  ///< quadrants of an eye's field: towards temple or nose, up or down
-  /// Where a quadrant of an eye's field lies around the gaze, and its part of the unit square.
+      4;  ///< quadrants of an eye's field: temporal or nasal, up or down
+  /// A quadrant of an eye's field, and its stripe of the unit square.
   struct Stripe {
     std::size_t quadrant;
     float sign_x;
-    float begin;  ///< where it begins in y; stripes are sorted by it
+    float begin;  ///< first y; stripes are sorted by it
     float height;
-    bool is_clockwise;  ///< so that the azimuth goes on where a stripe ends
+    bool is_clockwise;  ///< alternates, so that the azimuth is continuous between stripes
   };
 
   double meridian_density(Meridian meridian, double eccentricity_deg) const;
@@ -105,7 +103,7 @@ class WatsonSampler final : public ViewSampler {
   EccentricityMeasure measure_;
   double total_ = 0.0;  ///< integral of an eye's density over its field, in square degrees
   std::array<double, quadrants> shares_{};
-  std::vector<EccentricityTable> eccentricity_turns_;  ///< one a quadrant
+  std::vector<EccentricityTable> eccentricity_turns_;  ///< one per quadrant
   std::vector<Stripe> stripes_;
   GazeFrame gaze_;
 };

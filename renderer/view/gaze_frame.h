@@ -1,4 +1,4 @@
-// The directions of the visual field: to the right of, above and towards where somebody looks.
+// The visual field's axes: right of, above and along the gaze.
 #pragma once
 
 #include <cmath>
@@ -14,14 +14,14 @@ struct GazeFrame {
   Vec3 ahead{0.0F, 0.0F, -1.0F};
 
   GazeFrame() = default;
-  /// gaze: unit length, world. head maps the head's axes (-Z forward) to the world.
+  /// gaze: unit length, world. head: maps the head's axes (-Z forward) to the world.
   GazeFrame(const Vec3& gaze, const Quat& head) : ahead(gaze) {
     const Vec3 head_up = head * Vec3(0.0F, 1.0F, 0.0F);
     const float along = glm::dot(head_up, gaze);
     up = head_up - along * gaze;
     constexpr float smallest_squared_length = 1e-6F;
     if (glm::dot(up, up) < smallest_squared_length) {
-      // An eye that is raised to the head's own up has the back of the head above it.
+      // For a gaze along the head's up axis, the back of the head is above.
       const Vec3 back = head * Vec3(0.0F, 0.0F, std::copysign(1.0F, along));
       up = back - glm::dot(back, gaze) * gaze;
     }

@@ -40,8 +40,8 @@ void add_arc(const DVec3& a, const DVec3& b, double& low_rad, double& high_rad) 
   }
 }
 
-/// Directions along the view's edge, clockwise from its top left corner. From one to the next lead
-/// great circles; under a lens edges are bowed, and many short ones stand for them.
+/// Directions along the view's edge, clockwise from its top left corner, joined by great circles.
+/// Edges under a lens are curved, and approximated by many short ones.
 std::vector<DVec3> outline(const Viewport& viewport) {
   const int steps = viewport.lens() == RadialLens{} ? 1 : 256;
   constexpr std::array<Vec2, 4> plane{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

@@ -1,5 +1,5 @@
-// Samplers without a gaze: uniform over the image, a rectangle of it (which may lie across its
-// seam), the viewport or a picture, and around a pointer.
+// Samplers without a gaze: over the image, a rectangle of it (which may cross its seam), the
+// viewport or a picture; and around a pointer.
 #pragma once
 
 #include <memory>
@@ -13,40 +13,40 @@ namespace foveola {
 
 struct ImageRectangle {
   double u_begin = 0.0;  ///< in [0, 1)
-  double width = 1.0;    ///< in (0, 1]; u_begin + width > 1 goes on at u = 0
+  double width = 1.0;    ///< in (0, 1]; u_begin + width > 1 continues at u = 0
   double v_begin = 0.0;  ///< 0 <= v_begin < v_end <= 1
   double v_end = 1.0;
 
   double area() const { return width * (v_end - v_begin); }
-  /// A point of the unit square, stretched over the rectangle; u in [0, 1).
+  /// Maps a point of the unit square to the rectangle; u in [0, 1).
   Vec2 place(const Vec2& point) const;
   bool contains(const Vec2& image) const;
   bool operator==(const ImageRectangle&) const = default;
 };
 
-/// The smallest that holds all of the viewport: all around where the viewport holds a pole. Under a
-/// lens, whose bowed edges count as 1024 straight ones, it may miss a sliver of less than 1e-6.
+/// The smallest rectangle that holds the whole viewport: full width if it contains a pole. With a
+/// lens, whose edges are approximated by 1024 segments, it may miss a sliver of less than 1e-6.
 ImageRectangle bounding_rectangle(const Viewport& viewport);
 
-/// Every pixel of a rectangle of the equirect image alike; OD is the whole image.
+/// Uniform over the pixels of a rectangle of the equirect image; the whole image is OD.
 std::unique_ptr<ViewSampler> make_rectangle_sampler(const ImageRectangle& rectangle);
 
-/// VP as the rectangle of the image that bounds the viewport.
+/// VP as the image rectangle that bounds the viewport.
 std::unique_ptr<ViewSampler> make_viewport_rectangle_sampler();
 
-/// VP: every part of the display's plane alike.
+/// VP: uniform over the display's plane.
 std::unique_ptr<ViewSampler> make_viewport_sampler();
 
-/// Uniform over the plane of the viewport that it is aimed with. A sample's image position is its
-/// place in the picture, (0, 0) at the top left, and not on the sphere: films that are made with it
-/// are pictures, and nothing may take their pixels for those of a 360-degree image.
+/// Uniform over the plane of the aimed viewport. A sample's image position is its place in the
+/// picture, (0, 0) at the top left, and not on the sphere. Films made with it are pictures: their
+/// pixels are not those of a 360-degree image.
 std::unique_ptr<ViewSampler> make_picture_sampler();
 
-/// A Gaussian around the pointer in planar degrees, cut off.
+/// A truncated Gaussian around the pointer in planar degrees.
 class PointerSampler final : public ViewSampler {
  public:
   /// radius_deg: the standard deviation along any line through the pointer, positive. cutoff_deg in
-  /// (0, 180). fixed: a unit direction that takes the place of the pointer.
+  /// (0, 180). fixed: a unit direction that replaces the pointer.
   PointerSampler(double radius_deg, double cutoff_deg, const std::optional<Vec3>& fixed);
 
   void aim(const Aim& aim) override;
@@ -56,7 +56,7 @@ class PointerSampler final : public ViewSampler {
  private:
   double radius_deg_;
   double cutoff_deg_;
-  double share_;  ///< part of an uncut Gaussian that lies within the cut-off
+  double share_;  ///< share of the Gaussian within the cut-off
   std::optional<Vec3> fixed_;
   Frame around_{Vec3(0.0F, 0.0F, -1.0F)};
 };

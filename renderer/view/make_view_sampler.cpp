@@ -38,7 +38,7 @@ AcuityModel read_linear_fall_off(MethodText& method) {
 constexpr std::string_view reddy_name = "reddy";
 constexpr std::string_view watson_name = "watson";
 
-/// The models of acuity, each with what reads its settings.
+/// The models of acuity, each with the reader of its settings.
 constexpr auto acuity_models = std::to_array<Word<AcuityModel (*)(MethodText&)>>({
     {reddy_name, [](MethodText&) { return reddy_model(); }},
     {"guenter",
@@ -92,14 +92,14 @@ std::unique_ptr<ViewSampler> make_crop(MethodText& method) {
                                  .v_end = std::min(v + height / half_turn_deg, 1.0)});
 }
 
-/// find_weights: empty where files are to be read.
+/// find_weights: empty to read files.
 std::unique_ptr<ViewSampler> make_map(MethodText& method, const FindWeights& find_weights) {
   const std::string file = method.required("file", "the image of the map");
   WeightImage image = find_weights ? find_weights(file) : read_weights(file);
   return std::make_unique<MapSampler>(std::move(image), method.number("extent", 80.0, 0.1, 179.0));
 }
 
-/// find_weights: empty where files are to be read.
+/// find_weights: empty to read files.
 std::unique_ptr<ViewSampler> make_mask(MethodText& method, const FindWeights& find_weights) {
   const std::string file = method.required("file", "the image of the mask");
   const double floor = method.number("floor", 0.0, 0.0, 1e6);
@@ -109,7 +109,7 @@ std::unique_ptr<ViewSampler> make_mask(MethodText& method, const FindWeights& fi
   return std::make_unique<MaskSampler>(std::filesystem::path(file), floor);
 }
 
-/// The place in the world where the text holds the pointer; empty if it holds it nowhere.
+/// The place in the world where the text fixes the pointer; nullopt if it does not.
 std::optional<Vec3> fixed_pointer(MethodText& method) {
   const std::optional<double> azimuth_deg = method.number("azimuth", -180.0, 180.0);
   const std::optional<double> elevation_deg = method.number("elevation", -90.0, 90.0);

@@ -42,7 +42,7 @@ std::size_t pixel_at(float position, int count) {
 
 }  // namespace
 
-// The stamp comes before the reading: what is written in between is then read at the next aim.
+// The stamp precedes the reading: a change in between is then read at the next aim.
 MaskSampler::MaskSampler(std::filesystem::path path, double floor)
     : path_(std::move(path)),
       floor_(floor),
@@ -65,7 +65,7 @@ std::optional<MaskSampler::Stamp> MaskSampler::stamp() const {
 MaskSampler::Painting MaskSampler::painting_of(WeightImage image) const {
   const double mean = std::accumulate(image.weights.begin(), image.weights.end(), 0.0) /
                       static_cast<double>(image.weights.size());
-  // Relative to the largest: a multiple of the mean may be more than a float holds.
+  // Relative to the maximum: a multiple of the mean may exceed a float.
   const double largest = *std::max_element(image.weights.begin(), image.weights.end());
   for (float& weight : image.weights) {
     weight = static_cast<float>((weight + floor_ * mean) / largest);
@@ -88,7 +88,7 @@ void MaskSampler::aim(const Aim&) {
   try {
     painting_ = painting_of(read_weights(path_));
   } catch (const std::exception&) {
-    // A file may even vanish while it is read. The last good painting stays.
+    // A file may even vanish during reading. The last good mask stays.
   }
 }
 

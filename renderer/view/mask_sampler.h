@@ -1,4 +1,4 @@
-// Samplers by a picture: a mask of importance, and a map that follows the gaze (Pohl et al. 2016).
+// Samplers by an image: an importance mask, and a map that follows the gaze (Pohl et al. 2016).
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 
 namespace foveola {
 
-/// A painting over the whole equirect image, of any size. It may be painted on while it is in use:
-/// aim() reads the file anew where it changed. What cannot be read at that moment, because the file
-/// is half-written, gone or bad, leaves the last good painting in place until it changes again.
+/// A mask over the whole equirect image, of any size. It may be edited while in use: aim() reloads
+/// a changed file. If the file is then incomplete, missing or bad, the last good mask stays until
+/// the next change.
 ///
-/// Rows and columns are chosen by their running sums. Alias tables would choose them in constant
-/// time, but they cut the unit square into pieces that lie elsewhere in the image, so that
-/// well-distributed points would no longer be so; here neighbours stay neighbours.
+/// Rows and columns are chosen by their cumulative sums. Alias tables would take constant time, but
+/// would scatter parts of the unit square over the image. Here neighbours stay neighbours, and
+/// well-distributed points stay so.
 class MaskSampler final : public ViewSampler {
  public:
-  /// floor: what every pixel weighs more, as a multiple of the mean weight; >= 0. Throws Error as
+  /// floor: weight added to every pixel, as a multiple of the mean weight; >= 0. Throws Error as
   /// read_weights.
   MaskSampler(std::filesystem::path path, double floor);
-  /// For a painting that stays as it is.
+  /// For a mask that does not change.
   MaskSampler(WeightImage image, double floor);
 
   void aim(const Aim& aim) override;
@@ -31,13 +31,13 @@ class MaskSampler final : public ViewSampler {
   double density_per_sr(const Vec3& direction) const override;
 
  private:
-  /// What a change of the file is noticed by.
+  /// A file's properties that reveal a change.
   struct Stamp {
     std::filesystem::file_time_type written;
     std::uintmax_t bytes = 0;
     bool operator==(const Stamp&) const = default;
   };
-  /// A painting that was read.
+  /// A mask in memory.
   struct Painting {
     int width = 0;
     int height = 0;
@@ -47,18 +47,18 @@ class MaskSampler final : public ViewSampler {
   std::optional<Stamp> stamp() const;
   Painting painting_of(WeightImage image) const;
 
-  std::filesystem::path path_;  ///< empty: none is read anew
+  std::filesystem::path path_;  ///< empty: never reloaded
   double floor_;
   std::optional<Stamp> read_at_;
   Painting painting_;
 };
 
-/// An image around the gaze in the azimuthal equidistant projection: the distance from its middle
-/// is the eccentricity, up is the head's up. Its pixels are alike in planar square degrees.
+/// An image around the gaze in the azimuthal equidistant projection: the distance from its centre
+/// is the eccentricity, up is the head's up. Its pixels have equal planar square degrees.
 class MapSampler final : public ViewSampler {
  public:
-  /// extent_deg: the eccentricity at half of the image's larger side, in (0, 179]. Pixels that
-  /// reach beyond 179 degrees weigh nothing. Throws Error if no other has any weight.
+  /// extent_deg: the eccentricity at half of the image's larger side, in (0, 179]. Pixels beyond
+  /// 179 degrees have weight 0. Throws Error if all weights are 0.
   MapSampler(WeightImage image, double extent_deg);
 
   void aim(const Aim& aim) override;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view hybrid_prefix = "hybrid:";
 
-/// Where `separator` first stands outside quotes, or the size of `text`.
+/// The first place of `separator` outside quotes, or the size of `text`.
 std::size_t find_unquoted(std::string_view text, char separator) {
   bool is_quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -28,7 +28,7 @@ std::size_t find_unquoted(std::string_view text, char separator) {
   return text.size();
 }
 
-/// Takes what stands before `separator` off the front of `rest`.
+/// Removes the part before `separator` from the front of `rest`.
 std::string_view take(std::string_view& rest, char separator) {
   const std::string_view first = rest.substr(0, find_unquoted(rest, separator));
   rest.remove_prefix(std::min(first.size() + 1, rest.size()));

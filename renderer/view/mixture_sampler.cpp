@@ -10,13 +10,13 @@
 namespace foveola {
 namespace {
 
-/// Points that are given to the parts at a time: what goes with them stays in the nearest cache.
+/// Points per call of a part: their data stay in the nearest cache.
 constexpr std::size_t block_size = 512;
 
 }  // namespace
 
 MixtureSampler::MixtureSampler(std::vector<Part> parts) : parts_(std::move(parts)) {
-  // Relative to the largest first: the sum of weights may be more than a double holds.
+  // Relative to the maximum first: the sum of weights may exceed a double.
   const auto heavier = [](const Part& a, const Part& b) { return a.weight < b.weight; };
   const double largest = std::max_element(parts_.begin(), parts_.end(), heavier)->weight;
   double total = 0.0;
@@ -56,7 +56,7 @@ void MixtureSampler::sample_block(std::span<const Vec2> points,
     const auto weight = static_cast<float>(parts_[part].weight);
     std::size_t count = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      // What is not this part's is written over: a branch would be guessed wrong at random.
+      // Points of other parts are overwritten: a branch would be mispredicted at random.
       places[count] = i;
       part_points[count] =
           Vec2(std::min((points[i].x - begin) / weight, largest_below_one), points[i].y);

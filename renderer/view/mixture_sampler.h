@@ -1,4 +1,4 @@
-// Several view samplers at once, each with its share of the samples.
+// Combines several view samplers, each with a share of the samples.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 namespace foveola {
 
 /// Each part gets a stripe of the unit square as wide as its weight, stretched over the whole
-/// square: a well-distributed pattern stays one in every part.
+/// square, so that each part's pattern stays well distributed.
 class MixtureSampler final : public ViewSampler {
  public:
   struct Part {
@@ -26,8 +26,8 @@ class MixtureSampler final : public ViewSampler {
  private:
   void sample_block(std::span<const Vec2> points, std::span<ViewSample> samples) const;
 
-  std::vector<Part> parts_;  ///< weights adding up to 1
-  std::vector<float> ends_;  ///< where the stripes end; the last value is infinite
+  std::vector<Part> parts_;  ///< weights sum to 1
+  std::vector<float> ends_;  ///< ends of the stripes; the last value is infinite
 };
 
 }  // namespace foveola

@@ -20,11 +20,11 @@ std::array<float, 4> cubic_through(const std::array<double, 4>& v) {
           static_cast<float>(4.5 * (v[3] - v[0]) + 13.5 * (v[1] - v[2]))};
 }
 
-/// The limit of eccentricity / sqrt(u) at u = 0 is taken from so near that it differs by less than
-/// a float resolves.
+/// The limit of eccentricity / sqrt(u) at u = 0 is evaluated here, where it differs by less than a
+/// float resolves.
 constexpr double smallest_s = 1e-8;
 
-/// The largest s that a float u has.
+/// The largest s of a float u.
 const double largest_s = std::sqrt(static_cast<double>(largest_below_one));
 
 constexpr double turns_per_degree = 1.0 / 360.0;
@@ -36,8 +36,7 @@ double eccentricity_over_s(const RadialDistribution& distribution, double s) {
 
 using std::numbers::pi;
 
-// Reddy's constants as the paper prints them: beyond the knee the acuity falls as
-// scale / (slope e + 1)^2.
+// Reddy's constants as printed in the paper: beyond the knee the acuity is scale / (slope e + 1)^2.
 constexpr double scale = 7.49;
 constexpr double slope_per_deg = 0.3;
 
@@ -118,7 +117,7 @@ AcuityDistribution::AcuityDistribution(AcuityModel model, double exponent, doubl
   sums_ = {0.0};
   for (const double end : ends) {
     const double start = nodes_deg_.back();
-    // From the gaze on in growing panels: some models fall within a hundredth of a degree.
+    // From the gaze outwards in growing panels: some models fall within a hundredth of a degree.
     const double growth = start == 0.0 ? 4.0 : 1.0;
     for (int i = 1; i <= panels; ++i) {
       const double node = start + (end - start) * std::pow(static_cast<double>(i) / panels, growth);
@@ -206,12 +205,12 @@ EccentricityTable::EccentricityTable(const RadialDistribution& distribution) {
 void EccentricityTable::add_pieces(const RadialDistribution& distribution, double begin, double end,
                                    int halvings) {
   constexpr double largest_error = 2e-7;  // relative, of the cubics alone
-  // At the end even of a tail that thins out by twenty powers of ten, cells are then a hundredth of
-  // what two floats below 1 are apart.
+  // Even at the end of a tail that falls by twenty powers of ten, cells are then a hundredth of the
+  // distance of two floats below 1.
   constexpr int max_halvings = 26;
   const double cell = (end - begin) / cells_in_piece;
-  // What holds at the ends of a piece is what holds inside it: at a knee the radius may jump, and
-  // of the two radii there either is the neighbour's. A few roundings inside is inside for s^2 too.
+  // Values at the ends of a piece are taken just inside it: at a knee the radius may jump, and
+  // either radius may be the neighbour's. A few roundings inside are inside for s^2 too.
   constexpr double a_few_roundings = 4.0 * std::numeric_limits<double>::epsilon();
   const double first = begin * (1.0 + a_few_roundings);
   const double last = end * (1.0 - a_few_roundings);

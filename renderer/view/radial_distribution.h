@@ -1,4 +1,4 @@
-// Where samples fall around the gaze: distributions of eccentricity, with exact inverses.
+// Distributions of eccentricity around the gaze, with exact inverses.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace foveola {
 
-/// How samples of an eccentricity e are spread over the sphere: g(e) is proportional to the density
-/// times 2 pi e (the paper's, as if the field of view were a plane) or times 2 pi sin(e), which is
-/// the density per solid angle. They differ by e / sin(e): 1.42 at 80 degrees.
+/// Measure of an eccentricity e on the sphere. g(e) is proportional to the density times 2 pi e
+/// (planar, as in the paper) or times 2 pi sin(e) (solid angle). They differ by e / sin(e): 1.42 at
+/// 80 degrees.
 enum class EccentricityMeasure { planar, solid_angle };
 
-/// A density per square degree of `measure` as one per steradian. eccentricity_deg in [0, 180).
+/// Converts a density per square degree to one per steradian. eccentricity_deg in [0, 180).
 double density_per_sr(double per_square_degree, double eccentricity_deg,
                       EccentricityMeasure measure);
 
@@ -27,18 +27,18 @@ class RadialDistribution {
  public:
   virtual ~RadialDistribution() = default;
   virtual double cutoff_deg() const = 0;
-  /// Where the density bends or jumps, strictly inside (0, cut-off), ascending.
+  /// Kinks and jumps of the density, strictly inside (0, cut-off), ascending.
   virtual std::vector<double> knees_deg() const = 0;
   /// The fraction of samples below an eccentricity.
   virtual double cumulative(double eccentricity_deg) const = 0;
-  /// The inverse of cumulative, for u in [0, 1]; for setting up tables.
+  /// The inverse of cumulative(), for u in [0, 1]; used to build tables.
   virtual double eccentricity_deg(double u) const = 0;
-  /// Samples per steradian at an eccentricity, of one sample in all; 0 beyond the cut-off.
+  /// Probability density per steradian at an eccentricity; 0 beyond the cut-off.
   virtual double density_per_sr(double eccentricity_deg) const = 0;
 };
 
-/// The published one: Reddy's acuity, planar measure, in closed form; its inverse is by Lambert's
-/// W. The integral of 2 pi e m(e) de to 80 degrees, the paper's normaliser H, is 1091.85.
+/// The published distribution: Reddy's acuity, planar measure, in closed form, inverted by
+/// Lambert's W. The integral of 2 pi e m(e) de to 80 degrees, the paper's normaliser H, is 1091.85.
 class ReddyDistribution final : public RadialDistribution {
  public:
   /// cutoff_deg in (0, 180).
@@ -71,7 +71,7 @@ class AcuityDistribution final : public RadialDistribution {
   double eccentricity_deg(double u) const override;
   double density_per_sr(double eccentricity_deg) const override;
 
-  /// The integral of the acuity to its power over the field, in square degrees of the measure.
+  /// Integral of the acuity's power over the field, in square degrees of the measure.
   double total() const { return sums_.back(); }
 
  private:
@@ -88,18 +88,18 @@ class AcuityDistribution final : public RadialDistribution {
 };
 
 /// RadialDistribution::eccentricity_deg in turns, within 1e-6 relative at every float of [0, 1).
-/// With s = sqrt(u), the eccentricity over s is smooth from knee to knee, and may jump at one;
-/// cubics through exact values stand for it, more of them where it is steep. What lies beyond the
-/// last float below 1, 6e-8 of the samples, is never drawn.
+/// Over s = sqrt(u), the eccentricity is smooth between knees, where it may jump. It is
+/// interpolated by cubics through exact values, denser where it is steep. The 6e-8 of the samples
+/// beyond the last float below 1 are never drawn.
 class EccentricityTable {
  public:
   explicit EccentricityTable(const RadialDistribution& distribution);
 
-  /// u in [0, 1]; 1 counts as the largest float below it.
+  /// u in [0, 1]; 1 is replaced by the largest float below it.
   float operator()(float u) const { return at_root(root(u)); }
 
-  /// The two halves of it. A compiler makes several of the first at a time. In double: where
-  /// samples are rare, the last bit of a float is many of them apart.
+  /// The two steps of operator(). Compilers vectorise the first. In double: where samples are rare,
+  /// the last bit of a float spans many of them.
   static double root(float u) {
     return std::sqrt(static_cast<double>(std::min(u, largest_below_one)));
   }
@@ -118,7 +118,7 @@ class EccentricityTable {
  private:
   static constexpr int cells_in_piece = 64;
   using Cubic = std::array<float, 4>;
-  /// A range of s without a knee.
+  /// An interval of s without a knee.
   struct Piece {
     double begin;
     double end;
@@ -126,7 +126,7 @@ class EccentricityTable {
     std::size_t first_cubic;
   };
 
-  /// Adds pieces over [begin, end], halved until they are exact enough.
+  /// Adds pieces over [begin, end], halved until they are precise enough.
   void add_pieces(const RadialDistribution& distribution, double begin, double end, int halvings);
 
   std::vector<Piece> pieces_;

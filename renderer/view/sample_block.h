@@ -13,8 +13,8 @@ namespace foveola {
 
 inline constexpr std::size_t sample_block_size = 256;
 
-/// The samples in the directions of at most `sample_block_size` points; compilers make eight at a
-/// time of them where `direction_of` has no branch.
+/// Writes the samples in the directions of at most `sample_block_size` points. Compilers vectorise
+/// it if `direction_of` has no branch.
 template <typename DirectionOf>
 void sample_block(std::span<const Vec2> points, const DirectionOf& direction_of,
                   std::span<ViewSample> samples) {
@@ -37,7 +37,7 @@ void sample_block(std::span<const Vec2> points, const DirectionOf& direction_of,
   }
 }
 
-/// The samples at any number of places in the equirect image: `place` maps each point to its own.
+/// Writes the samples at places in the equirect image, for any number of points: `place` maps each.
 template <typename Place>
 void sample_places(std::span<const Vec2> points, const Place& place,
                    std::span<ViewSample> samples) {
@@ -57,8 +57,8 @@ void sample_places(std::span<const Vec2> points, const Place& place,
   }
 }
 
-/// The samples in the directions of any number of points. `prepare` maps a block of points, with
-/// whatever branches and look-ups it needs, to those that `direction_of` gets.
+/// Writes the samples in the directions of any number of points. `prepare` maps a block of points,
+/// with branches and look-ups, to the inputs of `direction_of`.
 template <typename Prepare, typename DirectionOf>
 void sample_blocks(std::span<const Vec2> points, const Prepare& prepare,
                    const DirectionOf& direction_of, std::span<ViewSample> samples) {
@@ -71,7 +71,7 @@ void sample_blocks(std::span<const Vec2> points, const Prepare& prepare,
   }
 }
 
-/// Makes of a `map` from point to point the `prepare` that sample_blocks takes.
+/// Turns a `map` from point to point into a `prepare` of sample_blocks.
 template <typename Map>
 auto point_by_point(Map map) {
   return [map](std::span<const Vec2> points, std::span<Vec2> prepared) {

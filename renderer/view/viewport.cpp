@@ -27,7 +27,7 @@ bool is_grid(const std::vector<std::string>& rows) {
          rows.front().size() <= max_digits && std::all_of(rows.begin(), rows.end(), is_row);
 }
 
-/// 1 for each cell that is seen, row by row.
+/// 1 for each visible cell, row by row.
 std::vector<float> weights_of(const std::vector<std::string>& rows) {
   if (!is_grid(rows)) {
     throw Error("display", "what is seen of it is no grid of cells",
@@ -82,7 +82,7 @@ const RadialLens& checked(const RadialLens& lens, const Vec2& half_size) {
   return lens;
 }
 
-/// The distance on the display that is seen at `distance`; `furthest` bounds it.
+/// The distance on the display that appears at `distance`; `furthest` bounds it.
 double on_display(const RadialLens& lens, double distance, double furthest) {
   double low = 0.0;
   double high = furthest;
@@ -116,7 +116,7 @@ bool SeenPart::contains(const Vec2& plane) const {
 }
 
 Vec2 SeenPart::place(const Vec2& point) const {
-  // Rounding shall not carry a place into the next cell, which may not be seen.
+  // Rounding must not move a place into the next cell, which may be invisible.
   constexpr float farthest_within = 1.0F - 0x1p-13F;
   const PiecewiseConstant2D::Point place = seen_.sample(point);
   const Vec2 cell(static_cast<float>(place.column), static_cast<float>(place.row));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t{64} << 20;
 
-/// Before the pixels are read: a header can promise more of them than there is memory.
+/// Checked before the pixels are read: a header can announce more than fit in memory.
 void require_moderate_size(const std::filesystem::path& path) {
   const IVec2 size = image_size(path);
   if (std::int64_t{size.x} * size.y > max_pixels) {

@@ -1,4 +1,4 @@
-// Images that say how much each of their pixels matters.
+// Images of weights for importance sampling.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@ struct WeightImage {
   std::vector<float> weights;  ///< row by row from the top; finite, >= 0, at least one positive
 };
 
-/// The linear luminance of an image file: of 8-bit files, which are taken as sRGB, mid-grey (128)
-/// weighs 0.22 of white. Throws Error if it cannot be read, has more than 64 x 2^20 pixels, a pixel
-/// that is negative or not finite, or no weight at all.
+/// The linear luminance of an image file; 8-bit files are sRGB, so that mid-grey (128) weighs 0.22
+/// of white. Throws Error if it cannot be read, has more than 64 x 2^20 pixels, a negative or
+/// non-finite pixel, or no positive weight.
 WeightImage read_weights(const std::filesystem::path& path);
 
 }  // namespace foveola

@@ -12,10 +12,10 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// Spatial summation: the area above which sensitivity no longer rises falls with frequency.
+/// Spatial summation: the area above which sensitivity is constant decreases with frequency.
 struct Summation {
   double area_deg2;      ///< at low frequencies
-  double frequency_cpd;  ///< where it begins to fall
+  double frequency_cpd;  ///< where it begins to decrease
 
   double factor(const CsfStimulus& stimulus) const {
     const double critical = area_deg2 / (1.0 + square(stimulus.frequency_cpd / frequency_cpd));
@@ -23,7 +23,7 @@ struct Summation {
   }
 };
 
-/// Decades of sensitivity that are lost per degree of eccentricity: constant + slope * frequency.
+/// Decades of sensitivity lost per degree of eccentricity: constant + slope * frequency.
 struct FallOff {
   double constant;
   double slope;
@@ -37,7 +37,7 @@ double eccentricity_factor(const CsfStimulus& stimulus, const FallOff& temporal,
   return std::pow(10.0, -(constant + slope * stimulus.frequency_cpd) * stimulus.eccentricity_deg);
 }
 
-/// What remains at low frequencies of a band-pass mechanism is at least 1 - truncation.
+/// A band-pass mechanism keeps at least 1 - truncation at low frequencies.
 double truncated_parabola(double frequency, double peak, double bandwidth, double truncation) {
   const double value = log_parabola(frequency, peak, std::exp2(bandwidth));
   return frequency < peak ? std::max(value, 1.0 - truncation) : value;
@@ -69,7 +69,7 @@ double transient(const CsfStimulus& stimulus) {
          summation.factor(stimulus);
 }
 
-/// A mechanism of two colours, which passes all low frequencies.
+/// A mechanism of two colours, low-pass.
 struct ChromaticMechanism {
   SaturatingCurve peak_sensitivity;
   double corner_cpd;

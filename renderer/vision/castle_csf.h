@@ -5,7 +5,7 @@
 
 namespace foveola {
 
-/// A Gabor patch, as psychophysics shows it.
+/// A Gabor patch, the stimulus of psychophysics.
 struct CsfStimulus {
   double frequency_cpd = 1.0;          ///< cycles per degree, above 0
   double temporal_frequency_hz = 0.0;  ///< 0 or more
@@ -24,8 +24,8 @@ struct CastleSensitivity {
   double yellow_violet = 0.0;
 };
 
-/// castleCSF v0.2.4 (Ashraf, Mantiuk, Chapiro and Wuerger 2024, Journal of Vision 24(4):5), of
-/// whose program (MIT licence) the constants are. Each sensitivity is 0 or more.
+/// castleCSF v0.2.4 (Ashraf, Mantiuk, Chapiro and Wuerger 2024, Journal of Vision 24(4):5); the
+/// constants are from its program (MIT licence). Each sensitivity is 0 or more.
 CastleSensitivity castle_sensitivity(const CsfStimulus& stimulus);
 
 /// Sensitivity to one modulation: sqrt(3) over its length in cone contrasts at threshold. lms_step:

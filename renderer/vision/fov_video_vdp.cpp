@@ -15,9 +15,9 @@
 namespace foveola {
 namespace {
 
-constexpr float darkest_cd_m2 = 0.1F;  ///< that contrasts are of
+constexpr float darkest_cd_m2 = 0.1F;  ///< minimum luminance in contrasts
 constexpr float max_contrast = 1000.0F;
-constexpr int smallest_side = 4;         ///< pixels of the last band, at least
+constexpr int smallest_side = 4;         ///< minimum side of the last band, in pixels
 constexpr double lowest_band_cpd = 0.5;  ///< the first band at or below it is the last
 constexpr double transient_weight = 0.25;
 constexpr double over_pixels = 1.52134;  ///< exponents of pooling
@@ -48,7 +48,7 @@ void check(bool is_right, const std::string& what, const std::string& fault) {
 
 constexpr std::array kernel = {0.05F, 0.25F, 0.4F, 0.25F, 0.05F};
 
-/// Beyond its borders a row is its mirror image, the outermost sample twice.
+/// Beyond its borders a row is mirrored, with its outermost sample repeated.
 int mirrored(int i, int size) {
   while (i < 0 || i >= size) {
     i = i < 0 ? -1 - i : 2 * size - 1 - i;
@@ -67,7 +67,7 @@ void for_each_row(int rows, const Workers& workers, const Row& row) {
                          });
 }
 
-/// Blurred, and every second sample of both directions.
+/// Blurred and subsampled by two in both directions.
 Plane reduced(const Plane& plane, const Workers& workers) {
   Plane across((plane.width + 1) / 2, plane.height);
   for_each_row(plane.height, workers, [&](int y) {
@@ -95,8 +95,8 @@ Plane reduced(const Plane& plane, const Workers& workers) {
   return result;
 }
 
-/// The samples of a coarser row that a finer one is made of, with their weights. Beyond its borders
-/// the outermost sample is repeated.
+/// The samples of a coarser row behind a finer one, with their weights. Beyond its borders the
+/// outermost sample is repeated.
 struct Taps {
   std::array<int, 3> at;
   std::array<float, 3> weights;
@@ -133,9 +133,9 @@ Plane expanded(const Plane& plane, int width, int height, const Workers& workers
   return result;
 }
 
-// --- What is seen ---
+// --- Perceived differences ---
 
-/// The visible difference of two contrasts, each masking the other, to the power of pooling.
+/// The visible difference of two contrasts, with mutual masking, to the power of pooling.
 double pooled_difference(float sensitivity, float seen, float expected, float masking) {
   constexpr float mask_scale = 0.106209F;  // 10^-0.973838
   const float mask = sensitivity * std::min(std::abs(seen), std::abs(expected)) * mask_scale;
@@ -173,7 +173,7 @@ std::vector<std::vector<float>> temporal_filters(double rate_hz) {
   return filters;
 }
 
-/// The angle of a place in [0, 1] along a side from the display's middle.
+/// The angle of a place in [0, 1] along a side from the display's centre.
 float angle_deg(float place, float half_side) {
   return static_cast<float>(degrees(std::atan((2.0F * place - 1.0F) * half_side)));
 }
@@ -187,7 +187,7 @@ std::vector<float> angles_deg(int pixels, float half_side) {
   return angles;
 }
 
-/// How many times more pixels fit in a degree that far from the middle of a flat display, half a
+/// Relative number of pixels per degree at this angle from the centre of a flat display, half a
 /// pixel of which is as wide as `pixel_tangent`.
 float magnification(const Vec2& from_middle_deg, float pixel_tangent) {
   constexpr auto radian_deg = static_cast<float>(radians(1.0));
@@ -200,9 +200,9 @@ float magnification(const Vec2& from_middle_deg, float pixel_tangent) {
 struct FovVideoVdp::Band {
   int width;
   int height;
-  float frequency_cpd;             ///< in the display's middle
+  float frequency_cpd;             ///< in the display's centre
   float gain;                      ///< of its contrasts
-  std::vector<float> columns_deg;  ///< angle of each column from the display's middle
+  std::vector<float> columns_deg;  ///< angle of each column from the display's centre
   std::vector<float> rows_deg;
 };
 
@@ -252,7 +252,7 @@ FovVideoVdp::FovVideoVdp(const VdpDisplay& display, const IVec2& size,
   }
 }
 
-/// What a band is of: a picture, less its blurred self.
+/// A band's input: a picture minus its blurred self.
 struct FovVideoVdp::Level {
   std::vector<float> fine;
   std::vector<float> base;

@@ -1,11 +1,11 @@
-// How parameters of contrast sensitivity depend on luminance, in castleCSF and FovVideoVDP.
+// Parameters of contrast sensitivity as functions of luminance, in castleCSF and FovVideoVDP.
 #pragma once
 
 #include <cmath>
 
 namespace foveola {
 
-/// scale (1 + half_cd_m2 / L)^-slope: rises with luminance, and levels off at `scale`.
+/// scale (1 + half_cd_m2 / L)^-slope: increases with luminance, saturating at `scale`.
 struct SaturatingCurve {
   double scale;
   double half_cd_m2;

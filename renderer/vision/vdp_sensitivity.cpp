@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A stimulus at an eccentricity, as the cortex magnifies it.
+/// A stimulus at an eccentricity, scaled by cortical magnification.
 struct MagnifiedStimulus {
   double frequency_cpd;
   double area_deg2;
@@ -73,7 +73,7 @@ const DMat3 mechanism_of_contrast =
     glm::transpose(DMat3(1.0, 0.256197, 6.42e-7,  //
                          1.0, -0.933541, 0.00373304, -0.00130319, -1.1504, 1.0));
 
-/// Sensitivity to moving gratings (after Kelly 1979), but for its scale. speed: degrees per second.
+/// Sensitivity to moving gratings (after Kelly 1979), up to its scale. speed: degrees per second.
 double moving_sensitivity(double frequency_cpd, double speed) {
   const double slowest = std::max(speed, 0.1);
   const double k = 6.1 + 7.3 * std::pow(std::abs(std::log10(0.7986 * slowest / 3.0)), 3.0);
@@ -95,7 +95,7 @@ struct Axis {
   double last;
 
   double value(int i, int steps) const { return std::lerp(first, last, i / (steps - 1.0)); }
-  /// Where a value lies, clamped, in steps.
+  /// The clamped position of a value, in steps.
   float place(float x, int steps) const {
     const auto lower = static_cast<float>(first);
     const auto upper = static_cast<float>(last);
@@ -107,7 +107,7 @@ const Axis log2_luminance = {std::log2(1e-3), std::log2(1e4)};
 constexpr Axis log2_frequency = {-4.0, 6.0};
 const Axis root_eccentricity = {0.0, std::sqrt(120.0)};
 
-/// Between which two steps, and where.
+/// The steps around a position.
 struct Between {
   int step;
   float share;

@@ -24,9 +24,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A stamp that much older than its event's arrival is believed: the program may have been stopped.
+/// Maximum plausible age of a stamp at its event's arrival: the program may have been stopped.
 constexpr std::uint32_t oldest_stamp_ms = 10'000;
-/// The server may read a clock that goes by ticks, if these are no longer than that.
+/// The server's clock may go by ticks up to this length.
 constexpr std::int32_t longest_tick_ms = 1;
 
 std::int64_t whole_ms(Nanoseconds time) { return std::chrono::floor<milliseconds>(time).count(); }
@@ -81,8 +81,8 @@ bool is_of_this_clock(std::uint32_t stamp_ms, Nanoseconds before, Nanoseconds af
   return later_ms(before) >= -longest_tick_ms && later_ms(after) <= 0;
 }
 
-/// What hangs on Xlib's connection. Xlib calls `note` for each event that it reads, in their order,
-/// with nothing of ours but the connection.
+/// Data attached to Xlib's connection. Xlib calls `note` for each event that it reads, in order,
+/// with nothing but the connection.
 struct KeyTimes::Noted {
   using Reader = Bool (*)(Display*, XEvent*, xEvent*);
 
@@ -91,7 +91,7 @@ struct KeyTimes::Noted {
     bool is_down = false;
     Nanoseconds time{0};
   };
-  static constexpr std::size_t max_events = 256;  ///< events that GLFW has not come to
+  static constexpr std::size_t max_events = 256;  ///< events not yet handled by GLFW
 
   Noted(Display* display_in, ::Window window, const Clock& clock_in)
       : display(display_in), clock(&clock_in), source(source_for(display_in, window, clock_in)) {
@@ -115,7 +115,7 @@ struct KeyTimes::Noted {
   Noted(const Noted&) = delete;
   Noted& operator=(const Noted&) = delete;
 
-  /// Xlib frees what hangs there as it closes the connection.
+  /// Xlib frees the data when it closes the connection.
   void hang_on() {
     auto* const hung = static_cast<XExtData*>(std::calloc(1, sizeof(XExtData)));
     hung->number = XAddExtension(display)->extension;
@@ -130,7 +130,7 @@ struct KeyTimes::Noted {
     return XEHeadOfExtensionList(object);
   }
 
-  /// By `leave`, which is on nothing else. The newest comes first.
+  /// Recognised by `leave`, which only this data has. The newest comes first.
   static XExtData* found_on(Display* of_display) {
     XExtData* hung = *list_of(of_display);
     while (hung->free_private != leave) {
@@ -167,7 +167,7 @@ struct KeyTimes::Noted {
   Display* display;
   const Clock* clock;
   KeyTimeSource source;
-  std::array<Reader, 2> readers{};  ///< Xlib's own, one for each type
+  std::array<Reader, 2> readers{};  ///< Xlib's own, one per type
   std::mutex mutex;
   std::deque<KeyEvent> events;
 };

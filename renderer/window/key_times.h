@@ -1,9 +1,9 @@
-// When keys moved: by the X server's stamps, not by when this program read them.
+// Times of key events by the X server's stamps, not by when this program read them.
 //
-// The thread that draws shares the connection to the server, and cores that trace are busy: an
-// event lies unread for up to ten milliseconds. The server stamps each as it comes, in milliseconds
+// The drawing thread shares the connection to the server, and tracing keeps the cores busy: an
+// event waits up to ten milliseconds to be read. The server stamps each on arrival, in milliseconds
 // of CLOCK_MONOTONIC if it runs on this machine (GetTimeInMillis in the X.Org server's os/utils.c).
-// GLFW keeps the stamps to itself, so they are noted as Xlib reads the events.
+// GLFW does not pass the stamps on, so they are noted as Xlib reads the events.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,23 @@ struct GLFWwindow;
 
 namespace foveola {
 
-/// What the times of keys are.
+/// The origin of key times.
 enum class KeyTimeSource {
-  server_stamp,  ///< a millisecond of the server's, at its end, or the arrival if that was earlier
-  arrival,       ///< when the event was read: the server's clock is another
+  server_stamp,  ///< end of the server's millisecond, or the arrival if that is earlier
+  arrival,       ///< time of reading: the server has another clock
 };
 const char* name_of(KeyTimeSource source);
 
-/// When an event happened that the server stamped `stamp_ms` and that was read at `arrival`: the
-/// end of that millisecond, so never before it happened and at most 1 ms after it; `arrival` if it
-/// was earlier, or if a stamp of this clock could not have been that long before it, or after it.
-/// Stamps count modulo 2^32.
+/// The time of an event that the server stamped `stamp_ms`, read at `arrival`: the end of that
+/// millisecond, at most 1 ms after the event. `arrival` if that is earlier, or if the stamp is
+/// impossible by this clock, too old or in the future. Stamps count modulo 2^32.
 Nanoseconds time_of_stamp(std::uint32_t stamp_ms, Nanoseconds arrival);
 
-/// Whether a stamp that was given between two moments is of the clock that measured these.
+/// Whether a stamp given between two moments is of the clock that measured these.
 bool is_of_this_clock(std::uint32_t stamp_ms, Nanoseconds before, Nanoseconds after);
 
 /// Notes the key events of GLFW's connection to the X server while it lives. For the thread that
-/// waits for events; whichever thread reads them.
+/// waits for events; any thread may read them.
 class KeyTimes {
  public:
   /// clock must outlive it; the window need not. Throws Error if GLFW has no connection to an X
@@ -45,9 +44,8 @@ class KeyTimes {
 
   KeyTimeSource source() const;
 
-  /// When the oldest event happened that was read of this key and has not been asked for; keycode
-  /// is X11's, which GLFW calls scancode. Those before it are forgotten: GLFW had no use for them.
-  /// Empty if there is none.
+  /// The time of the key's oldest event that was read and not yet taken; keycode is X11's, GLFW's
+  /// scancode. Forgets earlier events, which GLFW ignored. nullopt if there is none.
   std::optional<Nanoseconds> take(int keycode, bool is_down);
 
  private:

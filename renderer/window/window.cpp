@@ -14,11 +14,10 @@
 namespace foveola {
 namespace {
 
-/// How often events and the gamepad are looked at. GLFW has no events of gamepads. And the thread
-/// that draws shares the connection to the X server: while it waits for an answer there, it may
-/// read a key's event, which then lies in the queue until something else comes (presses were found
-/// to be passed on up to 50 ms late); and while it has yet to read an answer that came, a wait for
-/// events by GLFW tries again and again, on a core that traces.
+/// Interval of polling events and the gamepad. GLFW has no events of gamepads. The drawing thread
+/// shares the connection to the X server: while it waits for an answer there, it may read a key's
+/// event, which then stays in the queue until the next event (up to 50 ms late in measurements).
+/// While it has not read an arrived answer, GLFW's wait for events spins, on a core that traces.
 constexpr std::chrono::milliseconds look_interval{1};
 
 std::string glfw_fault() {
@@ -43,7 +42,7 @@ GLFWmonitor* monitor_of(int number) {
   return monitors[static_cast<std::size_t>(number)];
 }
 
-/// All 0 of a monitor that is gone before GLFW has noticed.
+/// All 0 for a monitor that is gone before GLFW has noticed.
 GLFWvidmode mode_of(GLFWmonitor* monitor) {
   const GLFWvidmode* mode = glfwGetVideoMode(monitor);
   return mode != nullptr ? *mode : GLFWvidmode{};
@@ -51,11 +50,11 @@ GLFWvidmode mode_of(GLFWmonitor* monitor) {
 
 }  // namespace
 
-/// GLFW itself, for as long as there is a window.
+/// GLFW itself, while there is a window.
 struct Window::Library {
   Library() {
 #if GLFW_VERSION_MAJOR > 3 || GLFW_VERSION_MINOR >= 4
-    // By Xwayland on desktops of Wayland, as GLFW 3.3 does: keys have their times from X.
+    // Through Xwayland on Wayland desktops, as in GLFW 3.3: keys have their times from X.
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
     if (glfwInit() != GLFW_TRUE) {
@@ -68,7 +67,7 @@ struct Window::Library {
   Library& operator=(const Library&) = delete;
 };
 
-/// GLFW's calls back, each of which finds its window.
+/// GLFW's callbacks, each of which finds its window.
 struct Window::Callbacks {
   static Window& of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -76,7 +75,7 @@ struct Window::Callbacks {
   static void key(GLFWwindow* window, int key, int keycode, int action, int /*modifiers*/) {
     Window& self = of(window);
     const bool is_down = action != GLFW_RELEASE;
-    // None is known of a release that GLFW makes up as another window takes the keyboard.
+    // nullopt for a release that GLFW makes up when another window takes the keyboard.
     const std::optional<Nanoseconds> time = self.key_times_->take(keycode, is_down);
     if (action != GLFW_REPEAT) {
       self.push(time.value_or(self.clock_->now()), KeyMoved{.key = key, .is_down = is_down});
@@ -105,7 +104,7 @@ struct Window::Callbacks {
     WindowResized resized{.framebuffer = {width, height}};
     glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
     of(window).push(resized);
-    of(window).tell_of_pointer();  // that rests now lies elsewhere in the window, or outside of it
+    of(window).tell_of_pointer();  // a resting pointer now has another place in it
   }
   static void hidden(GLFWwindow* window, int iconified) {
     of(window).push(WindowHidden{.is_hidden = iconified == GLFW_TRUE});
@@ -136,7 +135,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
-  // A participant's picture must not vanish because another monitor was clicked on.
+  // A participant's picture must not vanish because another monitor was clicked.
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   GLFWmonitor* const monitor = settings.monitor ? monitor_of(*settings.monitor) : nullptr;
   IVec2 size = settings.size;
@@ -247,8 +246,8 @@ void Window::poll_gamepad() {
 }
 
 void Window::tell_of_monitors() {
-  // GLFW's own callback does not say whose window it is for. A window on a monitor that is lost
-  // leaves full screen by itself.
+  // GLFW's own callback does not name the window. A window on a lost monitor leaves full screen by
+  // itself.
   std::map<GLFWmonitor*, std::string> now;
   for (GLFWmonitor* const monitor : glfw_monitors()) {
     now[monitor] = glfwGetMonitorName(monitor);
@@ -341,8 +340,8 @@ void Window::find_place() {
   place_ = place;
 }
 
-/// GLFW puts a window whose monitor is lost into the desktop's corner, and only a window manager
-/// would see that no monitor may be there.
+/// GLFW moves a window of a lost monitor to the desktop's corner, and only a window manager would
+/// notice that there may be no monitor.
 void Window::stay_on_a_monitor() {
   GLFWmonitor* const left = glfwGetPrimaryMonitor();
   if (left == nullptr || glfwGetWindowMonitor(window_) != nullptr || monitor_below() != nullptr) {

@@ -1,7 +1,7 @@
 // A window with an OpenGL 3.3 context: GLFW's, whose events arrive with their time.
 //
-// One thread, the program's first, makes it, waits for its events and destroys it, as GLFW asks.
-// Another one may draw: between make_current and release the context is that thread's.
+// The program's first thread creates it, waits for its events and destroys it, as GLFW requires.
+// Another may draw: it owns the context between make_current and release.
 #pragma once
 
 #include <atomic>
@@ -27,62 +27,61 @@ namespace foveola {
 struct WindowSettings {
   std::string title = "Foveola";
   IVec2 size{1280, 720};       ///< window coordinates; not used in full screen
-  std::optional<int> monitor;  ///< full screen on this one, as monitors() numbers them
-  /// What a user can do if the display goes away, which ends the program (see LostDisplay).
+  std::optional<int> monitor;  ///< full screen on this monitor, by its number in monitors()
+  /// The user's remedy for the loss of the display, which ends the program (see LostDisplay).
   std::string remedy_of_lost_display = "start it again where there is one";
 };
 
-/// Where the window is on the monitor that it shows on.
+/// The window's place on its monitor.
 struct WindowPlace {
   IVec2 monitor_px{0};
-  DVec2 middle_px{0.0};  ///< of the window, right of and below the monitor's middle
+  DVec2 middle_px{0.0};  ///< centre of the window, right of and below the monitor's centre
 };
 
 struct MonitorInfo {
   std::string name;
   IVec2 size_px{0};
-  double width_m = 0.0;          ///< of its picture, as the system says; 0 if it does not
-  double refresh_rate_hz = 0.0;  ///< as the system says; 0 if it does not
+  double width_m = 0.0;          ///< of its picture, by the system; 0 if unknown
+  double refresh_rate_hz = 0.0;  ///< by the system; 0 if unknown
 };
 
 class Window {
  public:
-  /// events and clock must outlive it. There can be one at a time. Throws Error if there is no
-  /// display, no OpenGL 3.3, or no such monitor.
+  /// events and clock must outlive it. Only one at a time. Throws Error if there is no display, no
+  /// OpenGL 3.3, or no such monitor.
   Window(const WindowSettings& settings, WindowEvents& events, const Clock& clock);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // --- The thread that made it ---
+  // --- The thread that created it ---
 
   std::vector<MonitorInfo> monitors() const;
   IVec2 framebuffer_size() const;
-  /// Waits for events and passes them on until finish() was called or `stop` is requested. A wish
-  /// to close is an event like others.
+  /// Waits for events and passes them on until finish() is called or `stop` is requested. A wish to
+  /// close is an ordinary event.
   void pass_on_events(const std::stop_token& stop);
 
   // --- Any thread ---
 
-  /// Lets pass_on_events return.
+  /// Makes pass_on_events return.
   void finish();
-  /// Switches between the window and full screen on the monitor that it is on, as soon as events
-  /// are passed on.
+  /// Switches between the window and full screen on its monitor, once events are passed on.
   void toggle_full_screen();
-  /// What the times of its keys are; it does not change.
+  /// The origin of its keys' times; constant.
   KeyTimeSource key_time_source() const { return key_times_->source(); }
-  /// Whether keys come to it.
+  /// Whether it receives keys.
   bool has_focus() const { return has_focus_; }
-  /// Empty if it is on no monitor, or on one of several without filling it: then nobody knows which
-  /// one an eye tracker watches.
+  /// nullopt if it is on no monitor, or on one of several without filling it: the tracker's monitor
+  /// is then unknown.
   std::optional<WindowPlace> place() const;
 
-  // --- The thread that draws ---
+  // --- The drawing thread ---
 
-  /// With swaps that wait for so many of the display's refreshes.
+  /// Swaps wait for swap_interval refreshes of the display.
   void make_current(int swap_interval = 1);
   void release();
-  /// Shows what was drawn; with a display that has refreshes, at the next one.
+  /// Shows the drawn frame, at the next refresh if the display has refreshes.
   void swap();
 
  private:
@@ -92,7 +91,7 @@ class Window {
   void push(decltype(WindowEvent::what) what);
   void push(Nanoseconds time, decltype(WindowEvent::what) what);
   void follow_toggles();
-  /// Where the pointer already is: it may rest where it is for long.
+  /// Reports the pointer's present place, where it may rest for long.
   void tell_of_pointer();
   void poll_gamepad();
   void tell_of_monitors();
@@ -110,7 +109,7 @@ class Window {
   std::optional<KeyTimes> key_times_;
   IVec2 restored_position_{0};
   IVec2 restored_size_;
-  GamepadSticks sticks_;  ///< as they were last reported
+  GamepadSticks sticks_;  ///< as last reported
   std::map<GLFWmonitor*, std::string> known_monitors_;
   mutable std::mutex mutex_;  ///< guards the place
   std::optional<WindowPlace> place_;

@@ -1,5 +1,5 @@
-// What happens to the window, and when: keys by the X server's stamps, all else as the window's
-// thread wakes for it.
+// Events of the window and their times: keys by the X server's stamps, others by the wake-up of the
+// window's thread.
 #pragma once
 
 #include <mutex>
@@ -14,30 +14,30 @@
 
 namespace foveola {
 
-/// A key, by GLFW's number of its place on the keyboard; repeats are left out.
+/// A key, by GLFW's number of its place on the keyboard; without repeats.
 struct KeyMoved {
   int key = 0;
   bool is_down = false;
 };
-/// What was typed, as the keyboard's layout has it.
+/// A typed character, by the keyboard's layout.
 struct CharacterTyped {
   char32_t character = 0;
 };
-/// The pointer, in window coordinates from the top left corner; empty once it has left. The first
-/// one says where it is as the window opens.
+/// The pointer, in window coordinates from the top left corner; empty outside. The first event
+/// gives its place when the window opens.
 struct PointerMoved {
   bool is_inside = false;
   DVec2 position{0.0};
 };
 struct MouseButtonMoved {
-  int button = 0;  ///< GLFW's number; 0 is the left one
+  int button = 0;  ///< GLFW's number; 0 is the left button
   bool is_down = false;
 };
 /// The mouse's wheel, in its steps.
 struct WheelTurned {
-  double away = 0.0;  ///< away from the user; negative towards him
+  double away = 0.0;  ///< away from the user; negative towards the user
 };
-/// The first gamepad's sticks; at rest once it is gone.
+/// The first gamepad's sticks; at rest without one.
 struct GamepadMoved {
   GamepadSticks sticks;
 };
@@ -45,11 +45,11 @@ struct WindowResized {
   IVec2 framebuffer{0};  ///< pixels
   IVec2 window{0};       ///< window coordinates
 };
-/// Minimised: nothing of it can be seen.
+/// Minimised: nothing of it is visible.
 struct WindowHidden {
   bool is_hidden = false;
 };
-/// Whether keys come to the window, or go to another.
+/// Whether the window receives keys.
 struct WindowFocused {
   bool has_focus = false;
 };
@@ -62,14 +62,14 @@ struct MonitorFound {
 struct CloseWanted {};
 
 enum class HeadsetChange {
-  recentred,   ///< straight ahead is elsewhere from now on
-  lost_focus,  ///< it shows something else, or nothing: nothing is seen or pressed
+  recentred,   ///< straight ahead has changed
+  lost_focus,  ///< it shows other content, or none: no display and no keys
   got_focus,
   taken_off,
   put_on,
-  lost,        ///< it, or its runtime, is gone
-  found,       ///< it is back
-  exit_wanted  ///< its runtime wants the program to end
+  lost,        ///< the headset or its runtime is gone
+  found,       ///< the headset is back
+  exit_wanted  ///< its runtime asks the program to end
 };
 struct HeadsetChanged {
   HeadsetChange change = HeadsetChange::got_focus;
@@ -86,15 +86,14 @@ struct WindowEvent {
       what;
 };
 
-/// Passes events from the thread that waits for them to the one that answers them.
+/// Passes events from the thread that waits for them to the one that handles them.
 class WindowEvents {
  public:
-  /// Requests a stop by closing(), too, if the user wants to leave: by Escape or the window's
-  /// cross.
+  /// Also requests a stop by closing() if the user wants to leave: by Escape or the window's cross.
   void push(WindowEvent event);
-  /// All since the last call, in order.
+  /// All events since the last call, in order.
   std::vector<WindowEvent> take();
-  /// Stopped once the user wanted to leave; for what does not take events, such as loading.
+  /// Stopped once the user wants to leave; for work that does not handle events, such as loading.
   std::stop_token closing() const { return closing_.get_token(); }
 
  private:

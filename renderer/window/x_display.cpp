@@ -26,8 +26,8 @@
 namespace foveola {
 namespace {
 
-/// Its keyboards and pointers are named "xwayland-keyboard:16" by every release; an extension of
-/// its own, XWAYLAND, it has since 23.1.
+/// Every release names its keyboards and pointers "xwayland-keyboard:16" and so on; its own
+/// extension XWAYLAND exists since 23.1.
 bool is_xwayland(Display* display) {
   int count = 0;
   const std::unique_ptr<XDeviceInfo, decltype(&XFreeDeviceList)> devices(
@@ -87,13 +87,13 @@ DesktopFacts desktop_facts() {
           .keyboard_layout = names.size() < 4 ? "" : with_variants(names[2], names[3])};
 }
 
-/// What the program ends with. The thread that draws may find the display gone as well as the one
-/// that waits for events.
+/// Data for ending the program. The drawing thread may notice the loss as well as the one that
+/// waits for events.
 struct LostDisplay::Ending {
   std::string line;
   std::atomic_flag was_said;
 
-  /// Ends the program without what C++ does at its end: other threads are in the middle of things.
+  /// Ends the program without C++'s clean-up, since other threads are still running.
   [[noreturn]] static void end(Display* /*display*/, void* data) {
     constexpr int user_error = 1;
     auto& ending = *static_cast<Ending*>(data);
@@ -110,7 +110,7 @@ LostDisplay::LostDisplay(std::string remedy)
                              Error("window", "the connection to the display broke", remedy).what()),
                          .was_said = {}}) {
   if (Display* const display = glfwGetX11Display()) {
-    XSetIOErrorHandler([](Display*) { return 0; });  // in place of the one that prints
+    XSetIOErrorHandler([](Display*) { return 0; });  // replaces the handler that prints
     XSetIOErrorExitHandler(display, Ending::end, ending_.get());
   }
 }

@@ -1,5 +1,4 @@
-// What an X server says of the desktop behind it, and what happens when it goes away under a
-// window.
+// Facts of an X server and its desktop, and handling of its loss under a window.
 #pragma once
 
 #include <memory>
@@ -12,16 +11,16 @@ struct DesktopFacts {
   std::string keyboard_layout;  ///< of XKB, as "us" or "de(nodeadkeys),ru"; empty if unknown
 };
 
-/// Of the server that windows are on, by a connection of its own; both empty if there is none.
+/// Of the windows' server, by a separate connection; both empty without one.
 DesktopFacts desktop_facts();
 
 /// While it lives, the loss of the display ends the program with exit code 1 and one line on
-/// standard error. Xlib can do no more than end the program then, and by itself would do so with
-/// lines about its own insides. Where windows are not X's, it does nothing.
+/// standard error. Xlib must end the program then, and by itself would print lines about its
+/// internals. Without X it does nothing.
 class LostDisplay {
  public:
-  /// remedy: what the user can do about it, after "the connection to the display broke; ". GLFW
-  /// must have been initialised, and be terminated later than this is destroyed.
+  /// remedy: for the user, after "the connection to the display broke; ". GLFW must be initialised
+  /// before, and terminated after this is destroyed.
   explicit LostDisplay(std::string remedy);
   ~LostDisplay();
   LostDisplay(const LostDisplay&) = delete;

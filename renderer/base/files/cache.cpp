@@ -23,7 +23,7 @@ std::string digest_line(const std::string& digest, const fs::path& file) {
   return fmt::format("{}  {}\n", digest, file.filename().string());
 }
 
-/// Whether it was with this digest that `file` was kept, whatever it is now.
+/// Whether `file` was kept with this digest, whatever its present content.
 bool was_kept_with(const std::string& digest, const fs::path& file) {
   try {
     return read_file(digest_file_of(file)) == digest_line(digest, file);
@@ -32,7 +32,7 @@ bool was_kept_with(const std::string& digest, const fs::path& file) {
   }
 }
 
-/// Whether `file` is there, and can be read, with this digest.
+/// Whether `file` exists and is readable, with this digest.
 bool has_digest(const std::string& digest, const fs::path& file) {
   std::error_code unreachable;
   try {

@@ -1,10 +1,9 @@
-// Files that can be made again, in a folder that programs on several machines may read and fill at
-// once: what was cut off, or has a bit that flipped, is told from what is whole.
+// A cache of reproducible files that programs on several machines may read and fill at once.
+// Truncated files and flipped bits are detected.
 //
-// Beside each file lies another, of its name and ".sha256", with a line as sha256sum writes and
-// checks it. That is written first, so that whoever finds a file finds its digest too. Both are
-// renamed into place; whatever comes between them, of a writer that dies or of others, the two
-// agree or the file counts as missing.
+// Beside each file lies its digest: NAME.sha256, one line in sha256sum's format. The digest is
+// written first, so that a reader of the file finds it too. Both are renamed into place. If the two
+// disagree, after a crash or another writer, the file counts as missing.
 #pragma once
 
 #include <filesystem>
@@ -15,18 +14,18 @@
 
 namespace foveola {
 
-/// Makes a cache's folder and those above it, if need be. Throws Error if it cannot.
+/// Makes a cache's folder and its parents, if need be. Throws Error if it cannot.
 void make_cache_folder(const std::filesystem::path& folder);
 
-/// Whether `file` is there, as it was kept. Reads all of it.
+/// Whether `file` exists and matches its digest. Reads all of it.
 bool is_kept(const std::filesystem::path& file);
 
-/// The content of `file`, if it is there as it was kept.
+/// The content of `file`; nullopt if it is missing or does not match its digest.
 std::optional<std::string> kept_content(const std::filesystem::path& file);
 
-/// Keeps as `file` what `write` writes to the path that it is called with (see replace_file). Where
-/// the same is there already, that stays: others may be reading it. Throws Error if it cannot be
-/// written.
+/// Calls `write` with a temporary path and keeps the result as `file` (see replace_file). An
+/// existing file with the same content stays, since others may be reading it. Throws Error if it
+/// cannot be written.
 void keep_file(const std::filesystem::path& file,
                const std::function<void(const std::filesystem::path&)>& write);
 

@@ -19,12 +19,12 @@ std::string sha256(std::string_view text);
 /// The SHA-256 of a file's content. Throws Error if it cannot be read.
 std::string sha256_of_file(const std::filesystem::path& path);
 
-/// The SHA-256 of bytes that come piece by piece.
+/// The SHA-256 of bytes that are added piece by piece.
 class Sha256 {
  public:
   Sha256();
   void update(std::span<const std::byte> bytes);
-  /// The digest of all bytes so far, as 64 digits. To be called once, at the end.
+  /// The digest of all added bytes, as 64 hexadecimal digits. To be called once, at the end.
   std::string hex();
 
  private:

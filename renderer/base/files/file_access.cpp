@@ -33,7 +33,7 @@ void warn(const fs::path& path, const char* what) {
              std::generic_category().message(errno));
 }
 
-/// Empty if there is none, as where the file system has none.
+/// Empty if there is none, or if the file system does not support them.
 std::string access_list_of(const fs::path& path) {
   const ssize_t size = ::getxattr(path.c_str(), access_list, nullptr, 0);
   if (size <= 0) {

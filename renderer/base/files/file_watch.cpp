@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t whole_file = IN_CLOSE_WRITE | IN_MOVED_TO;
-/// A name that is another file's from now on, or nobody's. Links, which nobody closes, are created
-/// whole.
+/// Events after which a name is another file's, or nobody's. Links, which are never closed, are
+/// created whole.
 constexpr std::uint32_t other_file = IN_CREATE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM;
 
-/// How long a wait may keep a stop waiting.
+/// Maximum delay of a stop during a wait.
 constexpr Nanoseconds longest_sleep = std::chrono::milliseconds(50);
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -67,7 +67,7 @@ void FileWatch::watch(const std::set<fs::path>& files) {
 }
 
 void FileWatch::watch_steps(const fs::path& file) {
-  int links_left = 40;  // as the kernel follows
+  int links_left = 40;  // the kernel's limit
   std::list<fs::path> names(file.begin(), file.end());
   fs::path place;  // without links
   for (; !names.empty(); names.pop_front()) {
@@ -110,7 +110,7 @@ void FileWatch::watch_again() {
   try {
     watch(std::set(files_));
   } catch (const Error&) {
-    // What could be watched is. The next change may find more.
+    // Watches as much as possible; the next change may find more.
   }
 }
 
@@ -146,7 +146,7 @@ bool FileWatch::read_changes(Nanoseconds timeout, Changes& changes) {
     const auto folder = folders_.find(event->wd);
     const bool is_watched = folder != folders_.end() && event->len > 0 &&
                             folder->second.names.contains(static_cast<const char*>(event->name));
-    const bool is_lost = (event->mask & IN_Q_OVERFLOW) != 0;  // it may have been any file's
+    const bool is_lost = (event->mask & IN_Q_OVERFLOW) != 0;  // may have been of any file
     if (!is_watched && !is_lost && (folder == folders_.end() || !folder->second.holds_files)) {
       continue;
     }

@@ -1,5 +1,5 @@
-// Tells when files change, however that is done: written in place, renamed into their place,
-// removed, or by another folder or link on the way to them.
+// Reports changes of files: written in place, renamed into place, removed, or replaced by another
+// folder or link on their path.
 #pragma once
 
 #include <filesystem>
@@ -12,40 +12,38 @@
 
 namespace foveola {
 
-/// When a change counts as done.
+/// Quiet times after which a change counts as complete.
 struct FileWatchTiming {
-  /// After a file was closed or renamed into place: others may follow that belong to it.
+  /// After a file was closed or renamed into place: related files may follow.
   Nanoseconds quiet_after_whole_file = std::chrono::milliseconds(20);
-  /// After a file was written to that its writer keeps open.
+  /// After a write to a file that its writer keeps open.
   Nanoseconds quiet_while_open = std::chrono::milliseconds(500);
 };
 
 enum class FileChange {
   none,
-  of_another_file,  ///< in the folder of one that is watched
+  of_another_file,  ///< in the folder of a watched file
   of_watched_file   ///< and perhaps of others
 };
 
-/// Watches every folder and link on the way to files through the kernel (inotify(7)), whose watches
-/// stay with a folder and not with its name, so that any of them may be replaced, or be missing for
-/// a while. It needs no thread of its own: changes that come before anybody waits
-/// for them are kept.
+/// Watches every folder and link on the files' paths through the kernel (inotify(7)). A kernel
+/// watch stays with a folder and not with its name, so any folder may be replaced or be missing for
+/// a while. Needs no thread: changes are queued until wait_for_change.
 class FileWatch {
  public:
-  /// Throws Error if the system does not let more folders be watched.
+  /// Throws Error if the system does not allow more watched folders.
   explicit FileWatch(FileWatchTiming timing = {});
   ~FileWatch();
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// Watches what has these names from now on and no others, whether it is there or not. Throws
-  /// Error as above.
+  /// Watches the files with these names from now on, existing or not, and no others. Throws Error
+  /// as above.
   void watch(const std::set<std::filesystem::path>& files);
 
-  /// Waits until a file in the folders has changed and none has been written to for as long as the
-  /// timing says; once a watched file has changed, others count no more. A file that is gone has
-  /// changed, once it stays away as long as one that is kept open. None if `stop` was requested
-  /// before.
+  /// Waits for a change in the folders, until no file was written for the quiet time of `timing`.
+  /// After a change of a watched file other files no longer count. A removed file has changed once
+  /// it stays away for the quiet time of an open file. Returns none if `stop` is requested first.
   FileChange wait_for_change(const std::stop_token& stop);
 
  private:
@@ -65,7 +63,7 @@ class FileWatch {
   void watch_name(const std::filesystem::path& folder, const std::string& name, bool is_last);
   /// Watches what has the names now.
   void watch_again();
-  /// Adds those that came to `changes`, waiting for the first until `timeout`. False if none came.
+  /// Adds queued changes to `changes`, waiting for the first until `timeout`. False if none came.
   bool read_changes(Nanoseconds timeout, Changes& changes);
 
   FileWatchTiming timing_;

@@ -29,7 +29,7 @@ fs::path path_from_environment(const char* name) {
   return value != nullptr ? fs::path(value) : fs::path();
 }
 
-/// Among the system's temporary ones, where others may have put one under its name. Throws Error
+/// In the system's temporary folder, where another user may have created this name. Throws Error
 /// unless it is this user's alone.
 fs::path own_temporary_folder() {
   const fs::path folder = fs::temp_directory_path() / fmt::format("foveola-{}", ::geteuid());
@@ -44,8 +44,8 @@ fs::path own_temporary_folder() {
   return folder;
 }
 
-/// Foveola's in the folder that the environment variable names, else in `usual` of the user's home.
-/// Relative paths are ignored, as the XDG Base Directory Specification asks.
+/// Foveola's folder in the one named by the environment variable, else in `usual` of the user's
+/// home. Relative paths are ignored, as the XDG Base Directory Specification requires.
 fs::path user_folder(const char* variable, const fs::path& usual) {
   if (const fs::path chosen = path_from_environment(variable); chosen.is_absolute()) {
     return chosen / "foveola";
@@ -60,9 +60,9 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// What a symbolic link leads to in the end, whether that is there or not.
+/// The final target of a symbolic link, existing or not.
 fs::path followed(fs::path path) {
-  constexpr int max_links = 40;  // as Linux has it
+  constexpr int max_links = 40;  // Linux's limit
   std::error_code failure;
   for (int i = 0; i < max_links && fs::is_symlink(path, failure); ++i) {
     path = path.parent_path() / fs::read_symlink(path, failure);
@@ -74,7 +74,7 @@ Error cannot_be_read(const fs::path& path) {
   return {path.string(), "cannot be read", "check its permissions"};
 }
 
-/// Throws Error unless there is a regular file, and OutputIsInput: a pipe may never have a writer,
+/// Throws Error unless there is a regular file, and OutputIsInput. A pipe may never have a writer,
 /// a device no end.
 std::ifstream open_to_read(const fs::path& path) {
   require_no_output(path);
@@ -100,8 +100,8 @@ std::ifstream open_to_read(const fs::path& path) {
   return file;
 }
 
-/// A new file beside `path`, with its extension, of a name that nobody can foresee. Of what is to
-/// be replaced, others learn nothing meanwhile.
+/// A new file beside `path`, with its extension and an unpredictable name. Others cannot read a
+/// replaced file's new content meanwhile.
 fs::path make_temporary_beside(const fs::path& path, FileAccess access) {
   std::random_device random;  // of the operating system
   const fs::path temporary =
@@ -151,7 +151,7 @@ void read_file(const fs::path& path, std::string& content) {
   std::error_code has_no_size;
   const std::uintmax_t stated = fs::file_size(path, has_no_size);
   std::size_t size = 0;
-  // All at once; then what there is beyond the size, as of a file that grows.
+  // All at once; then any bytes beyond the size, as of a growing file.
   for (std::size_t wanted = has_no_size ? portion : stated + 1; file; wanted = portion) {
     content.resize(size + wanted);
     file.read(content.data() + size, static_cast<std::streamsize>(wanted));

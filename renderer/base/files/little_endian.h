@@ -1,4 +1,4 @@
-// Numbers as files keep them: little-endian, without gaps, on every machine.
+// Reads and writes numbers of files: little-endian, without gaps, on every machine.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ inline void append(std::string& bytes, const Vec3& value) {
   append(bytes, value.z);
 }
 
-/// Takes a number off the front of `bytes`, which has one.
+/// Removes a number from the front of `bytes`, which holds at least one.
 template <std::unsigned_integral Number>
 Number take(std::string_view& bytes) {
   assert(bytes.size() >= sizeof(Number));

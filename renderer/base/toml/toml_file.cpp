@@ -23,8 +23,8 @@ std::string place_of(const std::string& file, std::string_view text, std::size_t
                      offset - line_begin + 1);
 }
 
-/// Where the string that begins with the quotation mark at `begin` has ended. One of a single line
-/// ends with its line at the latest.
+/// The end of the string whose quotation mark is at `begin`. A single-line string ends with its
+/// line at the latest.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char mark = text[begin];
   const std::string three(3, mark);
@@ -42,9 +42,9 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// Each part of a dotted key is a table within a table, as is an inline table in another, and
-/// toml++ reads and destroys them by recursion: deep ones would exhaust the stack. It limits how
-/// deep values nest, but neither the parts of a key nor both together.
+/// Each part of a dotted key is a table within a table, like nested inline tables. toml++ reads and
+/// destroys them by recursion: deep ones would exhaust the stack. It limits the nesting of values,
+/// but neither the parts of a key nor both together.
 void require_shallow(const std::string& file, std::string_view text, const std::string& remedy) {
   constexpr std::size_t max_parts = 16;
   constexpr int deepest_nesting = 16;

@@ -8,7 +8,7 @@ namespace foveola {
 std::vector<TomlKey> TomlKeys::keys() const {
   std::vector<TomlKey> keys;
   for (const Account& account : accounts_) {
-    // What was only asked for by require() is read elsewhere, or not at all.
+    // A key requested only by require() is read elsewhere, or not at all.
     if (account.asked == 0) {
       continue;
     }

@@ -1,5 +1,5 @@
-// Which keys TOML files may have, learnt from the readers themselves while they read: what is
-// written about the keys can then be made from this, or held against it.
+// The allowed keys of TOML files, recorded from the readers while they read. Documentation of the
+// keys is made from this record or checked against it.
 #pragma once
 
 #include <concepts>
@@ -16,7 +16,7 @@ namespace foveola {
 
 /// A key as the code that reads it names it.
 struct TomlKeyName {
-  // Implicit, so that a key that may be absent is its name.
+  // Implicit, so that a text alone names an optional key.
   template <std::convertible_to<std::string_view> Text>
   TomlKeyName(const Text& key, bool must_be_there = false)
       : name(key), is_required(must_be_there) {}
@@ -26,46 +26,45 @@ struct TomlKeyName {
   bool is_required;  ///< it is an error if the key is absent
 };
 
-/// The name of a key that must be there.
+/// The name of a required key.
 inline TomlKeyName required(std::string_view key) { return {key, true}; }
 
-/// What a reader asks of a key's value.
+/// A reader's constraints on a key's value.
 struct TomlKeyRule {
   std::string type;               ///< in words: "whole number"
   std::optional<double> minimum;  ///< of each number of a list
   std::optional<double> maximum;
-  std::vector<std::string> words;  ///< the only texts or numbers that it takes; empty: any
-  std::optional<std::string>
-      default_text;          ///< what counts if the key is absent; empty: nothing does
-  std::string_view meaning;  ///< for people; empty: none stated
+  std::vector<std::string> words;           ///< the only texts or numbers allowed; empty: any
+  std::optional<std::string> default_text;  ///< the value if the key is absent; empty: none
+  std::string_view meaning;                 ///< for people; empty: none stated
   std::string_view pattern;  ///< a regular expression of ECMA-262 that a text must match; or empty
 };
 
-/// A key that readers asked for.
+/// A key that readers requested.
 struct TomlKey {
   std::string table;  ///< "tracker.validation", also of each of a list of tables; empty: the file
   std::string key;
   std::string meaning;
   std::string pattern;
-  std::vector<std::string> types;  ///< in the order of asking; any of them will do
+  std::vector<std::string> types;  ///< in the order of requests; any of them is allowed
   std::optional<double> minimum;
   std::optional<double> maximum;
   std::vector<std::string> words;
   std::optional<std::string> default_text;  ///< as TomlKeyRule's; empty if it varies, too
-  bool default_varies = false;              ///< with other keys, or with where the table stands
+  bool default_varies = false;              ///< depends on other keys, or on the table's place
   bool is_required = false;                 ///< in every such table
-  bool is_sometimes_required = false;       ///< in some, as other keys say
-  std::string former;  ///< the name that it had in earlier versions; may be empty
+  bool is_sometimes_required = false;       ///< in some tables, as other keys say
+  std::string former;                       ///< the key's name in earlier versions; may be empty
 };
 
-/// What the readers of files of one kind asked for: each is given it, and tells it.
+/// Collects the keys that the readers of one kind of file request.
 class TomlKeys {
  public:
-  /// In the order in which they were first asked for.
+  /// In the order of their first request.
   std::vector<TomlKey> keys() const;
 
   void asked(const std::string& table, std::string_view key, const TomlKeyRule& rule);
-  /// All of a table was read, for which the reader asked for these keys.
+  /// Records that a table was read completely, with these requested keys.
   void finished(const std::string& table, const std::set<std::string, std::less<>>& asked);
   void required(const std::string& table, std::string_view key);
   void called_formerly(const std::string& table, std::string_view key, std::string_view former);
@@ -74,10 +73,10 @@ class TomlKeys {
   struct Account {
     TomlKey key;
     std::set<std::optional<std::string>> defaults;
-    bool is_awaited = false;  ///< it is required, and will be asked for: no default will do
+    bool is_awaited = false;  ///< required in a request that follows: no default counts
     int asked = 0;
     int required = 0;
-    int tables = 0;  ///< that were finished and asked for it
+    int tables = 0;  ///< finished tables in which it was requested
   };
   Account& account_of(const std::string& table, std::string_view key);
 

@@ -12,7 +12,7 @@
 namespace foveola {
 namespace {
 
-/// Lists longer than any study's: what is made of their entries may take each with each other.
+/// Above any study's: entries may be processed pairwise.
 constexpr std::size_t longest_list = 1000;
 
 constexpr const char* whole_number = "whole number";

@@ -1,4 +1,4 @@
-// Reading a TOML table key by key, with the place of whatever is wrong in it.
+// Reads a TOML table key by key, reporting the place of every error.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@
 
 namespace foveola {
 
-/// One table of a file. Each read_ function leaves `value` alone where the key is absent and throws
-/// Error where it has another type or lies out of range.
+/// One table of a file. Each read_ function leaves `value` unchanged where the key is absent and
+/// throws Error where it has another type or lies out of range.
 class TomlReader {
  public:
-  /// `name` is the table's, for messages; empty for the file itself. keys: is told what is asked
-  /// for, of this table and of those in it, and must outlive them; null: nobody is.
+  /// name: the table's, for messages; empty for the file itself. keys: records the requested keys
+  /// of this table and its subtables, and must outlive them; may be null.
   TomlReader(std::string file, const toml::table& table, std::string name,
              TomlKeys* keys = nullptr);
 
@@ -40,12 +40,12 @@ class TomlReader {
             std::string_view meaning = {});
   void read(const TomlKeyName& key, std::int64_t& value, std::int64_t minimum, std::int64_t maximum,
             std::string_view meaning = {});
-  /// Finite and within [minimum, maximum]; a whole number will do.
+  /// Finite and within [minimum, maximum]; whole numbers are accepted.
   void read(const TomlKeyName& key, double& value, double minimum, double maximum,
             std::string_view meaning = {});
   void read(const TomlKeyName& key, std::optional<double>& value, double minimum, double maximum,
             std::string_view meaning = {});
-  /// Arrays of as many numbers as the vector has components, each of them as above.
+  /// Arrays with as many numbers as the vector has components, each as above.
   void read(const TomlKeyName& key, Vec2& value, double minimum, double maximum,
             std::string_view meaning = {});
   void read(const TomlKeyName& key, std::optional<Vec2>& value, double minimum, double maximum,
@@ -73,12 +73,10 @@ class TomlReader {
     }
   }
 
-  /// `key`, or the name that it had in earlier versions if the table has only that. The latter
-  /// leaves a note.
+  /// `key`, or its former name if the table has only that, which adds a note.
   TomlKeyName present_name(const TomlKeyName& key, std::string_view former);
 
-  /// A line for each key that stands under its former name, of this table and all others of the
-  /// file that were read.
+  /// One line per key that stands under its former name, in all tables of the file read so far.
   const std::vector<std::string>& notes() const { return *notes_; }
 
   bool has(std::string_view key) const { return table_->contains(key); }
@@ -86,14 +84,14 @@ class TomlReader {
   /// Throws Error if the key is absent.
   void require(std::string_view key) const;
 
-  /// A string and where it stands.
+  /// A string and its place in the file.
   struct Text {
     std::string value;
     toml::source_region source;
   };
-  /// A non-empty array of at most 1000 strings, none twice; no strings if the key is absent.
+  /// A non-empty array of at most 1000 different strings; empty if the key is absent.
   std::vector<Text> texts(const TomlKeyName& key, std::string_view meaning = {});
-  /// The same strings of a key that must be there: throws Error if it is absent.
+  /// The same strings of a required key: throws Error if it is absent.
   std::vector<Text> require_texts(const TomlKeyName& key, std::string_view meaning = {});
   /// Throws Error if the key is absent or empty.
   std::string require_text(const TomlKeyName& key, std::string_view meaning = {},
@@ -101,9 +99,9 @@ class TomlReader {
 
   /// The table `key`, or an empty one.
   TomlReader table(const TomlKeyName& key, std::string_view meaning = {});
-  /// Likewise, of a table whose keys are ids that the file chooses.
+  /// The same, for a table whose keys are ids that the file chooses.
   TomlReader table_by_ids(const TomlKeyName& key, std::string_view meaning = {});
-  /// Leaves `value` alone where the table `key` is absent, else reads it by `read`.
+  /// Reads the table `key` by `read`; leaves `value` unchanged if it is absent.
   template <typename Value, typename Read>
   void read_table(const TomlKeyName& key, Value& value, const Read& read,
                   std::string_view meaning = {}) {
@@ -115,12 +113,12 @@ class TomlReader {
   /// The array of at most 1000 tables `key`, or none.
   std::vector<TomlReader> tables(const TomlKeyName& key, std::string_view meaning = {});
 
-  /// To be called after everything was read: throws Error for the first key that nothing asked for.
+  /// Throws Error for the first key that nothing asked for. To be called after all reading.
   void reject_unknown_keys() const;
 
   [[noreturn]] void fail(const toml::source_region& source, const std::string& what,
                          const std::string& remedy) const;
-  /// Where the key's value stands, or the table itself. The key must be there.
+  /// The place of the key's value, or of the table itself. The key must be present.
   const toml::source_region& source(std::string_view key) const {
     return table_->get(key)->source();
   }

@@ -1,4 +1,4 @@
-// Pieces of work side by side, whose results are taken one after the other in their order.
+// Runs jobs in parallel and delivers their results in order.
 #pragma once
 
 #include <condition_variable>
@@ -16,9 +16,9 @@
 namespace foveola {
 
 /// Calls work(i) for i in [0, count) on `jobs` threads, and take(i, result) on the calling thread
-/// in the order of i, until `take` returns false or all are done. At most `ahead` results more than
-/// were taken are begun, so that a slow piece does not let the others' results pile up. Rethrows
-/// the first exception, of work in its order or of take, once every thread has ended.
+/// in the order of i, until `take` returns false or all are done. At most `ahead` jobs are begun
+/// beyond the last taken result, which bounds the memory behind a slow job. Rethrows the first
+/// exception of `work` (in order) or `take` once every thread has ended.
 template <typename Result>
 class OrderedJobs {
  public:
@@ -30,7 +30,7 @@ class OrderedJobs {
 
   void run(int jobs, const Take& take) {
     std::vector<std::jthread> threads;
-    // Whatever happens, nothing new is begun and the threads are awaited, in this order.
+    // On any exit no new job begins and the threads are joined, in this order.
     const EndOnExit end{*this};
     for (int i = 0; i < jobs; ++i) {
       threads.emplace_back([this] { work_on(); });
@@ -72,7 +72,7 @@ class OrderedJobs {
     }
   }
 
-  /// Waits until there is room for one more; empty if no more are to be begun.
+  /// Waits for room for one more job; nullopt if no more are to begin.
   std::optional<std::size_t> next() {
     std::unique_lock hold(mutex_);
     changed_.wait(hold,
@@ -101,7 +101,7 @@ class OrderedJobs {
   const std::size_t count_;
   const std::size_t ahead_;
   const Work work_;
-  std::mutex mutex_;  ///< guards what follows
+  std::mutex mutex_;  ///< guards the members below
   std::condition_variable changed_;
   std::size_t begun_ = 0;
   std::size_t taken_ = 0;

@@ -56,8 +56,8 @@ class FlushDenormals {
 #endif
 };
 
-/// Calls body(0) to body(count - 1) in this order: each thread goes on with the first that none has
-/// begun. So threads end together if the last are short, and neighbours share what is in the cache.
+/// Calls body(0) to body(count - 1) in this order: each thread takes the first that has not begun.
+/// Threads end together if the last bodies are short, and neighbours share cached data.
 class InOrder {
  public:
   InOrder(std::size_t count, const std::function<void(std::size_t)>& body)
@@ -76,8 +76,8 @@ class InOrder {
 };
 
 #if defined(FOVEOLA_THREAD_SANITIZER)
-/// The thread sanitizer does not see how TBB's library orders its tasks, and would blame it for
-/// races on every loop. It sees all of this one.
+/// The thread sanitizer does not see the ordering of tasks in TBB's library, and would report races
+/// in every loop. It sees all of this one.
 void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
   std::exception_ptr first_error;
   std::mutex error_mutex;
@@ -107,7 +107,7 @@ void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
 }
 #endif
 
-/// Relative to the mount of version 2's cgroups; empty if there is none.
+/// Relative to the mount of cgroups version 2; empty if there is none.
 fs::path own_cgroup() {
   const std::string of_version_2 = "0::/";
   std::ifstream cgroups("/proc/self/cgroup");
@@ -179,7 +179,7 @@ std::optional<double> cgroup_cores(const fs::path& mount, const fs::path& cgroup
   std::optional<double> fewest;
   fs::path folder = mount;
   const auto look = [&] {
-    // "max" in place of the first is no number.
+    // "max" in place of the quota is not a number.
     double quota_us = 0.0;
     double period_us = 0.0;
     if (std::ifstream(folder / "cpu.max") >> quota_us >> period_us && period_us > 0.0) {

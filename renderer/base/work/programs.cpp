@@ -32,8 +32,8 @@ void require(bool succeeded, int error_number, const char* what) {
   }
 }
 
-/// An unnamed file in memory. Unlike a pipe, it blocks neither side; unlike a file, nothing of it
-/// can be left behind.
+/// An unnamed file in memory. Unlike a pipe it blocks neither side; unlike a file it leaves nothing
+/// behind.
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view content = "")
@@ -68,7 +68,7 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// What the new program's three streams are.
+/// The new program's three streams.
 class Streams {
  public:
   Streams(const MemoryFile& input, const MemoryFile& output, const MemoryFile& errors) {
@@ -87,7 +87,7 @@ class Streams {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Which signals are blocked in the new program.
+/// The new program's blocked signals.
 class Attributes {
  public:
   explicit Attributes(OnInterrupt on_interrupt) {
@@ -109,7 +109,7 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// What the dynamic linker knows of the program or library that this code is in.
+/// The dynamic linker's data of the program or library that contains this code.
 using LoadedObject = std::unique_ptr<void, int (*)(void*)>;
 
 LoadedObject this_object() {
@@ -121,7 +121,7 @@ LoadedObject this_object() {
   return {library != nullptr ? library : ::dlopen(nullptr, RTLD_LAZY), &::dlclose};
 }
 
-/// The folders in which it looks for this object's libraries and modules.
+/// The folders of this object's libraries and modules.
 std::vector<fs::path> library_folders() {
   const LoadedObject object = this_object();
   Dl_serinfo needed{};
@@ -195,7 +195,7 @@ std::string failure_named(int status) {
 
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-  // All from one heap, which never shrinks: the heaps of other threads cannot hold what is large.
+  // All from one heap, which never shrinks: other threads' heaps cannot hold large blocks.
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

@@ -1,4 +1,4 @@
-// This program's own file, installation and memory, and running other programs to their end.
+// This program's file, installation and memory; runs other programs to their end.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace foveola {
 
-/// Where the running program's file lies; empty if the system does not say.
+/// Path of the running program; empty if the system does not say.
 std::filesystem::path own_program();
 
-/// Where Foveola was installed, as `cmake --install` means by its prefix; empty if this program, or
-/// the library that this code is in, was not told of an installation when it was linked. It is two
-/// steps above lib/foveola (or as many as the system's folder of libraries has), where the dynamic
-/// linker looks for the modules, so that programs of others find it too.
+/// The installation's prefix, as in `cmake --install`. nullopt if this program or library was not
+/// linked for an installation. The prefix lies two steps above lib/foveola (or as many as the
+/// system's library folder has), where the dynamic linker finds the modules. Programs of others
+/// find it too.
 std::optional<std::filesystem::path> installation_prefix();
 
-/// What becomes of a program that we run when the user presses Ctrl-C, which reaches both.
+/// A child program's reaction to Ctrl-C, which reaches both programs.
 enum class OnInterrupt : std::uint8_t {
-  as_here,  ///< the same as of this program: where a thread waits for the signal, both go on
-  ends      ///< it ends, unless it says otherwise itself
+  as_here,  ///< as this program: if a thread waits for the signal, both continue
+  ends      ///< the child ends, unless it handles the signal itself
 };
 
 struct Command {
@@ -34,21 +34,20 @@ struct Command {
 };
 
 struct ProgramEnd {
-  int status = 0;  ///< what wait() returned; 0: it succeeded
+  int status = 0;  ///< the status from wait(); 0: success
   std::string output;
   std::string errors;
 };
 
-/// Runs the program to its end, with what it prints kept in memory. Throws std::system_error if it
-/// cannot be started.
+/// Runs the program to its end and returns its output. Throws std::system_error if it cannot start.
 ProgramEnd run_to_end(const Command& command);
 
 /// Names a status other than 0: "exit status 2", or "signal 9 (Killed)".
 std::string failure_named(int status);
 
-/// From now on freed memory stays with the program, to be used again, where the C library can be
-/// told so: for programs that load large files again and again, to which fresh pages cost more than
-/// reading does. To be called before there are other threads.
+/// Keeps freed memory in the process for reuse, if the C library allows it. For programs that load
+/// large files repeatedly, for which fresh pages cost more than reading. To be called before other
+/// threads start.
 void keep_freed_memory();
 
 }  // namespace foveola

@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// 0 if it is no number.
+/// 0 if it is not a number.
 std::int64_t number_in(std::string_view digits) {
   std::int64_t number = 0;
   const char* const end = digits.data() + digits.size();

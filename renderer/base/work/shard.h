@@ -1,4 +1,4 @@
-// Work that is split into parts which run by themselves, on one machine or on many.
+// Splits work into shards that run independently, on one machine or on many.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,11 @@ struct ItemRange {
   std::int64_t size() const { return end - begin; }
 };
 
-/// The shard's part of `items` items, at most 2^40: parts of equal size within one, without gaps,
-/// in the order of their numbers. Empty if there are fewer items than shards.
+/// The shard's part of `items` items, at most 2^40. Parts are contiguous, in order, and differ in
+/// size by at most one. Empty if there are fewer items than shards.
 ItemRange part_of(const Shard& shard, std::int64_t items);
 
-/// "3/16". Throws UsageError, which names `option`, for anything else than a number of a shard and
-/// how many there are.
+/// Parses "3/16". Throws UsageError that names `option` if `text` is not K/N.
 Shard parse_shard(const std::string& option, const std::string& text);
 
 /// "3/16".

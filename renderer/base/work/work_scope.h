@@ -1,4 +1,4 @@
-// Long work: stops it and shows its progress, without a parameter in every function that it calls.
+// Long work that can be stopped and reports its progress, without parameters in every function.
 #pragma once
 
 #include <chrono>
@@ -11,14 +11,14 @@
 
 namespace foveola {
 
-/// Thrown in work that was stopped. Not a std::exception: no handler of errors may take it for one.
+/// Thrown in stopped work. Not a std::exception, so that no error handler catches it.
 struct WorkStopped {};
 
-/// Lets the work of its thread, while it lives, be stopped. Loops of Workers that this work begins
-/// belong to it. Work outside of any scope is never stopped.
+/// Makes the work of its thread stoppable while it lives, including loops of Workers that this work
+/// begins. Work outside any scope is never stopped.
 class WorkScope {
  public:
-  /// step: what is done now. fraction_done: of this step, in [0, 1].
+  /// step: the name of the current step. fraction_done: of this step, in [0, 1].
   using Report = std::function<void(const char* step, double fraction_done)>;
 
   /// report: called from any thread of the work; may be empty.
@@ -33,7 +33,7 @@ class WorkScope {
   /// The innermost scope of this thread, or null.
   static const WorkScope* current();
 
-  /// Lets this thread work for `scope`, which may be null, while it lives.
+  /// Lets this thread work for `scope` while it lives; may be null.
   class Member {
    public:
     explicit Member(const WorkScope* scope);
@@ -51,16 +51,15 @@ class WorkScope {
   Member member_;
 };
 
-/// Whether this thread's work was stopped.
+/// Whether this thread's work has been stopped.
 bool is_work_stopped();
 
-/// Throws WorkStopped if this thread's work was stopped.
+/// Throws WorkStopped if this thread's work has been stopped.
 void throw_if_work_stopped();
 
 /// Writes "LABEL  42 %  1 m 10 s left" over one line of standard error, at most ten times a second,
-/// and only when that is a terminal that obeys escapes, cut to its width; otherwise a plain line at
-/// every tenth of the work, and when five minutes have gone by without one. The line is finished
-/// when the object goes.
+/// cut to its width. If that is not a terminal that obeys escapes, a plain line at every tenth of
+/// the work and after five minutes without one. The line ends with the object.
 class Progress {
  public:
   explicit Progress(std::string label);
@@ -68,7 +67,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// fraction_done in [0, 1]; never goes back. detail is shown behind the time left.
+  /// fraction_done in [0, 1]; never decreases. detail: shown behind the time left.
   void update(double fraction_done, const std::string& detail = {});
 
  private:
@@ -79,8 +78,7 @@ class Progress {
   int last_tenth_ = 0;
 };
 
-/// A progress line for each step of work, as soon as the work takes longer than a second. Its
-/// functions may be called from any thread.
+/// Progress lines for steps of work that takes over a second. May be called from any thread.
 class StepProgress {
  public:
   /// label: stands before the name of the step; may be empty.
@@ -92,7 +90,7 @@ class StepProgress {
  private:
   std::string label_;
   std::chrono::steady_clock::time_point start_;
-  std::mutex mutex_;  ///< guards what follows
+  std::mutex mutex_;  ///< guards the members below
   std::string step_;
   std::optional<Progress> line_;
 };
@@ -100,14 +98,14 @@ class StepProgress {
 /// "850 ms", "12 s", "3 m 05 s" or "2 h 10 m".
 std::string human_duration(double duration_s);
 
-/// Exit code of a program that a signal stopped, as a shell gives for SIGINT.
+/// Exit code of a program stopped by a signal, as a shell gives for SIGINT.
 inline constexpr int stopped_exit_code = 130;
 
-/// Says on standard error that a load was stopped.
+/// Prints on standard error that a load was stopped.
 void print_load_stopped();
 
-/// Returns what `load` returns. Shows the steps that it reports on standard error. Throws
-/// WorkStopped soon after `stop` is requested.
+/// Returns the result of `load`. Shows its reported steps on standard error. Throws WorkStopped
+/// soon after `stop` is requested.
 template <typename Load>
 auto load_watched(const std::stop_token& stop, const Load& load) {
   StepProgress progress("loading: ");
@@ -116,15 +114,15 @@ auto load_watched(const std::stop_token& stop, const Load& load) {
   return load();
 }
 
-/// While it lives: ends the program with stopped_exit_code and print_load_stopped, at once, if it
-/// still lives 0.2 s after `stop` was requested. Parsers and decoders of libraries cannot be
-/// stopped. For commands that have written nothing yet.
+/// Ends the program with print_load_stopped and stopped_exit_code if it still lives 0.2 s after
+/// `stop` was requested, since libraries' parsers and decoders cannot be stopped. For commands that
+/// have written nothing yet.
 class StuckLoadExit {
  public:
   explicit StuckLoadExit(const std::stop_token& stop);
 
  private:
-  std::jthread watcher_;  ///< asked to stop, and waited for, by its destructor
+  std::jthread watcher_;  ///< stopped and joined by its destructor
 };
 
 /// load_watched of a command that has written nothing yet: see StuckLoadExit.

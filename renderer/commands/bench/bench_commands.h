@@ -13,9 +13,9 @@ class App;
 
 namespace foveola {
 
-/// Adds `bench` with its commands to `app`, which run over `scenes`. They print a table, or JSON,
-/// to standard output, and throw Error where a figure is not met. `stop` ends them with the figures
-/// there are. Returns `bench`, for the commands of other modules.
+/// Adds `bench` with its commands over `scenes` to `app`. They print a table, or JSON, to standard
+/// output, and throw Error for a figure out of bounds. `stop` ends them with the figures so far.
+/// Returns `bench`, for the commands of other modules.
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
                              const SceneFinder& find_scene, const std::stop_token& stop);
 
@@ -25,8 +25,8 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene, const std
 /// Adds `sampling` to the command `bench`; see add_bench_commands.
 void add_bench_sampling(CLI::App& bench);
 
-/// Adds `stability` to the command `bench`, over `scenes`. It throws Error where a figure is not
-/// met; `stop` ends it with the figures there are.
+/// Adds `stability` to the command `bench`, over `scenes`. It throws Error for a figure out of
+/// bounds; `stop` ends it with the figures so far.
 void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes,
                          const SceneFinder& find_scene, const std::stop_token& stop);
 

@@ -105,7 +105,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   return run;
 }
 
-/// The run's figures, with what was asked for and the machine it ran on.
+/// The run's figures, with its request and machine.
 Json json_of(const PreviewRun& run, const PreviewArguments& arguments) {
   Json json = bench_facts();
   json.update({{"scene", arguments.scene},

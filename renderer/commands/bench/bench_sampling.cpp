@@ -34,7 +34,7 @@ constexpr std::array ring_ends_deg = {0.5,  1.0,  2.0,  3.0,  4.0,   5.0,   5.79
                                       10.0, 12.5, 15.0, 20.0, 25.0,  30.0,  40.0, 50.0,
                                       60.0, 70.0, 80.0, 90.0, 120.0, 150.0, 180.0};
 
-/// The pixels whose middles lie in a ring.
+/// The pixels with centres in a ring.
 struct Ring {
   double end_deg = 0.0;
   double square_degrees = 0.0;
@@ -42,7 +42,7 @@ struct Ring {
   double stated = 0.0;  ///< samples expected by the method's stated density
 };
 
-/// Midpoints along a side of a pixel by which a density is integrated: many where it is steep.
+/// Midpoints along a side of a pixel for integrating a density: many where it is steep.
 int midpoints(double eccentricity_deg) {
   return eccentricity_deg < 3.0 ? 16 : eccentricity_deg < 10.0 ? 4 : 2;
 }
@@ -70,7 +70,7 @@ PixelIntegral integrate(const ViewSampler& sampler, int x, int y, int n) {
 std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
   constexpr std::uint64_t per_pass = std::uint64_t{1} << 20;
   const Workers workers;
-  const Scene nothing;  // where samples fall depends on no scene, and none is traced
+  const Scene nothing;  // sample positions depend on no scene, and none is traced
   const PathTracer tracer(nothing, workers);
   ProgressiveRender render(tracer, {.film_size = {film_width, film_height}}, workers);
   render.begin_pattern(1);
@@ -97,9 +97,8 @@ std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
   return rings;
 }
 
-/// Prints how many samples a square degree of each ring around the gaze gets, counted on a film,
-/// beside what the method states, as a table or as JSON. Throws Error for a text that makes no
-/// sense.
+/// Prints the number of samples per square degree in rings around the gaze, counted on a film,
+/// beside the method's stated density, as a table or as JSON. Throws Error for an invalid text.
 void print_density(const std::string& method, bool as_json) {
   const Vec3 gaze = direction_from({.azimuth_rad = 0.2, .elevation_rad = -0.1});
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
@@ -148,7 +147,7 @@ struct Measured {
   std::string unit;
 };
 
-/// The median time of a call; what `prepare` does before each is not counted.
+/// The median time of a call, without the `prepare` before each.
 Median median_s(
     const std::function<void()>& call, const std::function<void(int run)>& prepare = [](int) {}) {
   constexpr int runs = 31;
@@ -192,11 +191,11 @@ Measured sampler_cost(const std::string& method) {
           "ns a sample, one core"};
 }
 
-/// Whether a film goes on, or is cleared before every batch, where the person looks elsewhere too.
+/// Whether a film continues, or is cleared before every batch, with a new gaze.
 enum class FilmUse { continued, cleared_first };
 
-/// Numbering and adding a batch of FV's samples, pyramid included. No two batches have a point in
-/// common, so pixels away from the gaze are new to the film.
+/// Cost of numbering and adding a batch of FV's samples, pyramid included. No two batches share a
+/// point, so pixels away from the gaze are new to the film.
 Measured film_cost(int width, int height, FilmUse use, const Workers& workers) {
   constexpr std::size_t batch_size = 10'000;
   std::vector<ViewSample> samples(batch_size);
@@ -243,7 +242,7 @@ std::vector<Measured> cost_of_each() {
   return measured;
 }
 
-/// methods: none for one of each.
+/// methods: empty for one of each.
 void run(const std::vector<std::string>& methods, bool as_json) {
   std::vector<Measured> measured;
   if (methods.empty()) {

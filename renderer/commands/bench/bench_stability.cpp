@@ -44,7 +44,7 @@ StabilityEffort effort_of(const StabilityArguments& arguments) {
   return effort;
 }
 
-/// All stress tests, or those whose name has `only` in it.
+/// All stress tests, or those with `only` in their name.
 std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes,
                                           const std::string& only) {
   std::vector<StabilityCheck> checks = stability_checks(scenes);
@@ -61,8 +61,8 @@ std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes
   return checks;
 }
 
-/// The number of threads: at least four unless asked otherwise, also on fewer cores: bits must be
-/// equal on four threads, and TBB starts no more than the first of its users allows.
+/// Default number of threads: at least four, also on fewer cores. Bits must be equal on four
+/// threads, and TBB starts no more than its first user allows.
 int thread_count(const StabilityArguments& arguments) {
   const int cores = usable_cores();
   return arguments.threads > 0 ? arguments.threads : std::max(4, cores);

@@ -26,7 +26,7 @@
 namespace foveola {
 namespace {
 
-/// Paths that are sampled, traced and filmed in one go; as many as a render's batches hold.
+/// Number of paths sampled, traced and filmed at a time, as in a render's batches.
 constexpr std::uint64_t pass_points = 1 << 16;
 
 struct TracingArguments {
@@ -55,7 +55,7 @@ struct EmbreeRepetitions {
   }
 };
 
-/// The entry point of the least median.
+/// The entry point with the smallest median.
 std::size_t fastest_of(const EmbreeRepetitions& repetitions) {
   std::size_t fastest = 0;
   for (std::size_t i = 1; i < repetitions.seconds.size(); ++i) {
@@ -98,7 +98,7 @@ std::vector<double> ratios(const std::vector<double>& numerators,
   return result;
 }
 
-/// The paths of one render, which is repeated.
+/// One render's paths, for repetitions.
 class RepeatedRender {
  public:
   RepeatedRender(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers)
@@ -110,7 +110,7 @@ class RepeatedRender {
                    .gaze = direction_from(gaze_of(settings, loaded))});
   }
 
-  /// Once through, from the first sample to the film. Returns the seconds.
+  /// Renders once, from the first sample to the film. Returns the seconds.
   double render(RayCounts& rays) const {
     ProgressiveRender render = begin();
     rays = {};
@@ -160,7 +160,7 @@ class RepeatedRender {
   std::unique_ptr<ViewSampler> sampler_;
 };
 
-/// Full renders and Embree alone take turns, so that a busy machine slows both.
+/// Full renders and Embree alone alternate, so that a busy machine slows both.
 TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int repetitions,
                        bool with_general, const std::stop_token& stop) {
   const Workers workers(settings.threads);
@@ -227,7 +227,7 @@ RenderSettings settings_from(const TracingArguments& arguments) {
   return settings;
 }
 
-/// The numbers of threads that are measured by default: one, and all cores.
+/// Default numbers of threads: one, and all cores.
 std::vector<int> default_threads() {
   const int cores = usable_cores();
   return cores == 1 ? std::vector{1} : std::vector{1, cores};

@@ -40,7 +40,7 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
 
 namespace {
 
-/// " (2.41 to 2.47)", or nothing where that is not known.
+/// " (2.41 to 2.47)", or empty without an interval.
 std::string interval_text(const Median& median) {
   return median.interval
              ? fmt::format(" ({:.2f} to {:.2f})", median.interval->first, median.interval->second)

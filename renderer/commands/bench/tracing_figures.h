@@ -1,4 +1,4 @@
-// What `bench tracing` measures, and how it is printed.
+// The figures of `bench tracing`, and their printing.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace foveola {
 
-/// A kind of ray, and how often it was asked for.
+/// A kind of ray, and its number of queries.
 struct RayKind {
   const char* name;
   std::uint64_t RayCounts::* count;
@@ -29,7 +29,7 @@ inline constexpr std::array<RayKind, 4> ray_kinds{
      {"shadow", &RayCounts::shadow, &RayLog::shadow, RayQuery::is_blocked},
      {"transmittance", &RayCounts::transmittance, &RayLog::transmittance, RayQuery::closest_hit}}};
 
-/// What Embree alone takes for the rays of a kind.
+/// Embree's own time for the rays of a kind.
 struct EmbreeFigure {
   std::string kind;
   std::string entry_point;  ///< the fastest
@@ -40,13 +40,13 @@ struct EmbreeFigure {
 /// The general path compared with the fast path.
 struct GeneralFigures {
   Median seconds;
-  Median gain;  ///< its seconds over the usual path's, repetition by repetition
+  Median gain;  ///< its seconds over the default path's, repetition by repetition
 };
 
 /// Times are medians over the repetitions.
 struct TracingFigures {
   int threads = 0;
-  std::vector<std::string> warnings;  ///< what loading the scene warned of
+  std::vector<std::string> warnings;  ///< warnings of loading the scene
   Median seconds;                     ///< seconds for all paths: sampled, traced and filmed
   RayCounts rays;
   std::vector<EmbreeFigure> embree;

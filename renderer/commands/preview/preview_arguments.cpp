@@ -26,7 +26,7 @@ constexpr auto overlays =
                                                  {"warnings", &PreviewChoices::shows_warnings},
                                                  {"help", &PreviewChoices::shows_help}});
 
-/// The methods that a key goes through, the one that was asked for first.
+/// The methods that a key cycles through, the requested one first.
 std::vector<std::string> methods_from(const std::string& first) {
   std::vector<std::string> methods = {first};
   for (const char* method : {"od", "vp", "fv", "hybrid"}) {
@@ -136,7 +136,7 @@ PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFin
   }
   if (!arguments.head_file.empty()) {
     request.replayed_head = read_head_file(arguments.head_file);
-    // What is framed, and exposed for, is what is seen first.
+    // Framing and exposure are for the initial view.
     request.scene.head = request.replayed_head.front().heading;
   }
   request.source = lit_scene(arguments.scene, arguments.look, find_scene);

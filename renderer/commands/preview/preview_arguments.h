@@ -1,4 +1,4 @@
-// The options of `preview`, and what they stand for: understood before anything is loaded.
+// The options of `preview`, and their interpretation before anything is loaded.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class App;
 
 namespace foveola {
 
-/// As typed; empty or 0 where an option was not given.
+/// As typed; empty or 0 if an option was not given.
 struct PreviewArguments {
   std::string scene;
   LookArguments look;
@@ -50,24 +50,24 @@ struct PreviewArguments {
 /// Adds all options to `command`; `arguments` must outlive it.
 void add_preview_options(CLI::App& command, PreviewArguments& arguments);
 
-/// What was asked for, so far as it needs neither the scene nor a window.
+/// The parsed request, as far as it needs neither the scene nor a window.
 struct PreviewRequest {
   SceneSource source;
-  SceneChoices scene;               ///< the first heading of a head that is replayed, too
-  std::optional<FieldsOfView> fov;  ///< of the first view
+  SceneChoices scene;               ///< includes the first heading of a replayed head
+  std::optional<FieldsOfView> fov;  ///< of the initial view
   ExposureChoice exposure;
-  PreviewChoices choices;  ///< but for the exposure
+  PreviewChoices choices;  ///< except the exposure
   ProgressiveSettings render;
   IVec2 window{0};  ///< pixels
   DisplayProfile display;
   TrackerProfile tracker;
-  std::vector<GazeSample> replayed_gaze;  ///< empty: the tracker's
+  std::vector<GazeSample> replayed_gaze;  ///< empty: the tracker's gaze
   GazeFilterSettings gaze_filter;
   std::vector<HeadPose> replayed_head;  ///< empty: the user turns it
 };
 
-/// Throws UsageError for what is malformed, and Error for files that are missing or bad, those of
-/// the scene excepted, of which only the descriptor is read.
+/// Throws UsageError for malformed options, and Error for missing or bad files. Of the scene's
+/// files only the descriptor is read.
 PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFinder& find_scene);
 
 }  // namespace foveola

@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Frames that were late, by their number from the first, and by how many refreshes.
+/// Late frames, with their number from the first, and their delay in refreshes.
 Json late_frames(const LivePreviewReport& report) {
   Json late = Json::array();
   const std::uint64_t first = report.frame_count - report.frames.size();
@@ -44,7 +44,7 @@ Json late_frames(const LivePreviewReport& report) {
   return late;
 }
 
-/// What each check of the tracker found, and what is corrected since.
+/// Each check of the tracker, and the resulting correction.
 Json gaze_checks(const LivePreviewReport& report) {
   Json checks = Json::array();
   const auto row = [](const DVec3& weights) { return Json{weights.x, weights.y, weights.z}; };
@@ -64,7 +64,7 @@ Json gaze_checks(const LivePreviewReport& report) {
   return checks;
 }
 
-/// Changes of the scene that were shown or refused, in their order.
+/// Changes of the scene that were shown or refused, in order.
 Json shown_changes(const LivePreviewReport& report) {
   Json changes = Json::array();
   for (const ShownChange& change : report.changes) {
@@ -86,7 +86,7 @@ Json slow_drawing(const LivePreviewReport& report) {
           {"window", {slow.framebuffer.x, slow.framebuffer.y}}};
 }
 
-/// What became of the headset, in words and in order.
+/// The headset's changes, in words and in order.
 Json headset_changes(const LivePreviewReport& report) {
   Json changes = Json::array();
   for (const HeadsetChange change : report.headset_changes) {
@@ -107,7 +107,7 @@ WindowEyeTracker open_gaze_source(const PreviewRequest& request, LiveDisplay& di
 /// Prints on standard error: standard output holds the report alone, for JSON's readers.
 void print_notice(const std::string& line) { print_text(stderr, "{}\n", line); }
 
-/// What the window shows of the scene at first is a picture of its size.
+/// The window's initial view is a picture of its size.
 PictureChoices window_picture(const PreviewRequest& request, const IVec2& framebuffer) {
   PictureChoices choices{.size = framebuffer};
   if (request.fov) {
@@ -117,7 +117,7 @@ PictureChoices window_picture(const PreviewRequest& request, const IVec2& frameb
   return choices;
 }
 
-/// Prints it if it is automatic.
+/// Prints an automatic exposure.
 double exposure_stops_of(const PreviewRequest& request, const LoadedScene& loaded,
                          const PictureChoices& picture, const Workers& workers) {
   const Viewport first_view(loaded.camera.heading,
@@ -130,7 +130,7 @@ double exposure_stops_of(const PreviewRequest& request, const LoadedScene& loade
   return exposure.stops;
 }
 
-/// What the window is told of a scene that was loaded again.
+/// The window's news of a reloaded scene.
 SceneChange change_of(ReloadedScene reloaded) {
   SceneChange change{.changed = reloaded.changed};
   if (reloaded.scene == nullptr) {
@@ -149,7 +149,7 @@ SceneChange change_of(ReloadedScene reloaded) {
   return change;
 }
 
-/// Where frames go to, and events come from.
+/// The destination of frames, and source of events.
 struct ShownIn {
   Window& window;
   WindowEvents& events;
@@ -179,7 +179,7 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
       return std::make_shared<const LoadedScene>(request.source, workers, choices, &kept);
     });
   }();
-  const LoadedScene& loaded = *first;  // until another takes its place
+  const LoadedScene& loaded = *first;  // until another replaces it
   print_warnings(loaded.warnings);
   std::optional<SceneReloader> reloader;
   try {

@@ -1,5 +1,5 @@
-// The head whose view a preview shows, of a recording, a headset or keys, and the scene in which it
-// moves.
+// The head whose view a preview shows, from a recording, a headset or keys, and its camera in the
+// scene.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,13 @@ namespace foveola {
 
 class PreviewHead {
  public:
-  /// replayed: the poses of a recording, which begins now; empty: there is none. heading: along
-  /// which it looks at first, or whoever wears a headset and looks straight ahead. display must
-  /// outlive it.
+  /// replayed: the poses of a recording, which begins now; empty: none. heading: initial direction,
+  /// or straight ahead of a headset's wearer. display must outlive it.
   PreviewHead(const std::vector<HeadPose>& replayed, LiveDisplay& display,
               const AzimuthElevation& heading, const Clock& clock);
 
   HeadTracker& shown();
-  /// The one that keys turn, shown or not.
+  /// The head turned by keys, shown or not.
   SteeredHeadTracker& steered() { return steered_; }
   FreeCamera camera_in(CameraSurroundings surroundings);
 
@@ -30,7 +29,7 @@ class PreviewHead {
   std::optional<HeadsetHead> worn_;
 };
 
-/// They refer to the scene, which must outlive them.
+/// The scene must outlive the result.
 CameraSurroundings surroundings_of(const LoadedScene& loaded);
 
 }  // namespace foveola

@@ -64,7 +64,7 @@ std::size_t late_frames(const PreviewRun& run) {
                     [](const LiveFrame& frame) { return frame.is_late(); }));
 }
 
-/// First frames after a restart that have samples, of all first frames.
+/// Number of first frames after a restart that have samples, and of all first frames.
 std::pair<std::size_t, std::size_t> restarts_seen(const PreviewRun& run) {
   std::pair<std::size_t, std::size_t> seen{0, 0};
   for (const LiveFrame& frame : run.frames) {
@@ -80,8 +80,8 @@ std::pair<std::size_t, std::size_t> restarts_seen(const PreviewRun& run) {
 
 /// The latencies of the frames that follow the eye.
 struct EyeFrames {
-  std::vector<LatencyStages> stages;  ///< a frame each
-  std::size_t with_fresh_gaze = 0;    ///< whose gaze was no older than it should be
+  std::vector<LatencyStages> stages;  ///< one per frame
+  std::size_t with_fresh_gaze = 0;    ///< frames with a gaze no older than its limit
 };
 
 EyeFrames eye_frames(const PreviewRun& run) {
@@ -97,7 +97,7 @@ EyeFrames eye_frames(const PreviewRun& run) {
   return eye;
 }
 
-/// The stages in the order of time, and their total; empty if there is no frame.
+/// The stages in order of time, and their total; empty without frames.
 std::vector<LatencySpread> latency_rows(const EyeFrames& eye) {
   if (eye.stages.empty()) {
     return {};

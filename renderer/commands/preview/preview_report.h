@@ -1,4 +1,4 @@
-// Summary of a live preview's frames, as text and as JSON.
+// Summarises a live preview's frames, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct PreviewRun {
   std::vector<LiveFrame> frames;  ///< at least one
   TrackerProfile tracker;
   DisplayProfile display;
-  double refresh_rate_hz = 0.0;  ///< the rate that frames aimed at
-  bool is_resampled = false;     ///< whether frames were made into images for the display
+  double refresh_rate_hz = 0.0;  ///< the frames' target rate
+  bool is_resampled = false;     ///< whether frames were resampled for the display
   int threads = 0;
 };
 

@@ -20,13 +20,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// It says how tiles are dealt (renderer/progressive/tile_dealing.h): parts of another dealing do
-/// not fit.
+/// Identifies the assignment of tiles (renderer/progressive/tile_dealing.h): parts by another one
+/// do not fit.
 constexpr const char* by_tiles = "tiles of 4 pixels";
 constexpr const char* by_seeds = "seeds";
 constexpr const char* filmic = "filmic";
 
-/// Of an image that is made: more than 5 GB of memory.
+/// Of a merged image: more than 5 GB of memory.
 constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
 const char* name_of(RenderPart::By by) { return by == RenderPart::By::tiles ? by_tiles : by_seeds; }
@@ -103,7 +103,7 @@ FilmOrigin origin_of(const FilmFileReader& film) {
   }
 }
 
-/// What differs, in words; empty if nothing does.
+/// The differences in words; empty if there are none.
 std::string difference(const RenderIdentity& here, const RenderIdentity& there) {
   const auto first_in = [](const ImageFacts& a, const ImageFacts& b) -> std::string {
     for (const auto& [name, value] : a) {
@@ -120,7 +120,7 @@ std::string difference(const RenderIdentity& here, const RenderIdentity& there) 
   return found.empty() && json_of(here) != json_of(there) ? "it is to be shown otherwise" : found;
 }
 
-/// A film that is merged, and the pixel that it has come to.
+/// A film to merge, and its next pixel.
 struct Source {
   std::unique_ptr<FilmFileReader> film;
   FilmOrigin origin;

@@ -20,7 +20,7 @@ constexpr std::array splits{Word<RenderPart::By>{"tiles", RenderPart::By::tiles}
 constexpr double usual_samples_per_pixel = 32.0;
 constexpr double default_samples_per_pixel_of_panorama = 16.0;
 
-/// Whether a 360-degree image was asked for: by name, or by an option that only that has.
+/// Whether a 360-degree image was requested: by name, or by an option that only it has.
 bool is_panorama(const CLI::App& command, const RenderArguments& arguments) {
   constexpr std::array options = {"--method", "--gaze",      "--pointer",        "--lens",
                                   "--view",   "--view-size", "--fill-unsampled", "--adaptive"};
@@ -29,7 +29,7 @@ bool is_panorama(const CLI::App& command, const RenderArguments& arguments) {
          });
 }
 
-/// The method, with its pointer held where --pointer says.
+/// The method, with its pointer fixed at --pointer.
 std::string method_from(const RenderArguments& arguments) {
   const std::string& typed = arguments.settings.method;
   require_method(typed);
@@ -44,7 +44,7 @@ std::string method_from(const RenderArguments& arguments) {
   return method;
 }
 
-/// What the display shows of the sphere, and how.
+/// Reads the options of the display's view.
 void read_view(const RenderArguments& arguments, RenderSettings& settings) {
   const FieldsOfView fov = fields_of_view(arguments.look)
                                .value_or(FieldsOfView{settings.field_of_view.horizontal_deg, {}});

@@ -1,4 +1,4 @@
-// The options of `render`, and the settings that they stand for.
+// The options of `render`, and their interpretation as settings.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ class App;
 
 namespace foveola {
 
-/// As typed; empty or none where an option was not given.
+/// As typed; empty or nullopt if an option was not given.
 struct RenderArguments {
-  RenderSettings settings;  ///< whatever needs no notation of its own
+  RenderSettings settings;  ///< settings without a notation of their own
   LookArguments look;
   std::string scene;
   std::string output;
@@ -34,7 +34,7 @@ struct RenderArguments {
   double largest_radiance = settings.progressive.trace.largest_radiance;
   double adaptive_contrast = 0.0;
   std::string replay;
-  std::string shard;  ///< empty: all of it
+  std::string shard;  ///< empty: the whole
   std::string split = "tiles";
   bool resume = false;
   bool json = false;
@@ -43,7 +43,7 @@ struct RenderArguments {
 /// Adds all options to `command`; `arguments` must outlive it.
 void add_render_options(CLI::App& command, RenderArguments& arguments);
 
-/// Throws UsageError for what makes no sense, whatever the scene.
+/// Throws UsageError for settings that are invalid for any scene.
 RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments);
 
 /// Throws UsageError unless `valid`.

@@ -31,13 +31,13 @@ void run_replay(const RenderArguments& arguments, const RenderSettings& settings
   }
 }
 
-/// Whether a file is written as a display shows it.
+/// Whether a file is written for display.
 bool is_shown(const std::string& file) {
   return !file.empty() && !holds_radiance(file) && !is_film(file);
 }
 
-/// What a film is shown with is chosen when it is rendered. Radiances have no exposure, and neither
-/// has a single path, unless adaptive sampling asks what is seen of them.
+/// A film stores the exposure chosen at its rendering. Radiances have no exposure, and neither has
+/// a single path, unless adaptive sampling needs it.
 bool needs_exposure(const RenderArguments& arguments, const RenderSettings& settings) {
   const bool is_replay = !arguments.replay.empty();
   return settings.progressive.adaptive ||
@@ -62,7 +62,7 @@ void write(const Rendering& rendering, const RenderSettings& settings,
   }
 }
 
-/// Throws UsageError for what does not go with the kind of file that is written.
+/// Throws UsageError for options that do not suit the output's kind of file.
 void require_kind_of_output(const RenderArguments& arguments) {
   if (!is_film(arguments.output)) {
     require_writable_image(arguments.output);
@@ -75,7 +75,7 @@ void require_kind_of_output(const RenderArguments& arguments) {
   require(!arguments.seconds, "--seconds", "cannot be gone on with in a .film; use --spp");
 }
 
-/// Renders into a film, from where an earlier run came to, and keeps it from time to time.
+/// Renders into a film, continuing an earlier run, and stores it at intervals.
 Rendering render_film(const SceneSource& source, RenderSettings settings,
                       const RenderArguments& arguments, const std::stop_token& stop) {
   std::optional<FilmOrigin> so_far;

@@ -71,7 +71,7 @@ const char* projection(const RenderSettings& settings) {
   return settings.picture ? "perspective" : panorama_projection;
 }
 
-/// Where the samples went.
+/// The method of sampling.
 std::string method(const RenderSettings& settings) {
   return settings.picture ? "picture" : settings.method;
 }
@@ -80,15 +80,15 @@ double samples_per_pixel(const RenderReport& report) {
   return static_cast<double>(report.samples) / (static_cast<double>(report.size.x) * report.size.y);
 }
 
-/// The options that say which part it is, where its paths are others than the whole render's.
+/// The options that identify the part, if its paths differ from the whole render's.
 std::string part_options(const RenderSettings& settings) {
   return settings.part && settings.part->by == RenderPart::By::seeds
              ? fmt::format("--shard {} --split seeds ", text_of(settings.part->shard))
              : "";
 }
 
-/// The number of parts by tiles above which each takes longer to draw directions than to trace.
-/// Empty if the render is no such part, or that was not measured.
+/// Maximum useful number of parts by tiles: with more, each takes longer to draw directions than to
+/// trace. nullopt for other renders, or without measurements.
 std::optional<double> parts_worth_it(const RenderReport& report, const RenderSettings& settings) {
   if (!settings.part || settings.part->by != RenderPart::By::tiles ||
       !(report.draw_seconds > 0.0 && report.trace_seconds > 0.0)) {

@@ -12,7 +12,7 @@
 
 namespace foveola {
 
-/// Scene and output file as the person typed them.
+/// Scene and output file as typed by the user.
 struct RenderNames {
   std::string scene;
   std::string output;
@@ -26,13 +26,12 @@ void print_report(const RenderReport& report, const RenderSettings& settings,
 nlohmann::json json_path(const ReplayedPath& path);
 void print_path(const ReplayedPath& path);
 
-/// What the image was made with, for its header.
+/// The facts of an image's making, for its header.
 ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
                     const std::string& scene);
 
-/// A line if nearly all of an image's pixels that have samples are black, or nearly all white, once
-/// they are shown with 8 bits after an exposure of so many stops. is_enclosed: no light comes in
-/// from outside the scene.
+/// A warning if nearly all sampled pixels of an image are black, or nearly all white, in 8 bits
+/// after exposure_stops. is_enclosed: whether no light comes from outside the scene.
 std::vector<std::string> picture_faults(const FilmImage& image, double exposure_stops,
                                         bool is_enclosed);
 

@@ -23,7 +23,7 @@ bool is_inside(const RgbImage& image, int x, int y) {
   return x >= 0 && y >= 0 && x < image.width && y < image.height;
 }
 
-/// Draws with the font that Dear ImGui brings along: 13 pixels high, Latin letters.
+/// Draws with Dear ImGui's built-in font: 13 pixels high, Latin letters.
 class TextDrawing {
  public:
   TextDrawing() : font_(atlas_.AddFontDefault()) {
@@ -32,8 +32,8 @@ class TextDrawing {
     coverage_ = pixels;
   }
 
-  /// Draws one line in white into `image`, its top left corner at `corner` and cut off after
-  /// `width` pixels. text: UTF-8; letters that the font does not have become question marks.
+  /// Draws one line in white into `image`, from its top left corner `corner`, cut off after `width`
+  /// pixels. text: UTF-8; letters missing in the font become question marks.
   void draw(const std::string& text, const IVec2& corner, int width, RgbImage& image) const;
 
  private:
@@ -43,7 +43,7 @@ class TextDrawing {
 
   ImFontAtlas atlas_;
   const ImFont* font_;
-  const unsigned char* coverage_ = nullptr;  ///< of the atlas's pixels, from 0 to 255
+  const unsigned char* coverage_ = nullptr;  ///< coverage of the atlas's pixels, from 0 to 255
   IVec2 size_{0};
 };
 
@@ -84,7 +84,7 @@ Viewport view_of(const LoadedScene& loaded, const ObjectOfInterest& object) {
   return {azimuth_elevation(towards), {.horizontal_deg = fov_deg, .vertical_deg = fov_deg}};
 }
 
-/// What is brighter than white by this factor is cut: few samples leave bright specks otherwise.
+/// Upper bound of samples, relative to white: few samples leave bright specks otherwise.
 constexpr float largest_white = 4.0F;
 
 RgbImage picture_of(const LoadedScene& loaded, const Viewport& view, double exposure_stops,

@@ -41,7 +41,7 @@ struct DescribeArguments {
   int threads = 0;
 };
 
-/// What is written, and where.
+/// The output files.
 struct Outputs {
   fs::path descriptor;
   fs::path sheet;
@@ -63,7 +63,7 @@ Outputs outputs_of(const DescribeArguments& arguments) {
   return outputs;
 }
 
-/// Before the work: throws what would be in the way of writing.
+/// Called before the work: throws if an output cannot be written.
 void require_free(const Outputs& outputs, bool may_replace) {
   require_image_extension(outputs.sheet);
   for (const fs::path& file : {outputs.descriptor, outputs.sheet}) {
@@ -75,7 +75,7 @@ void require_free(const Outputs& outputs, bool may_replace) {
   }
 }
 
-/// The file alone, without what a descriptor says of it: a new one is made.
+/// The file alone, without its descriptor: a new one is made.
 SceneSource source_of_file(const std::string& file) {
   SceneSource source;
   source.name = file;
@@ -106,7 +106,7 @@ void print_result(const Outputs& outputs, const std::vector<ProposedObject>& obj
   }
 }
 
-/// What only an ordinary picture of the camera has, as far as a descriptor can say it.
+/// Sets the camera's properties for ordinary pictures, as far as a descriptor has them.
 void describe_picture(const CameraView& camera, SceneSource& source) {
   source.camera_roll_rad = camera.roll_rad;
   if (camera.vertical_fov_rad) {
@@ -120,8 +120,7 @@ void describe_picture(const CameraView& camera, SceneSource& source) {
   }
 }
 
-/// Where the camera stands and looks, what it sees, and how bright that is shown, is the
-/// descriptor's, whoever chose it.
+/// Sets the descriptor's camera, field of view and exposure, whoever chose them.
 void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
                    const Workers& workers, SceneSource& source) {
   source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
@@ -133,7 +132,7 @@ void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
                                      -max_exposure_stops, max_exposure_stops);
 }
 
-/// What a descriptor names lies in its own folder.
+/// Files named by a descriptor must be in its folder.
 void print_what_belongs_beside(const fs::path& descriptor, const SceneSource& source) {
   const auto folder_of = [](const fs::path& file) { return fs::absolute(file).parent_path(); };
   std::vector<fs::path> files{source.file};
@@ -167,7 +166,7 @@ void describe(const DescribeArguments& arguments, SceneSource source,
   }
   const std::string text = descriptor_text(source, remarks);
   if (objects.empty()) {
-    fs::remove(outputs.sheet);  // one of before, which would be of other objects
+    fs::remove(outputs.sheet);  // an earlier one, which would show other objects
   } else {
     write_image(outputs.sheet, object_sheet(loaded, source, *source.exposure_stops, workers, stop),
                 0.0);

@@ -14,7 +14,7 @@ class App;
 
 namespace foveola {
 
-/// The text of a scene's descriptor, with a remark for each of its objects.
+/// Returns the text of a scene's descriptor, with a remark for each of its objects.
 using DescriptorText =
     std::function<std::string(const SceneSource& source, const std::vector<std::string>& remarks)>;
 

@@ -37,7 +37,7 @@ struct LoadedFacts {
   std::vector<CameraView> cameras;
   std::vector<std::string> clips;
   DVec3 origin;  ///< see Scene::origin
-  DVec3 lower;   ///< lower corner of its bounds in metres, in the file's world, as --camera is
+  DVec3 lower;   ///< lower corner of its bounds in metres, in the file's world, as for --camera
   DVec3 upper;
 };
 
@@ -64,7 +64,7 @@ LoadedFacts load_facts(const SceneSource& source, const std::stop_token& stop) {
 
 nlohmann::json json_of(const DVec3& v) { return {v.x, v.y, v.z}; }
 
-/// A kind of light without geometry, and what its intensity is in.
+/// A kind of light without geometry, and its intensity's unit.
 struct LightKind {
   PunctualLight::Kind kind;
   const char* name;
@@ -129,8 +129,7 @@ double shown_deg(double angle_rad) {
   return std::round(steps * degrees(angle_rad)) / steps + 0.0;
 }
 
-/// A line for each camera: its name as --camera takes it, where it stands and looks, and how much
-/// it sees.
+/// A line per camera: its name for --camera, its place, heading and field of view.
 void print_cameras(const LoadedFacts& loaded) {
   const std::vector<std::string> names = camera_names(loaded.cameras);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -144,7 +143,7 @@ void print_cameras(const LoadedFacts& loaded) {
   }
 }
 
-/// Paths may hold what is no Unicode.
+/// Paths may hold invalid Unicode.
 void print_json(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
   const nlohmann::ordered_json json = {{"name", loaded.source.name},
@@ -189,7 +188,7 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
       mib(facts.texture_bytes + facts.environment_bytes));
 }
 
-/// A line, unless there is nothing to say.
+/// Prints a line, unless the list is empty.
 void print_list(const char* label, const std::vector<std::string>& items) {
   if (!items.empty()) {
     print_text("{}{}\n", label, fmt::join(items, ", "));

@@ -26,7 +26,7 @@ struct PickArguments {
   bool json = false;
 };
 
-/// What was met, in the file's own world.
+/// The hit in the file's own world.
 struct Answer {
   std::string object;
   std::string material;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int gap = 8;
 constexpr double view_extent_deg = 90.0;
-/// How far each side of the film reaches beyond the view, whose pixels lie askew to the film's.
+/// Margin of the film on each side of the view, whose pixels are not aligned with the film's.
 constexpr double margin_deg = 2.0;
 
 struct SheetArguments {
@@ -34,7 +34,7 @@ struct SheetArguments {
   int samples_per_pixel = 256;
 };
 
-/// One scene: all of it, and what is seen from its camera without turning the head.
+/// One scene: a panorama, and the view from its camera with the head at rest.
 struct SheetRow {
   RgbImage panorama;
   RgbImage view;  ///< square, as high as the panorama
@@ -47,7 +47,7 @@ void expose(RgbImage& image, double stops) {
   }
 }
 
-/// The view is as high as the panorama, of a film with as many pixels a degree, and gets as many
+/// The view is as high as the panorama, of a film with as many pixels per degree, and gets as many
 /// samples.
 SheetRow render_row(const SceneSource& source, RenderSettings settings,
                     const std::stop_token& stop) {
@@ -95,7 +95,7 @@ RgbImage contact_sheet(const std::vector<SheetRow>& rows) {
   return sheet;
 }
 
-/// The rows of as many scenes as were finished before `stop`.
+/// The rows of the scenes finished before `stop`.
 std::vector<SheetRow> render_rows(const std::vector<SceneSource>& sources,
                                   const RenderSettings& settings, const std::stop_token& stop) {
   std::vector<SheetRow> rows;

@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// hidapi keeps its last error for all devices in one place, which enumerating and opening write
-/// to: only one thread may do so at a time.
+/// hidapi stores its last error for all devices in one place, which enumerating and opening write:
+/// only one thread may do so at a time.
 std::unique_lock<std::mutex> hidapi_lock() {
   static std::mutex mutex;
   return std::unique_lock(mutex);
 }
 
-/// hidapi decodes strings as the locale says, which is "C" unless the program set another: what is
-/// not ASCII does not come through in any case.
+/// hidapi decodes strings by the locale, which is "C" unless the program sets another: only ASCII
+/// is decoded in any case.
 std::string ascii(const wchar_t* text) {
   std::string result;
   for (; text != nullptr && *text != L'\0'; ++text) {
@@ -42,7 +42,7 @@ HidDeviceInfo info_from(const hid_device_info& device) {
           .serial_number = ascii(device.serial_number)};
 }
 
-/// hidapi 0.13 has no function for it: what it is, the kernel says beside the device.
+/// hidapi 0.13 has no function for it; the kernel provides it beside the device.
 std::vector<std::uint8_t> report_descriptor_of(const std::string& device_path) {
   const fs::path name = fs::path(device_path).filename();
   const std::string bytes =
@@ -62,7 +62,7 @@ class HidapiDevice final : public HidDevice {
     if (size >= 0) {
       return static_cast<std::size_t>(size);
     }
-    // A signal that this thread took is no reason to give the device up.
+    // A signal in this thread is not a reason to give the device up.
     return errno == EINTR ? std::optional<std::size_t>(0) : std::nullopt;
   }
 
@@ -107,7 +107,7 @@ std::vector<HidDeviceInfo> list_hid_eye_trackers() {
   for (const hid_device_info* device = devices.get(); device != nullptr; device = device->next) {
     const bool is_tracker = device->usage_page == eye_and_head_trackers_page &&
                             device->usage == eye_tracker_usage && device->path != nullptr;
-    // A device is listed once for each of its collections.
+    // A device is listed once per collection.
     const auto has_its_path = [&](const HidDeviceInfo& info) { return info.path == device->path; };
     if (is_tracker && std::none_of(trackers.begin(), trackers.end(), has_its_path)) {
       trackers.push_back(info_from(*device));

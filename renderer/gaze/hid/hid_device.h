@@ -1,4 +1,4 @@
-// HID devices: what is attached, and the bytes that go to and from one.
+// HID devices: enumeration, and reading and writing reports.
 #pragma once
 
 #include <chrono>
@@ -17,34 +17,34 @@ class HidDevice {
  public:
   virtual ~HidDevice() = default;
 
-  /// Waits for the next input report, which goes to the beginning of `buffer`, and returns how many
-  /// bytes it has: at most the buffer's, 0 if none came within `timeout`. Empty once the device is
+  /// Waits for the next input report and writes it to the beginning of `buffer`. Returns its length
+  /// in bytes, at most the buffer's; 0 if none came within `timeout`; nullopt once the device is
   /// gone.
   virtual std::optional<std::size_t> read(std::span<std::uint8_t> buffer,
                                           std::chrono::milliseconds timeout) = 0;
 
-  /// The feature report with this id (0: reports have none), at most size_bytes long. Empty if the
-  /// device does not give it.
+  /// The feature report with this id (0: without ids), at most size_bytes long. nullopt if the
+  /// device does not provide it.
   virtual std::optional<std::vector<std::uint8_t>> get_feature_report(std::uint8_t id,
                                                                       std::size_t size_bytes) = 0;
 
-  /// Returns whether the device took it. id: as above.
+  /// Returns whether the device accepted it. id: as above.
   virtual bool send_feature_report(std::uint8_t id, std::span<const std::uint8_t> report) = 0;
 };
 
 struct HidDeviceInfo {
-  std::string path;  ///< path of its device file; it may change when the device is plugged in again
+  std::string path;  ///< path of its device file; may change when it is plugged in again
   std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
   std::string manufacturer;
   std::string product;
-  std::string serial_number;  ///< empty if it has none
+  std::string serial_number;  ///< empty if absent
 };
 
-/// The devices attached that have an eye tracker among their collections, each once.
+/// The attached devices with an eye tracker among their collections, each once.
 std::vector<HidDeviceInfo> list_hid_eye_trackers();
 
-/// Which device is meant; where a member is empty, any value will do.
+/// Criteria for a device; empty members match any value.
 struct HidDeviceChoice {
   std::optional<std::uint16_t> vendor_id;
   std::optional<std::uint16_t> product_id;
@@ -60,10 +60,10 @@ struct HidConnection {
   std::unique_ptr<HidDevice> device;
 };
 
-/// Throws Error if the device is gone, or the user may not read and write it.
+/// Throws Error if the device is gone, or the user lacks permission to read and write it.
 HidConnection open_hid_device(const HidDeviceInfo& info);
 
-/// Opens the first eye tracker attached that fits the choice; empty if there is none. Throws
+/// Opens the first attached eye tracker that matches the choice; nullopt if there is none. Throws
 /// Error as above.
 std::optional<HidConnection> open_hid_eye_tracker(const HidDeviceChoice& choice = {});
 

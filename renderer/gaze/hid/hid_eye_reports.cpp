@@ -27,7 +27,7 @@ constexpr std::uint16_t device_mode_request = 0x400;
 
 HidUsage usage_of(std::uint16_t id) { return {.page = eye_and_head_trackers_page, .id = id}; }
 
-/// The collections of an eye tracker that enclose a number, whatever else does.
+/// The collections of an eye tracker that must enclose a number, among others.
 using Within = std::initializer_list<std::uint16_t>;
 
 bool is_within(const HidField& field, std::uint16_t collection) {
@@ -42,7 +42,7 @@ bool is_within(const HidField& field, Within collections) {
 }
 
 /// The first numbers with the usage, if they can be read as the quantity. A repeated usage is one
-/// number in pieces if that is `in_pieces`, else its first number counts.
+/// number in pieces if `in_pieces`, else its first number counts.
 std::optional<HidNumber> find_number(const HidReport& report, Within collections,
                                      std::uint16_t usage, HidQuantity quantity,
                                      bool in_pieces = false) {
@@ -61,8 +61,8 @@ std::optional<HidNumber> find_number(const HidReport& report, Within collections
   return std::nullopt;
 }
 
-/// The number with the largest 32-bit value out of its limits, which stands for "none" in
-/// Microsoft's reference code (GazeHid, GhostHid.c).
+/// Excludes the largest 32-bit value, which means "none" in Microsoft's reference code (GazeHid,
+/// GhostHid.c).
 std::optional<HidNumber> without_largest(std::optional<HidNumber> number) {
   if (!number || number->bit_size != 32) {
     return number;
@@ -124,7 +124,7 @@ std::optional<HidConfigurationReport> as_configuration(const HidReport& report) 
   return found.screen_width || found.screen_height ? std::optional(found) : std::nullopt;
 }
 
-/// The first report of this kind of which `read_as` makes something.
+/// The first report of this kind for which `read_as` succeeds.
 template <typename ReadAs>
 auto first_of(const HidReportDescriptor& descriptor, HidReportKind kind, ReadAs read_as)
     -> decltype(read_as(descriptor.reports.front())) {

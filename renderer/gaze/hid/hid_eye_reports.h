@@ -1,6 +1,5 @@
-// The reports of an eye tracker that speaks the HID standard (usage page 0x12, "Eye and Head
-// Trackers", of the HID Usage Tables since 1.2; request HUTRR74): where a device puts what it
-// measures, and reading it in SI units.
+// Reports of an HID eye tracker (usage page 0x12, "Eye and Head Trackers", of the HID Usage Tables
+// since 1.2; request HUTRR74): locates its measurements, and reads them in SI units.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +17,13 @@ namespace foveola {
 inline constexpr std::uint16_t eye_and_head_trackers_page = 0x12;
 inline constexpr std::uint16_t eye_tracker_usage = 0x01;
 
-/// How a report is distinguished from the device's others.
+/// The shape that distinguishes a report from the device's others.
 struct HidReportShape {
-  std::uint8_t id = 0;         ///< its first byte; 0: the device's reports have no ids
-  std::size_t size_bytes = 0;  ///< the id included
+  std::uint8_t id = 0;         ///< its first byte; 0: without ids
+  std::size_t size_bytes = 0;  ///< including the id
 };
 
-/// Whether a report of this shape is what `bytes` begin with.
+/// Whether `bytes` begin with a report of this shape.
 enum class HidReportFit { fits, wrong_id, too_short };
 HidReportFit fit_of(const HidReportShape& shape, std::span<const std::uint8_t> bytes);
 
@@ -32,7 +31,7 @@ struct HidPoint {
   std::optional<HidNumber> x, y;
 };
 
-/// The tracker's measurements, an input report. Whatever a device does not measure is empty.
+/// The tracker's measurements, an input report. Absent measurements are empty.
 struct HidTrackingReport {
   HidReportShape shape;
   std::optional<HidNumber> sensor_time;  ///< seconds since any origin
@@ -52,13 +51,13 @@ struct HidControlReport {
 
 struct HidConfigurationReport {
   HidReportShape shape;
-  std::optional<HidNumber> screen_width;   ///< metres, of the screen it was calibrated to
+  std::optional<HidNumber> screen_width;   ///< metres, of the screen that it was calibrated to
   std::optional<HidNumber> screen_height;  ///< metres
 };
 
 /// The reports of the first eye tracker that a descriptor describes.
 struct HidEyeReports {
-  std::vector<HidReportShape> inputs;  ///< all that the device sends, in the descriptor's order
+  std::vector<HidReportShape> inputs;  ///< of all input reports, in the descriptor's order
   HidTrackingReport tracking;
   std::optional<HidStatusReport> status_input;
   std::optional<HidStatusReport> status_feature;
@@ -66,12 +65,12 @@ struct HidEyeReports {
   std::optional<HidConfigurationReport> configuration;  ///< a feature
 };
 
-/// Throws Error if the descriptor describes no eye tracker or one that sends no gaze point in a
-/// unit of length.
+/// Throws Error if the descriptor describes no eye tracker, or one without a gaze point in a unit
+/// of length.
 HidEyeReports find_eye_reports(const HidReportDescriptor& descriptor);
 
-/// What one tracking report says. What the device did not measure this time is empty too: it is
-/// out of its field's range, or the largest 32-bit number.
+/// The content of a tracking report. Values missing in this report are empty too: those out of
+/// their field's range, or the largest 32-bit number.
 struct HidTrackingData {
   std::optional<double> sensor_time_s;
   std::optional<DVec2> gaze_point_m;
@@ -95,7 +94,7 @@ struct HidConfiguration {
   std::optional<double> screen_height_m;
 };
 
-/// Each reads the report that `bytes` begin with; empty unless it fits.
+/// Each reads the report at the beginning of `bytes`; nullopt unless it fits.
 std::optional<HidTrackingData> read_report(const HidTrackingReport& report,
                                            std::span<const std::uint8_t> bytes);
 std::optional<HidStatus> read_report(const HidStatusReport& report,
@@ -103,10 +102,10 @@ std::optional<HidStatus> read_report(const HidStatusReport& report,
 std::optional<HidConfiguration> read_report(const HidConfigurationReport& report,
                                             std::span<const std::uint8_t> bytes);
 
-/// The bytes of a control report that requests the gaze point.
+/// The bytes of a control report that requests gaze points.
 std::vector<std::uint8_t> encode_gaze_request(const HidControlReport& report);
 
-/// After how many seconds the sensor's clock starts again from 0; empty if it has none.
+/// Period of the sensor's clock in seconds; nullopt if it has none.
 std::optional<double> sensor_clock_period_s(const HidTrackingReport& report);
 
 }  // namespace foveola

@@ -8,12 +8,12 @@
 namespace foveola {
 namespace {
 
-/// Widths of a screen between a wrist watch's and a cinema's; others were never set.
+/// Plausible widths of a screen, from a wrist watch's to a cinema's; others were never set.
 bool is_size_of_screen(const std::optional<double>& size_m) {
   return size_m && *size_m >= 0.01 && *size_m <= 100.0;
 }
 
-/// The shape of the report that `bytes` begin with; null if there is none with this id.
+/// The shape of the report at the beginning of `bytes`; null if none has this id.
 const HidReportShape* shape_at(const std::vector<HidReportShape>& shapes,
                                std::span<const std::uint8_t> bytes) {
   const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const HidReportShape& shape) {
@@ -26,7 +26,7 @@ bool is_padding(std::span<const std::uint8_t> bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
 }
 
-/// The longest time that the thread cannot be stopped.
+/// Maximum time before the thread can stop.
 constexpr std::chrono::milliseconds read_timeout{50};
 
 std::size_t longest_input(const HidEyeReports& reports) {
@@ -37,7 +37,7 @@ std::size_t longest_input(const HidEyeReports& reports) {
   return size_bytes;
 }
 
-/// What a feature report says; empty if the device has none or does not give it.
+/// The content of a feature report; nullopt if the device lacks it or does not provide it.
 template <typename Report>
 auto get_feature(HidDevice& device, const std::optional<Report>& report)
     -> decltype(read_report(*report, {})) {
@@ -48,7 +48,7 @@ auto get_feature(HidDevice& device, const std::optional<Report>& report)
   return bytes ? read_report(*report, *bytes) : std::nullopt;
 }
 
-/// Returns whether the device took it, or needs none.
+/// Returns whether the device accepted the request, or needs none.
 bool request_gaze(HidDevice& device, const std::optional<HidControlReport>& control) {
   return !control || device.send_feature_report(control->shape.id, encode_gaze_request(*control));
 }
@@ -164,7 +164,7 @@ void HidEyeTracker::set_up(const HidConnection& connection, const HidEyeReports&
   HidDevice& device = *connection.device;
   const auto configuration = get_feature(device, reports.configuration);
   const auto status = get_feature(device, reports.status_feature);
-  // Only now: a host reads the configuration before it asks a device to measure.
+  // Only now: a host reads the configuration before it requests measurements.
   const bool will_measure = request_gaze(device, reports.control);
   if (stream_) {
     stream_->reconnect(reports);

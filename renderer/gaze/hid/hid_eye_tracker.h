@@ -1,6 +1,5 @@
-// An eye tracker that speaks the HID standard, read by a thread of its own: Linux queues 64 reports
-// for a reader, so that one who reads once a frame sees the past. Decodes where the eye looked, and
-// when.
+// An HID eye tracker with a reading thread of its own, since Linux queues 64 reports per reader:
+// reading once per frame would lag. Decodes the gaze and its time.
 #pragma once
 
 #include <chrono>
@@ -25,36 +24,35 @@
 namespace foveola {
 
 struct HidGazeSettings {
-  /// What the tracker is calibrated to. A device that says how large that is knows better; if only
-  /// the device can know, the size is 0, and without either no sample is valid.
+  /// The screen that the tracker is calibrated to. A size reported by the device takes precedence.
+  /// If only the device can know it, the size is 0 here, and without either no sample is valid.
   Screen screen;
-  /// From the eye to the host for the report with the shortest way, in seconds, >= 0: the middle of
-  /// the exposure, processing and transfer. The device says nothing of it; it is assumed.
+  /// Minimum latency from eye position to arrival of its report, in seconds, >= 0: half the
+  /// exposure, processing and transfer. The device does not report it; it is assumed.
   double latency_s = 0.0;
-  /// Off: reports count from when they arrive, for a device whose clock is wrong.
+  /// Off: a report has its arrival's time, for a device with a wrong clock.
   bool use_sensor_clock = true;
 };
 
-/// Reads reports as they arrive, in their order. Its samples depend on its arguments alone.
+/// Decodes reports in their order of arrival. Its samples depend on its arguments alone.
 class HidGazeStream {
  public:
   HidGazeStream(const HidEyeReports& reports, const HidGazeSettings& settings);
 
-  /// Takes what feature reports say, as far as a device has them: its status, and the size of the
-  /// screen.
+  /// Applies the content of feature reports, as far as the device has it: its status, and the
+  /// screen's size.
   void learn(const HidStatus& status);
   void learn(const HidConfiguration& configuration);
 
-  /// Begins another connection of the same tracker: its clock and its reports may be different now.
+  /// Begins another connection of the same tracker, whose clock and reports may differ.
   void reconnect(const HidEyeReports& reports);
 
-  /// Takes the bytes of one read: a report, several behind one another if the reads were merged,
-  /// or none that makes sense. Zeros behind a report are padding. Returns the gaze of the tracking
-  /// reports among them, in their order; its direction is straight ahead if it is not valid.
-  /// Arrivals may not go backwards between calls.
+  /// Decodes the bytes of one read: a report, several if reads were merged, or garbage. Zeros
+  /// behind a report are padding. Returns the gaze of the tracking reports, in order; the direction
+  /// is straight ahead if invalid. Arrivals must not decrease between calls.
   std::vector<GazeSample> receive(std::span<const std::uint8_t> bytes, Nanoseconds arrival);
 
-  /// The newest that the device said, in a feature report that was learnt or an input report.
+  /// The device's newest status, from a feature report or an input report.
   const HidStatus& status() const { return status_; }
   const Screen& screen() const { return settings_.screen; }
 
@@ -70,37 +68,36 @@ class HidGazeStream {
 
 struct HidTrackerSettings {
   HidGazeSettings gaze;
-  std::chrono::milliseconds retry{500};  ///< between attempts to find a tracker that is gone
+  std::chrono::milliseconds retry{500};  ///< between attempts to reconnect
 };
 
-/// What is known of the tracker and its connection.
+/// State of the tracker and its connection.
 struct HidTrackerState {
   bool is_connected = false;
-  HidDeviceInfo device;  ///< the last that was open
+  HidDeviceInfo device;  ///< the last open device
   HidStatus status;
   std::optional<HidConfiguration> configuration;
-  std::string status_text;  ///< why it is not connected, or does not do all; empty if all well
+  std::string status_text;  ///< why it is disconnected or limited; empty if all is well
 };
 
 class HidEyeTracker final : public EyeTracker {
  public:
-  /// Opens the tracker, again after each unplugging; empty if it is not there, and may throw Error.
-  /// Called by the reading thread.
+  /// Opens the tracker, also after each unplugging. Returns nullopt if it is not there; may throw
+  /// Error. Called by the reading thread.
   using Opener = std::function<std::optional<HidConnection>()>;
 
-  /// Begins to read at once, and to look for the tracker if it is not there. clock: must outlive
-  /// the tracker and let several threads ask at a time; sample times are its.
+  /// Begins to connect and read at once. clock: of the samples, must outlive the tracker and be
+  /// thread-safe.
   HidEyeTracker(Opener open, const Clock& clock, const HidTrackerSettings& settings);
 
-  /// Ends the thread once its present read is over, after at most 50 ms, or the feature report or
-  /// the opening that it is busy with.
+  /// Ends the thread after its present read, at most 50 ms, or after the feature report or opening
+  /// in progress.
   ~HidEyeTracker() override = default;
   HidEyeTracker(const HidEyeTracker&) = delete;
   HidEyeTracker& operator=(const HidEyeTracker&) = delete;
 
-  /// What has arrived when it is called has arrived by `now`. A device that does not see the eyes
-  /// may send nothing: then data are lost without an invalid sample, which only the samples'
-  /// times show.
+  /// Appends all reports that arrived by this call. A device that does not see the eyes may send
+  /// nothing: data loss then shows only in the samples' times.
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
   std::string status() const override { return state().status_text; }
@@ -109,9 +106,10 @@ class HidEyeTracker final : public EyeTracker {
 
  private:
   void run(const std::stop_token& stop);
-  /// Reads until the tracker is gone or `stop`, and returns why it is not connected any more.
+  /// Reads until the tracker is gone or `stop` is requested; returns the reason for the
+  /// disconnection.
   std::string connect_and_read(const std::stop_token& stop);
-  /// Learns what the device says of itself and asks it for gaze.
+  /// Reads the device's feature reports and requests gaze.
   void set_up(const HidConnection& connection, const HidEyeReports& reports);
   void read_until_gone(const std::stop_token& stop, HidDevice& device,
                        std::size_t longest_report_bytes);
@@ -129,7 +127,7 @@ class HidEyeTracker final : public EyeTracker {
   SampleQueue samples_;
 
   std::condition_variable_any retry_;
-  std::jthread thread_;  ///< last: it ends before what it uses
+  std::jthread thread_;  ///< last: it ends before the members that it uses
 };
 
 }  // namespace foveola

@@ -15,7 +15,7 @@ constexpr std::uint32_t si_linear = 1;
 constexpr std::uint32_t english_linear = 3;
 constexpr std::uint32_t english_rotation = 4;
 
-// A unit of which only the length or the time has an exponent that is not 0.
+// A unit in which only the exponent of the length or the time is not 0.
 constexpr std::uint32_t centimetres_or_inches = 0x10;
 constexpr std::uint32_t seconds_to_one = 0x1000;
 constexpr std::uint32_t seconds_to_minus_one = 0xF000;
@@ -23,7 +23,7 @@ constexpr std::uint32_t seconds_to_minus_one = 0xF000;
 constexpr double metres_per_centimetre = 0.01;
 constexpr double metres_per_inch = 0.0254;
 
-/// One base unit of the number's system in the unit of the quantity; empty if they do not match.
+/// One base unit of the number's system in the unit of the quantity; nullopt if they do not match.
 std::optional<double> si_units_in_base(std::uint32_t unit, HidQuantity quantity) {
   const std::uint32_t system = unit & 0xFU;
   const std::uint32_t dimension = unit & ~0xFU;

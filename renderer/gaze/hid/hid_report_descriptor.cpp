@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// The global state, which holds for all main items from here on (section 6.2.2.7).
+/// The global state, for all main items from here on (section 6.2.2.7).
 struct GlobalState {
   std::uint16_t usage_page = 0;
   HidItemData logical_minimum;
@@ -24,7 +24,7 @@ struct GlobalState {
   std::uint8_t report_id = 0;
 };
 
-/// A usage whose page may still be open: it is the one that holds at the main item (6.2.2.8).
+/// A usage without a page takes the page at the main item (6.2.2.8).
 struct PartialUsage {
   std::optional<std::uint16_t> page;
   std::uint16_t id = 0;
@@ -35,7 +35,7 @@ struct PartialRange {
   std::uint16_t last_id = 0;
 };
 
-/// The local state, which holds for the next main item only.
+/// The local state, for the next main item only.
 struct LocalState {
   std::vector<PartialRange> usages;
   std::optional<PartialUsage> minimum;
@@ -48,7 +48,7 @@ struct NumberRange {
   std::int64_t maximum = 0;
 };
 
-/// A maximum has a sign only if the minimum is negative: many devices write 255 as one byte FF.
+/// A maximum is signed only if the minimum is negative: many devices write 255 as one byte FF.
 NumberRange range_from(const HidItemData& minimum, const HidItemData& maximum) {
   const std::int64_t least = minimum.as_signed();
   return {.minimum = least,
@@ -94,7 +94,7 @@ class DescriptorParser {
   }
 
  private:
-  /// Items of other kinds (designators, strings, reserved ones) say nothing about the numbers.
+  /// Items of other kinds (designators, strings, reserved ones) do not describe numbers.
   void take(const HidItem& item) {
     switch (item.kind) {
       case HidItemKind::input:
@@ -207,7 +207,7 @@ class DescriptorParser {
     pushed_.pop_back();
   }
 
-  /// Between delimiters are several usages of one number, of which the first is the preferred one.
+  /// Delimiters enclose several usages of one number, of which the first is preferred.
   void add_usages(const PartialRange& usages) {
     if (local_.in_delimiter && std::exchange(local_.has_delimited_usage, true)) {
       return;

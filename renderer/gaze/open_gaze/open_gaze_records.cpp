@@ -27,21 +27,21 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-/// Takes `token` off the front of `text`, if it begins with it.
+/// Removes `token` from the front of `text`, if it begins with it.
 bool take(std::string_view token, std::string_view& text) {
   const bool is_there = text.starts_with(token);
   text.remove_prefix(is_there ? token.size() : 0);
   return is_there;
 }
 
-/// Takes blanks off the front; whether there were any.
+/// Removes blanks from the front; returns whether there were any.
 bool take_blanks(std::string_view& text) {
   const std::size_t count = std::min(text.find_first_not_of(blanks), text.size());
   text.remove_prefix(count);
   return count > 0;
 }
 
-/// Takes a name off the front; empty if there is none.
+/// Removes a name from the front; empty if there is none.
 std::string_view take_name(std::string_view& text) {
   const auto* const end = std::find_if_not(text.begin(), text.end(), is_name_character);
   const std::string_view name = text.substr(0, static_cast<std::size_t>(end - text.begin()));
@@ -49,7 +49,7 @@ std::string_view take_name(std::string_view& text) {
   return name;
 }
 
-/// Takes ="VALUE" off the front.
+/// Removes ="VALUE" from the front.
 std::optional<std::string_view> take_value(std::string_view& text) {
   if (!take("=\"", text)) {
     return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<Number> number(const OpenGazeElement& element, std::string_view ke
   if (text == nullptr) {
     return std::nullopt;
   }
-  // Some programs write their numbers as the computer's language does.
+  // Some programs write numbers in the computer's language.
   std::string decimal = *text;
   std::replace(decimal.begin(), decimal.end(), ',', '.');
   Number value{};
@@ -98,7 +98,7 @@ std::optional<Number> number(const OpenGazeElement& element, std::string_view ke
   return value;
 }
 
-/// The point of the eye whose attributes begin with `eye`; empty if it is not in the record.
+/// The point of the eye whose attributes begin with `eye`; nullopt if the record lacks it.
 std::optional<PointOfGaze> point_of(const OpenGazeElement& element, const std::string& eye) {
   constexpr double farthest = 100.0;
   const std::string* validity = find(element, eye + "POGV");

@@ -13,11 +13,11 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// The longest time between two checks whether the thread is to end.
+/// Maximum time between two checks for a stop.
 constexpr milliseconds slice{50};
 
-/// Repeats wait(slice), which returns a TcpConnection::Wait, until it is over, as is the limit, or
-/// the thread is to end.
+/// Repeats wait(slice), which returns a TcpConnection::Wait, until it succeeds, the limit has
+/// passed, or the thread has to stop.
 template <typename Wait>
 TcpConnection::Wait wait_in_slices(const std::stop_token& stop, Nanoseconds limit,
                                    const Wait& wait) {
@@ -52,7 +52,7 @@ std::vector<GazeSample> OpenGazeDecoder::decode(std::string_view bytes, Nanoseco
       continue;
     }
     const OpenGazeRecord record = record_from(element);
-    // Without a counter and a time, it may be of an eye that rests.
+    // A repeated record without counter and time may be of an eye at rest.
     const bool is_known = record.count || record.time_s;
     if (is_known && element.attributes == last_attributes_) {
       continue;

@@ -38,7 +38,7 @@ std::vector<TcpAddress> resolve(const std::string& host, std::uint16_t port) {
 
 TcpConnection::TcpConnection(const TcpAddress& address)
     : socket_(::socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
-  // wait_for_connection reports what becomes of it: even a refusal may come later.
+  // wait_for_connection reports the result: even a refusal may come later.
   const auto* const bytes = reinterpret_cast<const sockaddr*>(&address.bytes);
   if (::connect(socket_, bytes, address.size) == 0 || errno == EINPROGRESS) {
     const int yes = 1;

@@ -1,5 +1,4 @@
-// A TCP connection to a program that may be slow, silent or gone: no call blocks for longer than it
-// may.
+// A TCP connection to a program that may be slow, silent or gone: no call blocks beyond its limit.
 #pragma once
 
 #include <chrono>
@@ -18,11 +17,11 @@ struct TcpAddress {
   socklen_t size = 0;
 };
 
-/// All addresses of a host, which is given by its name or number; at least one. To look it up may
-/// take seconds. Throws Error if it is unknown.
+/// All addresses of a host name or number; at least one. May take seconds. Throws Error if the host
+/// is unknown.
 std::vector<TcpAddress> resolve(const std::string& host, std::uint16_t port);
 
-/// For use by one thread; ends with its scope.
+/// For one thread; closed at the end of its scope.
 class TcpConnection {
  public:
   enum class Wait { ready, not_yet, closed };
@@ -33,14 +32,14 @@ class TcpConnection {
   TcpConnection(const TcpConnection&) = delete;
   TcpConnection& operator=(const TcpConnection&) = delete;
 
-  /// Until the connection is made (ready) or refused (closed).
+  /// Waits until the connection is made (ready) or refused (closed).
   Wait wait_for_connection(std::chrono::milliseconds patience) const;
-  /// Until there is something to receive, be it the end.
+  /// Waits until there is data to receive, or the end.
   Wait wait_for_bytes(std::chrono::milliseconds patience) const;
 
-  /// Sends a few hundred bytes, which a new connection takes at once; returns whether it took all.
+  /// Sends a few hundred bytes, which a new connection accepts; returns whether it took all.
   bool send(std::string_view bytes) const;
-  /// What has arrived, at the front of `buffer`. closed: the other side has hung up, or it failed.
+  /// The received bytes, at the front of `buffer`. closed: the connection ended or failed.
   struct Received {
     std::string_view bytes;
     bool is_closed = false;

@@ -20,7 +20,7 @@ constexpr std::array<unsigned char, 64> zeros = {};
 template <typename T>
 T load(const unsigned char* bytes) {
   T value;
-  std::memcpy(&value, bytes, sizeof value);  // files align as they like
+  std::memcpy(&value, bytes, sizeof value);  // files need not align values
   return value;
 }
 
@@ -34,9 +34,9 @@ const GltfAccessor& accessor_at(const GltfModel& model, int index) {
   return model.accessors.at(static_cast<std::size_t>(index));
 }
 
-/// `count` elements of `size` bytes, at `stride` bytes from each other, `offset` bytes into a
-/// buffer view: a pointer to the first of them, all of which lie inside the view. Counts and
-/// offsets are at most 2^32 and strides below 2^10, so 64 bits hold every product.
+/// Pointer to `count` elements of `size` bytes, `stride` bytes apart, from `offset` in a buffer
+/// view; all lie inside the view. Counts and offsets are at most 2^32 and strides below 2^10, so 64
+/// bits hold every product.
 const unsigned char* bytes_in_view(const GltfModel& model, int view_index, std::size_t offset,
                                    std::size_t count, std::size_t stride, std::size_t size,
                                    const std::string& what, const std::string& place) {
@@ -50,7 +50,7 @@ const unsigned char* bytes_in_view(const GltfModel& model, int view_index, std::
   return buffer.data() + view.offset + offset;
 }
 
-/// The elements of an accessor that replace others (specification, section 3.6.2.3).
+/// The replaced elements of an accessor (specification, section 3.6.2.3).
 class SparseElements {
  public:
   /// accessor_index: of a sparse accessor.

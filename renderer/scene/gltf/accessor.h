@@ -1,4 +1,4 @@
-// Reads glTF accessors, never a byte outside their buffer views.
+// Reads glTF accessors with bounds checks.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,27 @@
 
 namespace foveola {
 
-/// Which elements of an accessor to read, in ascending order.
+/// Elements of an accessor to read, in ascending order.
 using ElementList = std::span<const std::uint32_t>;
 
 /// Throws GltfFault unless the indices of every sparse accessor lie inside it, in strictly
 /// ascending order. To be called once, before anything is read.
 void check_sparse_accessors(const GltfModel& model);
 
-/// The number of elements of accessor `index`.
+/// Number of elements of accessor `index`.
 std::size_t element_count(const GltfModel& model, int index);
 
 // `place` is the JSON path of the reference to the accessor, for the GltfFault that each of these
 // throws if the accessor is of the wrong type, reaches beyond a buffer view, or lacks an element of
-// the list. An accessor without a buffer view is zero where no sparse elements replace it; those of
-// more than 2^22 elements are refused, since they cost a file nothing.
+// the list. An accessor without a buffer view holds zeros, except for its sparse elements. Above
+// 2^22 elements it is refused, since zeros take no space in a file.
 
-/// All elements of a SCALAR of unsigned 8, 16 or 32 bits.
+/// All elements of an unsigned SCALAR of 8, 16 or 32 bits.
 std::vector<std::uint32_t> read_indices(const GltfModel& model, int index,
                                         const std::string& place);
 
-// Vertex attributes of float, or of integers of 8 or 16 bits as KHR_mesh_quantization allows them:
-// as they are, or normalised by the equations of the specification, section 3.11.
+// Vertex attributes of float, or of integers of 8 or 16 bits as in KHR_mesh_quantization:
+// unchanged, or normalised by the equations of the specification, section 3.11.
 
 std::vector<Vec2> read_vec2s(const GltfModel& model, int index, ElementList elements,
                              const std::string& place);
@@ -41,7 +41,7 @@ std::vector<Vec3> read_vec3s(const GltfModel& model, int index, ElementList elem
 std::vector<Vec4> read_vec4s(const GltfModel& model, int index, ElementList elements,
                              const std::string& place);
 
-/// VEC3, to which an alpha of 1 is added, or VEC4; of float or of normalised unsigned integers.
+/// VEC3 with an added alpha of 1, or VEC4; of float or of normalised unsigned integers.
 std::vector<Vec4> read_colors(const GltfModel& model, int index, ElementList elements,
                               const std::string& place);
 
@@ -50,7 +50,7 @@ template <typename Value>
 using AccessorFunction = std::vector<Value> (*)(const GltfModel&, int, ElementList,
                                                 const std::string& place);
 
-/// Reads accessors that have one element for each vertex of a primitive.
+/// Reads accessors that have one element per vertex of a primitive.
 class VertexReader {
  public:
   /// used: the vertices whose elements are read. model: must outlive this.
@@ -73,8 +73,8 @@ class VertexReader {
   std::size_t vertex_count_;
 };
 
-/// All components of all elements, one after the other, of `components` to an element: floats, or,
-/// but for matrices, integers of 8 or 16 bits as above.
+/// All components of all elements, consecutive, `components` per element: floats, or, except for
+/// matrices, integers of 8 or 16 bits as above.
 std::vector<float> read_numbers(const GltfModel& model, int index, int components,
                                 const std::string& place);
 

@@ -22,11 +22,11 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// How a sampler goes from one key to the next.
+/// Interpolation of a sampler between keys.
 struct Keys {
   std::vector<float> times;  ///< seconds
   std::vector<float>
-      numbers;  ///< `width` for each key, or thrice that: in-tangent, value, out-tangent
+      numbers;  ///< `width` per key, or three times that: in-tangent, value, out-tangent
   std::size_t width = 0;
   std::string interpolation;
 
@@ -88,13 +88,13 @@ Values value_at(const Keys& keys, double time_s, bool is_rotation) {
                          : on_line(keys.at(key), keys.at(key + 1), share, is_rotation);
 }
 
-/// Poses one channel after the other.
+/// Poses channels one by one.
 class Poser {
  public:
   Poser(const GltfModel& model, double time_s, Warnings& warnings)
       : model_(model), time_s_(time_s), warnings_(warnings) {}
 
-  /// path: the property of `node` that moves.
+  /// path: the animated property of `node`.
   void pose(GltfNode& node, const std::string& path, const GltfValues& sampler,
             const std::string& place) {
     if (path == "weights") {
@@ -118,7 +118,7 @@ class Poser {
   }
 
  private:
-  /// How many morph targets the node's mesh has.
+  /// Number of morph targets of the node's mesh.
   std::size_t weights_of(const GltfNode& node) const {
     return node.mesh < 0 ? 0
                          : model_.meshes[static_cast<std::size_t>(node.mesh)]
@@ -126,7 +126,7 @@ class Poser {
                                .targets.size();
   }
 
-  /// per_key: how many elements of the sampler's output belong to a key, a cubic's tangents apart.
+  /// per_key: number of elements of the sampler's output per key, without a cubic's tangents.
   Values value(const GltfValues& sampler, int components, std::size_t per_key, bool is_rotation,
                const std::string& place) {
     const Keys keys{.times = numbers(sampler.integer("input"), 1, place + ".input"),
@@ -188,7 +188,7 @@ void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings&
         names.empty() ? "it has none at all: leave it out" : "it has " + listed(names));
   }
   Poser poser(model, time_s, warnings);
-  std::map<std::pair<int, std::string>, std::size_t> last_mover;  // of a node's property
+  std::map<std::pair<int, std::string>, std::size_t> last_mover;  // by node and property
   bool overlaps = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const GltfValues animation = model.root().item("animations", i);

@@ -20,10 +20,10 @@
 namespace foveola {
 namespace {
 
-/// Files may be named any number of times, and each time they are read.
+/// Files may be named any number of times, and are read each time.
 constexpr std::uintmax_t largest_total_size = std::uintmax_t{1} << 33;
 
-/// Reads one buffer after the other.
+/// Reads buffers one by one.
 class BufferReader {
  public:
   BufferReader(std::string_view binary, const std::filesystem::path& folder)
@@ -49,7 +49,7 @@ class BufferReader {
   FileHashes take_hashes() && { return std::move(hashes_); }
 
  private:
-  /// The bytes that the buffer states; padding may follow them.
+  /// The buffer's stated bytes; padding may follow them.
   static GltfBytes whole(std::string_view content, std::size_t length, const std::string& place) {
     if (content.size() < length) {
       throw GltfFault(place, fmt::format("size mismatch: it states {} bytes, but there are {}",
@@ -98,8 +98,8 @@ class BufferReader {
 
 constexpr const char* compression = "EXT_meshopt_compression";
 
-/// For each buffer, whether a buffer view lies in it. One that is compressed lies elsewhere, in the
-/// buffer that its extension names: its own is for programs that do not know the extension.
+/// For each buffer, whether a buffer view lies in it. A compressed view lies in the buffer that its
+/// extension names: its own is for programs that do not support the extension.
 std::vector<bool> used_buffers(const GltfValues& document) {
   std::vector<bool> is_used(document.size("buffers"), false);
   for (std::size_t i = 0; i < document.size("bufferViews"); ++i) {

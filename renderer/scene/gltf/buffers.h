@@ -1,4 +1,4 @@
-// The bytes of a glTF file's buffers, wherever they lie.
+// Loads the bytes of a glTF file's buffers.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace foveola {
 
-/// Gives each buffer of `model` as many bytes as it states, or none if nothing uses it and it has
-/// no uri, or is EXT_meshopt_compression's fallback: those in data: uris, in files in `folder`, or,
-/// the first buffer's, in `binary`, the file's own chunk. Returns SHA-256s of the files that were
-/// read. Throws GltfFault if a buffer cannot be had whole.
+/// Fills each buffer of `model` with its stated number of bytes: from data: uris, from files in
+/// `folder`, or, for the first buffer, from `binary`, the file's own chunk. Buffers that are unused
+/// and have no uri stay empty, and so does EXT_meshopt_compression's fallback. Returns SHA-256s of
+/// the files read. Throws GltfFault if a buffer is incomplete.
 FileHashes read_gltf_buffers(GltfModel& model, std::string_view binary,
                              const std::filesystem::path& folder);
 
-/// require_modest_memory, whose fault is a GltfFault at `place`.
+/// require_modest_memory, with a GltfFault at `place`.
 void require_modest_gltf_memory(std::size_t decoded_bytes, std::size_t encoded_bytes,
                                 const std::string& place);
 

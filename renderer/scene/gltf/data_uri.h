@@ -1,4 +1,4 @@
-// The bytes that a data: URI holds in itself, whatever type it gives them.
+// Decodes data: URIs.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace foveola {
 
-/// Whether `uri` has the scheme "data", in letters of either case.
+/// Whether `uri` has the scheme "data", in either case.
 bool is_data_uri(std::string_view uri);
 
-/// The decoded bytes of a data: URI (RFC 2397), in base64 or percent-encoded. Its type and the
-/// type's parameters are not looked at: programs write any. Nothing if it has no comma or is no
-/// base64 where it says so.
+/// The decoded bytes of a data: URI (RFC 2397), in base64 or percent-encoded. Its type and
+/// parameters are ignored, since programs write any. nullopt if it has no comma, or is declared
+/// base64 but is not.
 std::optional<std::string> bytes_of_data_uri(std::string_view uri);
 
 }  // namespace foveola

@@ -44,13 +44,13 @@ void morph(Mesh& mesh, const GltfIndices& target, float weight, const VertexRead
   }
 }
 
-/// Sums of joint matrices times weights, one a vertex, and of the weights.
+/// Weighted sums of joint matrices, one per vertex, and the sums of weights.
 struct Blend {
   std::vector<DMat4> matrices;
   std::vector<double> weights;
 };
 
-/// Adds the four joints a vertex that set `set` names.
+/// Adds the four joints per vertex of set `set`.
 void add_joints(Blend& blend, int set, const GltfPrimitive& primitive,
                 const std::vector<DMat4>& joints, const VertexReader& reader,
                 const std::string& place) {
@@ -79,7 +79,7 @@ void add_joints(Blend& blend, int set, const GltfPrimitive& primitive,
   }
 }
 
-/// What maps normals where `matrix` maps surfaces: its cofactors, whatever its determinant's size.
+/// The matrix of normals for a matrix of surfaces: its cofactors, for any determinant.
 DMat3 normal_matrix(const DMat4& matrix) {
   const DMat3 linear(matrix);
   return {glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
@@ -90,7 +90,7 @@ void move_vertex(Mesh& mesh, std::size_t i, const DMat4& matrix) {
   mesh.positions[i] = Vec3(matrix * glm::dvec4(DVec3(mesh.positions[i]), 1.0));
   if (!mesh.normals.empty()) {
     const DVec3 normal = normal_matrix(matrix) * DVec3(mesh.normals[i]);
-    mesh.normals[i] = Vec3(normal / glm::length(normal));  // no number where it has no length
+    mesh.normals[i] = Vec3(normal / glm::length(normal));  // NaN for length 0
   }
   if (!mesh.tangents.empty()) {
     const DVec3 tangent = DMat3(matrix) * DVec3(Vec3(mesh.tangents[i]));

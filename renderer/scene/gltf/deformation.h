@@ -1,4 +1,4 @@
-// Moves the vertices of a glTF mesh as its morph targets and its skin do in one pose.
+// Deforms the vertices of a glTF mesh by its morph targets and its skin in one pose.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,30 @@
 
 namespace foveola {
 
-/// What a node does to the vertices of its mesh.
+/// The deformation of a mesh by its node.
 struct Deformation {
   std::vector<double> weights;  ///< of the morph targets; missing ones are 0
-  /// For each joint of the skin, where it takes vertices from the mesh's space: into the world.
+  /// For each joint of the skin, the transform of vertices from the mesh's space to the world.
   /// Empty without a skin.
   std::vector<DMat4> joints;
 };
 
-/// Whether a skin moves the mesh of `node` into the world, so that the node's own place counts for
-/// nothing: all primitives of the mesh name joints.
+/// Whether a skin moves the mesh of `node` into the world, in place of the node's own transform:
+/// all primitives of the mesh name joints.
 bool is_skinned(const GltfModel& model, const GltfNode& node);
 
-/// Lets every node whose mesh has a skin or weights of the node's own have that mesh for itself
-/// alone. Throws GltfFault if that takes more than 2^20 copies of primitives.
+/// Copies meshes so that every node whose mesh has a skin or the node's own weights has that mesh
+/// for itself alone. Throws GltfFault if that takes more than 2^20 copies of primitives.
 void separate_deformed_meshes(GltfModel& model);
 
-/// The deformation of the mesh that `node` shows. world_from_node: of all nodes, by their index.
-/// Throws GltfFault if the skin has fewer inverse bind matrices than joints.
+/// The deformation of the mesh of `node`. world_from_node: of all nodes, by index. Throws GltfFault
+/// if the skin has fewer inverse bind matrices than joints.
 Deformation deformation_of(const GltfModel& model, const GltfNode& node,
                            const std::vector<DMat4>& world_from_node);
 
-/// Moves positions, normals and tangents of `mesh`, which holds the vertices of `primitive` that
-/// `reader` reads. Throws GltfFault, with places below `place`, as read_vec3s does, and for a joint
-/// that the skin does not have.
+/// Deforms positions, normals and tangents of `mesh`, whose vertices `reader` reads from
+/// `primitive`. Throws GltfFault, with places below `place`, as read_vec3s does, and for a joint
+/// that the skin lacks.
 void deform(Mesh& mesh, const VertexReader& reader, const GltfPrimitive& primitive,
             const Deformation& deformation, const std::string& place, Warnings& warnings);
 

@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Printing JSON, as messages do, descends recursively.
+/// Printing JSON in messages is recursive.
 constexpr int deepest_nesting = 64;
 
-/// Where in the text the byte number `offset` stands, for people.
+/// Line and column of the byte at `offset`, for people.
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset > 0 ? offset - 1 : 0);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -27,7 +27,7 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
 }
 
-/// How deep arrays and objects are nested in `text`; meaningful if it is JSON.
+/// Depth of nested arrays and objects in `text`; meaningful if it is JSON.
 int nesting_of(std::string_view text) {
   int depth = 0;
   int deepest = 0;
@@ -63,8 +63,7 @@ Json parse(std::string_view text) {
   }
 }
 
-/// Before anything else is looked at: the schema of glTF 1 is another. Its files may have a number
-/// there.
+/// Checked first: glTF 1 has another schema. Its files may have a number there.
 void refuse_other_versions(const Json& document) {
   static const Json::json_pointer place("/asset/version");
   if (!document.is_object() || !document.contains(place)) {

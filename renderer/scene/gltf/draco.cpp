@@ -27,27 +27,26 @@ namespace {
 
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 
-/// What a triangle costs while its connectivity is decoded: Draco's corner table and what it keeps
-/// beside it.
+/// Memory per triangle for decoding its connectivity: Draco's corner table and further data.
 constexpr std::size_t bytes_per_triangle = 128;
 
 struct DracoLimits {
   std::size_t max_points = 0;
   std::size_t max_triangles = 0;
-  std::size_t most_bytes = 0;  ///< of all attributes while they are decoded, estimated
+  std::size_t most_bytes = 0;  ///< of all attributes during decoding, estimated
 };
 
 constexpr std::uint16_t oldest_format = DRACO_BITSTREAM_VERSION(2, 2);
 
-/// A decoder of Draco's that looks at the counts before it takes memory for them.
+/// A Draco decoder that checks the counts before allocating memory for them.
 template <typename Decoder>
 class LimitedDecoder : public Decoder {
  public:
-  /// triangles_come_first: which of the two counts the connectivity begins with.
+  /// triangles_come_first: the connectivity's first count.
   LimitedDecoder(const DracoLimits& limits, bool triangles_come_first)
       : limits_(limits), triangles_come_first_(triangles_come_first) {}
 
-  /// What was beyond the limits; empty if nothing was.
+  /// The exceeded limit; empty if none was.
   const std::string& fault() const { return fault_; }
 
  protected:
@@ -90,7 +89,7 @@ class LimitedDecoder : public Decoder {
     return true;
   }
 
-  /// By now the attributes are declared, and the points counted that seams have split.
+  /// Called when the attributes are declared, and the points split at seams are counted.
   bool attributes_are_allowed() {
     if (!counts_are_allowed(this->point_cloud()->num_points(), 0)) {
       return false;
@@ -145,7 +144,7 @@ std::unique_ptr<draco::Mesh> decode(std::span<const unsigned char> encoded,
              : decode<draco::MeshSequentialDecoder>(buffer, limits, true);
 }
 
-/// The attribute's value in each point, in `components` numbers of type Component.
+/// The attribute's value at each point, as `components` numbers of type Component.
 template <typename Component>
 GltfBytes values_of(const draco::PointAttribute& attribute, std::size_t points, int components) {
   const std::size_t size = static_cast<std::size_t>(components) * sizeof(Component);
@@ -159,8 +158,8 @@ GltfBytes values_of(const draco::PointAttribute& attribute, std::size_t points, 
   return bytes;
 }
 
-/// The values that the attribute of this unique id has in each point: `components` numbers of type
-/// `component`. Nothing if there is no such attribute.
+/// The values of the attribute with this unique id at each point: `components` numbers of type
+/// `component`. nullopt if there is no such attribute.
 std::optional<GltfBytes> values_in(const draco::Mesh& mesh, std::uint32_t id, int components,
                                    GltfComponent component) {
   const draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(id);
@@ -186,7 +185,7 @@ GltfBytes indices_in(const draco::Mesh& mesh) {
   return bytes;
 }
 
-/// Decodes one primitive after the other.
+/// Decodes primitives one by one.
 class DracoDecompressor {
  public:
   explicit DracoDecompressor(GltfModel& model) : model_(model) {}
@@ -220,7 +219,7 @@ class DracoDecompressor {
     }
   }
 
-  /// What the primitive's accessors state, if that is modest.
+  /// The primitive's accessors' counts, if modest.
   DracoLimits limits_of(const GltfPrimitive& primitive, const std::string& place) {
     constexpr std::size_t most_bytes = std::size_t{1} << 31;
     const int position = primitive.attribute("POSITION");

@@ -1,4 +1,4 @@
-// What is wrong inside a glTF file; load_gltf adds the file's name and turns it into an Error.
+// A fault inside a glTF file; load_gltf adds the file's name and turns it into an Error.
 #pragma once
 
 #include <stdexcept>

@@ -35,7 +35,7 @@ std::uint32_t little_endian_32(std::string_view content, std::size_t offset) {
   return value;
 }
 
-/// A chunk's content, and where the next one begins.
+/// A chunk's content, and the beginning of the next.
 struct Chunk {
   std::uint32_t type = 0;
   std::string_view content;
@@ -75,7 +75,7 @@ std::string_view announced_part(std::string_view content) {
 
 struct Parts {
   std::string_view json;
-  std::string_view binary;  ///< what buffers[0] holds if it has no uri; empty if there is none
+  std::string_view binary;  ///< content of buffers[0] without a uri; empty if there is none
 };
 
 /// The parts of a .glb file (specification, section 4) or of a .gltf file, which is all JSON.
@@ -98,8 +98,8 @@ Parts parts_of(std::string_view content) {
   return parts;
 }
 
-/// Gives the images in data: uris their content. A scene whose unused images are missing can be
-/// shown, but one that names a file outside its folder is not to be trusted.
+/// Gives the images in data: uris their content. Missing unused images are harmless, but a scene
+/// that names a file outside its folder is not trusted.
 void read_embedded_images(std::vector<GltfImage>& images, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < images.size(); ++i) {
     GltfImage& image = images[i];
@@ -123,7 +123,7 @@ void read_embedded_images(std::vector<GltfImage>& images, const std::filesystem:
       throw GltfFault(place, refusal.what());
     }
     if (file) {
-      require_no_output(*file);  // a texture that could not be read would only be warned of
+      require_no_output(*file);  // here, since reading a texture would only warn
     }
   }
 }

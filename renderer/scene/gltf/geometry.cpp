@@ -29,7 +29,7 @@ std::vector<std::uint32_t> vertex_order(const GltfModel& model, const GltfPrimit
   return order;
 }
 
-/// Groups vertices into triangles as the topologies of the specification, section 3.7.2.1, say.
+/// Groups vertices into triangles by the topologies of the specification, section 3.7.2.1.
 std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, GltfMode mode) {
   std::vector<Triangle> triangles;
   if (mode == GltfMode::triangles) {
@@ -58,7 +58,7 @@ std::uint32_t highest_vertex(const std::vector<Triangle>& triangles) {
   return highest;
 }
 
-/// The vertices that `triangles` name, ascending and each once, found by marking them all.
+/// The vertices of `triangles`, ascending and each once, found by marking them all.
 std::vector<std::uint32_t> vertices_used_of_few(const std::vector<Triangle>& triangles,
                                                 std::uint32_t highest) {
   std::vector<bool> is_used(std::size_t{highest} + 1, false);
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> vertices_used_of_few(const std::vector<Triangle>& tri
   return used;
 }
 
-/// The same, in time and memory that do not depend on how many vertices there are.
+/// The same, in time and memory independent of the number of vertices.
 std::vector<std::uint32_t> vertices_used_of_many(const std::vector<Triangle>& triangles) {
   std::vector<std::uint32_t> used;
   used.reserve(3 * triangles.size());
@@ -88,9 +88,9 @@ std::vector<std::uint32_t> vertices_used_of_many(const std::vector<Triangle>& tr
   return used;
 }
 
-/// Lets `triangles` count only the vertices that they use, and returns those, ascending. Many
-/// primitives may share one large accessor, of which each reads no more. Throws if the triangles
-/// name a vertex beyond `vertex_count`.
+/// Renumbers `triangles` to the vertices that they use, and returns those, ascending. Many
+/// primitives may share a large accessor, of which each reads only its part. Throws for a vertex
+/// beyond `vertex_count`.
 std::vector<std::uint32_t> renumber(std::vector<Triangle>& triangles, std::size_t vertex_count,
                                     const std::string& place) {
   const std::uint32_t highest = highest_vertex(triangles);
@@ -121,8 +121,7 @@ class Attributes {
 
   bool has(const std::string& name) const { return primitive_.attribute(name) >= 0; }
 
-  /// The values of attribute `name` by one of the functions that read an accessor; none if the
-  /// primitive lacks it.
+  /// The values of attribute `name`, read by an accessor function; empty if the primitive lacks it.
   template <typename Value>
   std::vector<Value> read(const std::string& name, AccessorFunction<Value> read_accessor) const {
     if (!has(name)) {
@@ -226,7 +225,7 @@ std::optional<Mesh> read_primitive(const GltfModel& model, const GltfPrimitive& 
   throw_if_work_stopped();
   const std::size_t vertex_count = element_count(model, position);
   if (primitive.indices < 0) {
-    // Before the vertices are numbered, so that a stated count without data costs no memory.
+    // Before the vertices are numbered, so that a count without data costs no memory.
     read_vec3s(model, position, {}, place + ".attributes.POSITION");
   }
   std::vector<Triangle> triangles =

@@ -21,7 +21,7 @@ void require(bool obeyed, const Place& place, const std::string& what) {
   }
 }
 
-/// Some programs write 1.0 for 1. -0.0 is what no index or count can be.
+/// Some programs write 1.0 for 1. -0.0 is never an index or count.
 bool is_integer(const Json& value) {
   if (!value.is_number_float()) {
     return value.is_number_integer();

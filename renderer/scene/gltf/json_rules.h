@@ -1,4 +1,4 @@
-// Rules for the shape of a JSON document, written so that a schema reads like the specification.
+// Rules for the shape of a JSON document, which make a schema read like the specification.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace foveola::json_rules {
 
-/// A value's place in the document, spelled out as "meshes[3].name" only when something is wrong.
+/// A value's place in the document, formatted as "meshes[3].name" only for a fault.
 struct Place {
   const Place* parent = nullptr;
   std::string_view key;   ///< name of an object's member; empty for an array's element
@@ -21,7 +21,7 @@ struct Place {
   std::string path() const;
 };
 
-/// Throws GltfFault, naming the place, unless the value obeys.
+/// Throws GltfFault at the place unless the value obeys.
 using Rule = std::function<void(const nlohmann::json& value, const Place& place)>;
 
 enum class Presence : std::uint8_t { optional, required };
@@ -41,13 +41,13 @@ Rule one_of_integers(std::vector<std::int64_t> values);
 Rule number(double lowest, double highest);
 /// An array of exactly `count` numbers.
 Rule numbers(std::size_t count);
-/// An integer that counts the elements of the array `name`, which has `size` of them.
+/// An integer index into the array `name`, which has `size` elements.
 Rule index_into(std::string name, std::size_t size);
 /// An array of at least `fewest` elements that obey `element`.
 Rule array_of(Rule element, std::size_t fewest = 0);
 /// An object with any keys, whose values obey `member`.
 Rule map_of(Rule member);
-/// An object with these properties; others are not looked at.
+/// An object with these properties; others are ignored.
 Rule object(std::vector<Property> properties);
 
 }  // namespace foveola::json_rules

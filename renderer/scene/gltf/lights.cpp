@@ -23,7 +23,7 @@ constexpr double largest_angular_radius_rad = std::numbers::pi / 4.0;
 
 using Version = std::array<int, 3>;
 
-/// "MAJOR.MINOR.PATCH", whatever follows.
+/// "MAJOR.MINOR.PATCH" with any suffix.
 std::optional<Version> parse_version(std::string_view text) {
   Version version{};
   for (int& number : version) {
@@ -37,14 +37,14 @@ std::optional<Version> parse_version(std::string_view text) {
   return version;
 }
 
-/// The version of Blender's exporter, if that wrote the file.
+/// The version of Blender's exporter; nullopt for other generators.
 std::optional<Version> blender_exporter_version(std::string_view generator) {
   constexpr std::string_view exporter = "Khronos glTF Blender I/O v";
   return generator.starts_with(exporter) ? parse_version(generator.substr(exporter.size()))
                                          : std::nullopt;
 }
 
-/// Nothing for a type that KHR_lights_punctual does not have.
+/// nullopt for a type unknown to KHR_lights_punctual.
 std::optional<PunctualLight::Kind> kind_of(std::string_view type) {
   if (type == "directional") {
     return PunctualLight::Kind::directional;
@@ -67,7 +67,7 @@ Rgb intensity_of(const GltfValues& source, LightUnits units, const std::string& 
   return Rgb(limited);
 }
 
-/// The extension: 0 <= inner < outer <= pi / 2.
+/// By the extension: 0 <= inner < outer <= pi / 2.
 void read_cone(const GltfValues& source, PunctualLight::ConeEdge edge, const std::string& place,
                PunctualLight& light, Warnings& warnings) {
   constexpr double widest = std::numbers::pi / 2.0;
@@ -87,7 +87,7 @@ void read_cone(const GltfValues& source, PunctualLight::ConeEdge edge, const std
   }
 }
 
-/// A number of the light's extras, in [0, highest]; 0 if it is not there.
+/// A number of the light's extras, in [0, highest]; 0 if absent.
 float size_of(const GltfValues& source, const char* key, double highest, const std::string& place,
               Warnings& warnings) {
   const GltfValues extras = source.object("extras").object("foveola");

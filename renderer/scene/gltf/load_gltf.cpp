@@ -47,7 +47,7 @@ void warn_of_ignored_parts(const GltfModel& model, bool is_posed, Warnings& warn
   }
 }
 
-/// For each material, whether a placed mesh has it.
+/// For each material, whether a placed mesh uses it.
 std::vector<bool> shown_materials(const GltfModel& model, const PlacedNodes& nodes) {
   std::vector<bool> is_shown(model.root().size("materials"), false);
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
@@ -85,8 +85,7 @@ std::string text_of(const VertexNeeds& needs) {
   return needs.normal_texture ? text + text_of(*needs.normal_texture) : text;
 }
 
-/// The bytes from the first element to the last, and what lies between them; none if they are not
-/// all there.
+/// The bytes from the first element to the last, including those between; nullopt if incomplete.
 std::optional<std::span<const unsigned char>> bytes_of(const GltfModel& model,
                                                        const GltfAccessor& accessor) {
   if (accessor.view < 0 || accessor.sparse) {
@@ -109,12 +108,12 @@ class PrimitiveDigests {
  public:
   explicit PrimitiveDigests(const GltfModel& model) : model_(model) {}
 
-  /// A SHA-256 of all that read_primitive() makes a mesh from. None for primitives with sparse
-  /// accessors, with accessors that have no buffer view or too little data, and with morph targets.
+  /// A SHA-256 of all inputs of read_primitive(). nullopt for primitives with sparse accessors,
+  /// accessors without a buffer view or with too little data, or morph targets.
   std::optional<std::string> of(const GltfPrimitive& primitive, const VertexNeeds& needs);
 
  private:
-  /// Empty if there is none. Each is found once, however many primitives share the accessor.
+  /// Empty if there is none. Computed once per accessor, however many primitives share it.
   const std::string& of_accessor(int index);
 
   const GltfModel& model_;
@@ -162,7 +161,7 @@ const std::string& PrimitiveDigests::of_accessor(int index) {
   return known->second;
 }
 
-/// Reads primitives, or finds them where they are kept.
+/// Reads primitives, or reuses kept ones.
 class PrimitiveReader {
  public:
   PrimitiveReader(const GltfModel& model, KeptParts<Mesh>* kept, MemoryBudget& budget,
@@ -171,7 +170,7 @@ class PrimitiveReader {
 
   std::optional<Mesh> read(const GltfPrimitive& primitive, const VertexNeeds& needs,
                            const Deformation& deformation, const std::string& place) {
-    // What a skin moves is not the same in another pose.
+    // A skinned mesh differs between poses.
     const bool may_be_kept = kept_ != nullptr && deformation.joints.empty();
     const std::optional<std::string> digest =
         may_be_kept ? digests_.of(primitive, needs) : std::nullopt;
@@ -182,7 +181,7 @@ class PrimitiveReader {
     const std::size_t cases_before = warnings_.cases();
     std::optional<Mesh> mesh =
         read_primitive(model_, primitive, needs, deformation, place, budget_, warnings_);
-    // What was warned of is to be warned of again.
+    // Kept primitives would not repeat their warnings.
     if (digest && mesh && warnings_.cases() == cases_before) {
       kept_->keep(*digest, std::make_shared<const Mesh>(*mesh));
     }
@@ -197,7 +196,7 @@ class PrimitiveReader {
   Warnings& warnings_;
 };
 
-/// Each mesh that a node shows, as the node deforms it.
+/// Every mesh of a node, as the node deforms it.
 std::vector<LocalMesh> read_meshes(const GltfModel& model, const PlacedNodes& nodes,
                                    const GltfMaterials& materials, KeptParts<Mesh>* kept,
                                    MemoryBudget& budget, Warnings& warnings) {
@@ -209,7 +208,7 @@ std::vector<LocalMesh> read_meshes(const GltfModel& model, const PlacedNodes& no
     if (nodes.meshes[i].empty()) {
       continue;
     }
-    // A mesh that a node deforms is this node's alone.
+    // A deformed mesh has only this node.
     const auto node = static_cast<std::size_t>(nodes.meshes[i].front().node);
     const Deformation deformation = deformation_of(model, model.nodes[node], nodes.world_from_node);
     joints += deformation.joints.size();
@@ -233,7 +232,7 @@ FileHashes files_beside(const GltfFile& file, FileHashes files) {
   return files;
 }
 
-/// The memory for its content is kept where the next version of the file is soon to be read.
+/// Reuses the memory of the content kept from the previous version of the file.
 GltfFile gltf_file_of(const std::filesystem::path& path, KeptSceneParts* kept) {
   std::string content;
   return read_gltf_file(path,

@@ -8,9 +8,9 @@
 namespace foveola {
 namespace {
 
-/// KHR_texture_transform's translation * rotation * scale, with the rotation as the extension's
-/// text ("counter-clockwise", in coordinates whose v points down) and example have it; its GLSL
-/// listing once turned the other way (github.com/KhronosGroup/glTF, issue 1563).
+/// KHR_texture_transform's translation * rotation * scale, with the rotation of the extension's
+/// text ("counter-clockwise", in coordinates whose v points down) and example; its GLSL listing
+/// once rotated the other way (github.com/KhronosGroup/glTF, issue 1563).
 Mat3x2 texture_matrix(const GltfValues& transform) {
   const glm::dvec2 offset = transform.vec2("offset", {0.0, 0.0});
   const glm::dvec2 scale = transform.vec2("scale", {1.0, 1.0});

@@ -1,4 +1,4 @@
-// Reads the properties of one glTF material: within limits, with warnings and textures.
+// Reads the properties of one glTF material, with limits, warnings and textures.
 #pragma once
 
 #include <string>
@@ -12,27 +12,27 @@
 
 namespace foveola {
 
-/// What the parts of one material share.
+/// Data shared by the parts of one material.
 class MaterialContext {
  public:
-  /// textures: null if nothing shows the material, whose textures are then not loaded. Both
-  /// references must outlive this.
+  /// textures: null for an unused material, whose textures are not loaded. Both references must
+  /// outlive this.
   MaterialContext(std::string place, TextureSet* textures, Warnings& warnings)
       : place_(std::move(place)), textures_(textures), warnings_(warnings) {}
 
-  /// `value` in [lowest, highest], with a warning that names `property`, the value's JSON path
-  /// below the material, if it was not. Both ends are within a float's range.
+  /// `value` clamped to [lowest, highest], with a warning that names `property`, its JSON path
+  /// below the material. Both limits are within a float's range.
   float limited(double value, double lowest, double highest, const std::string& property);
   Rgb limited(const DVec3& value, double lowest, double highest, const std::string& property);
 
-  /// The texture of a textureInfo; none if that does not exist.
+  /// The texture of a textureInfo; an absent one has none.
   TextureUse use(const GltfValues& info, Encoding encoding);
-  /// A texture of the roughness 1 - `factor` times the glossiness that the image has in its alpha.
+  /// A roughness texture of 1 - `factor` times the glossiness in the image's alpha.
   TextureUse use_glossiness(const GltfValues& info, float factor);
 
   void warn(const std::string& what, const std::string& property);
 
-  /// The TEXCOORDs of the textures used so far; TextureUse::uv_set counts them.
+  /// The TEXCOORDs of the textures used so far, indexed by TextureUse::uv_set.
   const std::vector<int>& uv_sets() const { return uv_sets_; }
 
  private:
@@ -48,7 +48,7 @@ class MaterialContext {
 /// An object of a material: the material itself, or one in it.
 class MaterialPart {
  public:
-  /// path: the JSON path below the material of what `values` are, with a point at its end.
+  /// path: the JSON path of `values` below the material, ending with a point.
   MaterialPart(const GltfValues& values, std::string path, MaterialContext& context)
       : values_(values), path_(std::move(path)), context_(context) {}
 
@@ -70,7 +70,7 @@ class MaterialPart {
     return context_.limited(values_.vec3(property, DVec3(absent)), 0.0, highest,
                             place_of(property));
   }
-  /// The fourth number of a colour; 1 if there is no colour.
+  /// The fourth component of a colour; 1 without a colour.
   float alpha(const char* color) const {
     return context_.limited(values_.element(color, 3, 1.0), 0.0, 1.0, place_of(color));
   }

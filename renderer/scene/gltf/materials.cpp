@@ -16,11 +16,11 @@ namespace {
 
 constexpr double brightest = 1e9;
 
-/// Alpha is linear in any texture. Read as if the colours beside it were sRGB, it shares a texture
-/// with those of the same extension, which exporters like to put into the same image.
+/// Alpha is linear in any texture. With the encoding of the same extension's sRGB colours, it
+/// shares their texture, since exporters often store both in one image.
 constexpr Encoding only_alpha = Encoding::srgb;
 
-/// Of an opaque material an alpha is ignored.
+/// An opaque material ignores alpha.
 Encoding base_color_encoding(const Material& material) {
   return material.alpha_mode == AlphaMode::opaque ? Encoding::srgb : Encoding::srgb_opacity;
 }
@@ -74,7 +74,7 @@ void read_emission(const MaterialPart& source, Material& material) {
 }
 
 void read_ior(const MaterialPart& extension, Material& material) {
-  /// The extension's value 0 makes the Fresnel term 1; so does, to within 4e-6, this index.
+  /// The extension's value 0 makes the Fresnel term 1; this index does so within 4e-6.
   constexpr double all_is_reflected = 1e6;
   const double ior = extension.values().number("ior", 1.5);
   material.ior = ior == 0.0 ? static_cast<float>(all_is_reflected)
@@ -89,8 +89,8 @@ void read_transmission(const MaterialPart& extension, Material& material) {
   }
 }
 
-/// A thickness of 0 means thin walls. Any other only says that the mesh bounds a volume: how thick
-/// it is, a path finds out.
+/// A thickness of 0 means thin walls. Any other means only that the mesh bounds a volume: paths
+/// find its thickness.
 void read_volume(const MaterialPart& extension, Material& material) {
   material.is_solid = extension.values().number("thicknessFactor", 0.0) > 0.0;
   if (!material.is_solid) {
@@ -152,11 +152,11 @@ void read_sheen(const MaterialPart& extension, Material& material) {
 
 /// KHR_materials_pbrSpecularGlossiness, but for the alpha mode: a dielectric that reflects the
 /// specular colour at normal incidence, which is exact (KHR_materials_specular's colour may exceed
-/// 1), over the diffuse one, with a roughness of 1 - glossiness; a texture's is rounded to 8 bits.
-/// Where the extension scales the diffuse colour by 1 - the largest specular component, this
-/// renderer's dielectric takes what it reflects at each angle.
+/// 1), over the diffuse one. Its roughness is 1 - glossiness, in 8 bits for a texture. The
+/// extension scales the diffuse colour by 1 - the largest specular component; this renderer's
+/// dielectric subtracts its reflectance at each angle.
 void read_specular_glossiness(const MaterialPart& extension, Material& material) {
-  /// What a dielectric of index 1.5 reflects at normal incidence.
+  /// Reflectance of a dielectric of index 1.5 at normal incidence.
   constexpr float default_reflectance = 0.04F;
   material.base_color = extension.color("diffuseFactor", 1.0);
   material.alpha = extension.alpha("diffuseFactor");
@@ -170,8 +170,8 @@ void read_specular_glossiness(const MaterialPart& extension, Material& material)
   material.roughness = material.metallic_roughness_texture.exists() ? 1.0F : 1.0F - glossiness;
 }
 
-/// Of an unlit material only the base colour counts (KHR_materials_unlit). Specular and glossiness
-/// take the place of the metallic-roughness values. A texture whose factor is 0 is not used.
+/// An unlit material has only a base colour (KHR_materials_unlit). Specular and glossiness replace
+/// the metallic-roughness values. A texture with factor 0 is not used.
 Material read_material(const MaterialPart& source) {
   const GltfValues& values = source.values();
   Material material;
@@ -198,7 +198,7 @@ Material read_material(const MaterialPart& source) {
   read_specular(source.extension("KHR_materials_specular"), material);
   read_clearcoat(source.extension("KHR_materials_clearcoat"), material);
   read_sheen(source.extension("KHR_materials_sheen"), material);
-  if (glossy.values().exists()) {  // it has no KHR_materials_specular beside it
+  if (glossy.values().exists()) {  // without KHR_materials_specular beside it
     read_specular_glossiness(glossy, material);
   }
   return material;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* meshopt_extension = "EXT_meshopt_compression";
 
-/// What the extension says of a buffer view.
+/// The extension's properties of a buffer view.
 struct Compressed {
   std::span<const unsigned char> bytes;
   std::size_t count = 0;
@@ -40,7 +40,7 @@ Compressed compressed_in(const GltfValues& extension, const std::vector<GltfByte
           .filter = extension.text("filter", "NONE")};
 }
 
-/// The extension's rules for strides and counts, which meshoptimizer takes on trust.
+/// The extension's rules for strides and counts, which meshoptimizer does not check.
 void require_decodable(const Compressed& source, const std::string& place) {
   const bool is_attributes = source.mode == "ATTRIBUTES";
   const bool fits_mode = is_attributes ? source.stride % 4 == 0 && source.stride <= 256
@@ -61,7 +61,7 @@ void require_decodable(const Compressed& source, const std::string& place) {
   }
 }
 
-/// Whether `decoded` could be filled.
+/// Decodes into `decoded`. Returns false for invalid data.
 bool decode(const Compressed& source, GltfBytes& decoded) {
   const unsigned char* const bytes = source.bytes.data();
   const std::size_t size = source.bytes.size();

@@ -1,5 +1,5 @@
-// A glTF document in memory. What is decoded, moved or read often has a struct; the rest stays
-// JSON.
+// A glTF document in memory. Properties that are decoded, moved or read often have structs; others
+// stay JSON.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ struct GltfBufferView {
   std::size_t buffer = 0;
   std::size_t offset = 0;  ///< bytes
   std::size_t length = 0;  ///< bytes
-  std::size_t stride = 0;  ///< bytes; 0: elements follow each other without gaps
+  std::size_t stride = 0;  ///< bytes; 0: elements are contiguous
 };
 
-/// With the specification's numbers.
+/// The specification's numbers.
 enum class GltfComponent : int {
   int8 = 5120,
   uint8 = 5121,
@@ -33,7 +33,7 @@ enum class GltfComponent : int {
   float32 = 5126
 };
 
-/// What `use` returns for a number of the component's type.
+/// Returns use(example) with a value of the component's type.
 template <typename Use>
 auto with_type_of(GltfComponent component, Use use) {
   switch (component) {
@@ -58,7 +58,7 @@ inline std::size_t size_of(GltfComponent component) {
 }
 
 struct GltfAccessor {
-  /// The elements that others take the place of.
+  /// The elements that replace others.
   struct Sparse {
     std::size_t count = 0;
     int index_view = -1;
@@ -85,13 +85,13 @@ struct GltfAccessor {
 
 enum class GltfMode : int { triangles = 4, triangle_strip, triangle_fan };
 
-/// -1 stands for what is not there.
+/// -1 if absent.
 struct GltfPrimitive {
   GltfIndices attributes;  ///< accessors
   std::vector<GltfIndices> targets;
   int indices = -1;
   int material = -1;
-  GltfMode mode = GltfMode::triangles;  ///< points and lines have lower ones
+  GltfMode mode = GltfMode::triangles;  ///< points and lines have lower numbers
 
   /// The accessor of attribute `name`, or -1.
   int attribute(const std::string& name) const {
@@ -106,18 +106,18 @@ struct GltfMesh {
   std::vector<GltfPrimitive> primitives;
 };
 
-/// A list is empty, and -1 stands, where there is no value.
+/// Absent values are -1 or an empty list.
 struct GltfNode {
   std::string name;
   std::vector<int> children;
   int mesh = -1;
   int camera = -1;
   int skin = -1;
-  int light = -1;                   ///< KHR_lights_punctual's
-  bool is_visible = true;           ///< KHR_node_visibility's
-  GltfIndices instance_attributes;  ///< EXT_mesh_gpu_instancing's accessors
+  int light = -1;                   ///< of KHR_lights_punctual
+  bool is_visible = true;           ///< of KHR_node_visibility
+  GltfIndices instance_attributes;  ///< accessors of EXT_mesh_gpu_instancing
   std::vector<double> weights;
-  std::vector<double> matrix;  ///< of a node that has one, the next three are empty
+  std::vector<double> matrix;  ///< if present, the next three are empty
   std::vector<double> translation;
   std::vector<double> rotation;
   std::vector<double> scale;
@@ -126,11 +126,11 @@ struct GltfNode {
 struct GltfImage {
   int view = -1;
   std::string uri;    ///< of an image without a view
-  GltfBytes content;  ///< encoded, where the uri is a data: uri
+  GltfBytes content;  ///< encoded, if the uri is a data: uri
 };
 
 struct GltfModel {
-  /// checked: see checked_gltf_document. Buffers and the contents of images are left empty.
+  /// checked: by checked_gltf_document. Buffers and the contents of images stay empty.
   explicit GltfModel(nlohmann::json checked);
 
   GltfValues root() const { return GltfValues(&document); }

@@ -42,8 +42,8 @@ std::vector<int> parents_of(const std::vector<GltfNode>& nodes) {
   return parents;
 }
 
-/// With one parent each, the nodes form trees and cycles; climbing from every node finds the
-/// cycles, and stops at nodes that an earlier climb has cleared.
+/// With one parent each, the nodes form trees and cycles. Climbing from every node finds the
+/// cycles, and stops at nodes cleared by an earlier climb.
 void reject_cycles(const std::vector<int>& parents) {
   constexpr std::size_t not_visited = 0;
   std::vector<std::size_t> visited_by(parents.size(), not_visited);
@@ -114,7 +114,7 @@ DMat4 parent_from_local(const GltfNode& node, int index) {
   if (!node.matrix.empty()) {
     DMat4 matrix = glm::make_mat4(node.matrix.data());
     for (int column = 0; column < 4; ++column) {
-      matrix[column][3] = column < 3 ? 0.0 : 1.0;  // what an affine transform has there
+      matrix[column][3] = column < 3 ? 0.0 : 1.0;  // the last row of affine transforms
     }
     return matrix;
   }
@@ -134,8 +134,8 @@ void require_finite(const DMat4& matrix, int node) {
   }
 }
 
-/// Where EXT_mesh_gpu_instancing has the node's mesh, in the node's coordinates; once at its origin
-/// without it.
+/// Transforms of the node's mesh by EXT_mesh_gpu_instancing, in the node's coordinates; one
+/// identity without it.
 std::vector<DMat4> instances_of(const GltfModel& model, const GltfNode& node, int index) {
   const GltfIndices& attributes = node.instance_attributes;
   const std::string place = place_of(index) + ".extensions.EXT_mesh_gpu_instancing.attributes";
@@ -181,8 +181,8 @@ void require_few_instances(std::size_t count, int node) {
   }
 }
 
-/// Where a camera looks: along its -Z, upright along its +Y. Looking straight up or down, what is
-/// upright in the picture gives the azimuth.
+/// A camera's heading: it looks along its -Z, upright along its +Y. Straight up or down, the
+/// picture's upright direction gives the azimuth.
 AzimuthElevation heading_of(const DMat4& world_from_local) {
   constexpr double vertical = 1e-6;  // to either side, in radians: rounding of a right angle
   const DVec3 forward = -DVec3(world_from_local[2]);
@@ -194,7 +194,7 @@ AzimuthElevation heading_of(const DMat4& world_from_local) {
   return heading;
 }
 
-/// See CameraView; 0 for what may be rounding.
+/// See CameraView; 0 for possible rounding.
 double roll_of(const DMat4& world_from_local, const AzimuthElevation& heading) {
   constexpr double smallest_roll_rad = 1e-3;
   const DVec3 back(world_from_local[2]);
@@ -205,7 +205,7 @@ double roll_of(const DMat4& world_from_local, const AzimuthElevation& heading) {
   return std::abs(roll_rad) > smallest_roll_rad ? roll_rad : 0.0;
 }
 
-/// The field of view and the aspect ratio of a perspective camera, where they make sense.
+/// The field of view and the aspect ratio of a perspective camera, if valid.
 void read_lens(const GltfValues& lens, CameraView& view) {
   const double fov_rad = lens.number("yfov", 0.0);
   if (fov_rad > 0.0 && fov_rad < std::numbers::pi) {
@@ -247,7 +247,7 @@ PlacedNodes place_nodes(const GltfModel& model, Warnings& warnings) {
     const Placement placement{.node = index, .world_from_local = transform};
     if (node.mesh >= 0 && is_shown) {
       std::vector<Placement>& places = placed.meshes[static_cast<std::size_t>(node.mesh)];
-      if (is_skinned(model, node)) {  // by its joints, which stand in the world
+      if (is_skinned(model, node)) {  // by its joints, which are in the world
         places.push_back({.node = index});
       } else {
         const std::vector<DMat4> instances = instances_of(model, node, index);

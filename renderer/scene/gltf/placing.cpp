@@ -39,7 +39,7 @@ DBounds bounds_of(const LocalMesh& meshes) {
   return bounds;
 }
 
-/// Contains all that `local` contains.
+/// Extends `world` by the transformed `local`.
 void include(DBounds& world, const DBounds& local, const DMat4& world_from_local) {
   for (unsigned corner = 0; corner < 8; ++corner) {
     const DVec3 point((corner & 1U) != 0 ? local.lower.x : local.upper.x,
@@ -55,8 +55,8 @@ DMat4 seen_from(const DVec3& origin, const DMat4& world_from_local) {
   return result;
 }
 
-/// Whether an instance may have this transform, once it is of floats: its axes span a volume, and
-/// neither it nor its inverse leaves their range.
+/// Whether an instance may have this transform in floats: its axes span a volume, and neither it
+/// nor its inverse overflows.
 bool is_invertible(const DMat4& matrix) {
   constexpr double flattest = 1e-6;
   constexpr double largest = 1e15;
@@ -87,7 +87,7 @@ std::string object_name(const GltfModel& model, std::size_t mesh, const Placemen
   return sanitised(name.empty() ? model.meshes[mesh].name : name);
 }
 
-/// A transform can flatten what had an area.
+/// A transform can flatten a triangle.
 void mend_after_transform(Mesh& mesh, const std::string& place, Warnings& warnings) {
   warnings.add("triangles that their node's transform leaves without area are dropped", place,
                drop_degenerate_triangles(mesh));
@@ -182,7 +182,7 @@ class MeshPlacer {
   Placing placing_;
   MemoryBudget& budget_;
   Warnings& warnings_;
-  std::size_t added_ = 0;  ///< triangles that copies brought, beyond one of each mesh
+  std::size_t added_ = 0;  ///< triangles added by copies, beyond one of each mesh
 };
 
 }  // namespace

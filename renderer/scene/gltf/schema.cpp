@@ -34,7 +34,7 @@ class Schema {
                    {"nodes", optional, array_of(node())},
                    {"meshes", optional, array_of(mesh())},
                    {"accessors", optional, array_of(accessor())},
-                   {"buffers", optional, array_of(buffer())},  // before the views of them
+                   {"buffers", optional, array_of(buffer())},  // before their views
                    {"bufferViews", optional, array_of(buffer_view())},
                    {"materials", optional, array_of(material())},
                    {"textures", optional, array_of(texture())},

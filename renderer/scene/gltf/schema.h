@@ -5,9 +5,9 @@
 
 namespace foveola {
 
-/// Throws GltfFault unless every property of `document` that the loader reads has the type that the
-/// specification or the extension gives it, every index points at something, and every buffer view
-/// lies inside its buffer's stated length.
+/// Throws GltfFault unless every property of `document` that the loader reads has its specified
+/// type, every index refers to an element, and every buffer view lies inside its buffer's stated
+/// length.
 void require_schema(const nlohmann::json& document);
 
 }  // namespace foveola

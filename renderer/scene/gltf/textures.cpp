@@ -48,7 +48,7 @@ MipFilter mip_filter_of(int filter) {
   }
 }
 
-/// A filter that is not stated is the best there is (specification, section 3.8.4.1).
+/// An unstated filter is the best one (specification, section 3.8.4.1).
 Sampler sampler_of(const GltfValues& source) {
   const int minification = source.integer("minFilter");
   const bool is_nearest = minification == gl_nearest || minification == gl_nearest_mipmap_nearest ||
@@ -141,7 +141,7 @@ int TextureSet::add_glossiness(int texture, float factor) {
              Content{.image = -1, .encoding = Encoding::glossiness, .glossiness_factor = factor});
 }
 
-/// content: but for its image.
+/// content: complete except for its image.
 int TextureSet::add(int texture, Content content) {
   if (texture < 0) {
     return -1;
@@ -197,7 +197,7 @@ std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& conten
       [&] { return texels_of(content, with_mips); });
 }
 
-/// Of all that its texels are made of.
+/// Of all inputs of its texels.
 std::string TextureSet::digest_of(const Content& content, bool with_mips) const {
   Sha256 digest;
   const std::string how = fmt::format("{} {} {}", static_cast<int>(content.encoding),
@@ -207,7 +207,7 @@ std::string TextureSet::digest_of(const Content& content, bool with_mips) const 
   return digest.hex();
 }
 
-/// 0 for an image whose header cannot be read: decoding it will say why.
+/// 0 for an unreadable header: decoding will report it.
 std::size_t TextureSet::decoded_bytes(const Content& content) const {
   try {
     const ImageSize size = size_of_image(images_.encoded(content.image));

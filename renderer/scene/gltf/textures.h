@@ -1,4 +1,4 @@
-// Which images a glTF file's materials use, and how: decoded once for each encoding.
+// Collects the textures of a glTF file's materials; each image is decoded once per encoding.
 #pragma once
 
 #include <compare>
@@ -24,37 +24,35 @@ namespace foveola {
 enum class Encoding : std::uint8_t {
   linear,
   srgb,
-  srgb_opacity,  ///< colours, and an alpha that says how far they are there
+  srgb_opacity,  ///< colours, and an alpha that is an opacity
   glossiness
 };
 
-/// A file's encoded images, which are read when something uses them.
+/// A file's encoded images, read on first use.
 class GltfImages {
  public:
   /// file: must outlive this.
   explicit GltfImages(const GltfFile& file) : file_(file) {}
 
-  /// Reads image number `image` if it lies in a file of its own and has not been read. Throws
-  /// GltfFault if that is not possible.
+  /// Reads image number `image` if it lies in its own file and has not been read. Throws GltfFault
+  /// if it cannot.
   void load(int image);
 
-  /// What it is called where it lies in a file of its own, decoded; else empty.
+  /// The decoded reference of an image in its own file; else empty.
   std::string reference_of(int image) const;
 
-  /// The PNG or JPEG bytes, or whatever they are, of an image that has been loaded.
+  /// The encoded bytes of a loaded image.
   std::span<const unsigned char> encoded(int image) const;
 
-  /// What a message calls an image that has been loaded: its JSON path, and its file's name where
-  /// it has one.
+  /// Name of a loaded image in messages: its JSON path, and its file's name if it has one.
   std::string place_of(int image) const;
 
-  /// The size of the buffers, data: uris and files that the loaded images lie in, each counted
-  /// once.
+  /// Total size of the buffers, data: uris and files of the loaded images, each counted once.
   std::size_t encoded_bytes() const { return encoded_bytes_; }
 
-  /// SHA-256s of the files that were read.
+  /// SHA-256s of the files read.
   FileHashes hashes() const;
-  /// The files that images were said to lie in, and that are not there.
+  /// The missing files of images.
   const std::set<std::filesystem::path>& missing_files() const { return missing_files_; }
 
  private:
@@ -64,15 +62,15 @@ class GltfImages {
   std::set<int> loaded_;
   std::set<std::size_t> buffers_;  ///< indices of the buffers that hold images
   std::size_t encoded_bytes_ = 0;
-  std::map<int, std::filesystem::path> paths_;  ///< by image, where it has a file of its own
+  std::map<int, std::filesystem::path> paths_;             ///< by image, if it has its own file
   std::map<std::filesystem::path, std::string> contents_;  ///< by path
   std::set<std::filesystem::path> missing_files_;
 };
 
 class TextureSet {
  public:
-  /// All must outlive this. kept: where decoded images are found and left, or null. is_strict:
-  /// whether a texture that cannot be shown is a GltfFault instead of a warning.
+  /// All must outlive this. kept: stores decoded images for reuse, or null. is_strict: whether a
+  /// texture that cannot be shown is a GltfFault instead of a warning.
   TextureSet(const GltfFile& file, KeptParts<Texels>* kept, bool is_strict, Warnings& warnings)
       : model_(file.model),
         images_(file),
@@ -80,20 +78,19 @@ class TextureSet {
         is_strict_(is_strict),
         warnings_(warnings) {}
 
-  /// The index, for TextureUse until decode() is called, of glTF texture `texture` with colours in
-  /// `encoding`; -1 for -1, and if the texture has no image or that cannot be read.
+  /// The index of glTF texture `texture` with colours in `encoding`, for TextureUse until decode()
+  /// is called. -1 for -1, and if its image is absent or unreadable.
   int add(int texture, Encoding encoding);
 
-  /// The same of a texture whose green is the roughness 1 - `factor` times the alpha of glTF
+  /// The same for a texture whose green is the roughness 1 - `factor` times the alpha of glTF
   /// texture `texture`.
   int add_glossiness(int texture, float factor);
 
-  /// All textures that were added and whose images can be decoded. `materials` then count these,
-  /// and use no others. Throws GltfFault if all together take more memory than
-  /// require_modest_memory grants.
+  /// All added textures whose images can be decoded. Renumbers the textures of `materials`, and
+  /// removes the others. Throws GltfFault if all together exceed require_modest_memory.
   std::vector<Texture> decode(std::vector<Material>& materials) const;
 
-  /// SHA-256s of the files of the images that are used.
+  /// SHA-256s of the used images' files.
   FileHashes image_hashes() const { return images_.hashes(); }
   const std::set<std::filesystem::path>& missing_files() const { return images_.missing_files(); }
 
@@ -112,7 +109,7 @@ class TextureSet {
   std::size_t decoded_bytes(const Content& content) const;
   void require_modest_size() const;
   Texels texels_of(const Content& content, bool with_mips) const;
-  /// The same, found among those kept or made and kept.
+  /// The same, reused from `kept` or made and kept.
   std::shared_ptr<const Texels> shared_texels_of(const Content& content, bool with_mips) const;
   std::string digest_of(const Content& content, bool with_mips) const;
 

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// `value`, where it is there and `is_right` of it.
+/// `value`, if it exists and `is_right` holds for it; else `absent`.
 template <typename Value>
 Value value_or(const Json* value, bool (Json::*is_right)() const noexcept, Value absent) {
   return value != nullptr && (value->*is_right)() ? value->get<Value>() : absent;

@@ -13,11 +13,11 @@
 
 namespace foveola {
 
-/// Indices by what they are for.
+/// Indices by their purpose.
 using GltfIndices = std::map<std::string, int>;
 
-/// An object, or none, which has no properties. A property that is absent, or, where the document
-/// is not checked, of another type, has the value `absent`, or is empty.
+/// A JSON object; null has no properties. A property that is absent, or has another type in an
+/// unchecked document, has the value `absent`, or is empty.
 class GltfValues {
  public:
   /// value: null for none; must outlive this.
@@ -35,7 +35,7 @@ class GltfValues {
   std::string text(const char* name, const char* absent = "") const;
   glm::dvec2 vec2(const char* name, const glm::dvec2& absent) const;
   DVec3 vec3(const char* name, const DVec3& absent) const;
-  /// Element `i` of a list of more numbers.
+  /// Element `i` of a list of several numbers.
   double element(const char* name, std::size_t i, double absent) const;
   std::vector<double> numbers(const char* name) const;
   std::vector<int> integers(const char* name) const;
@@ -43,7 +43,7 @@ class GltfValues {
   GltfIndices indices(const char* name) const;
   std::vector<GltfIndices> list_of_indices(const char* name) const;
 
-  /// How many elements the list `name` has, and element `i` of them, an object.
+  /// The number of elements of list `name`, and its element `i`, an object.
   std::size_t size(const char* name) const;
   GltfValues item(const char* name, std::size_t i) const;
 

@@ -11,13 +11,13 @@
 namespace foveola {
 namespace {
 
-/// Colours that are out of range stay so, for who uses them to mend.
+/// Colours out of range are kept, for their users to repair.
 float linear(float encoded) {
   return encoded >= 0.0F && encoded <= 1.0F ? static_cast<float>(linear_from_srgb(encoded))
                                             : encoded;
 }
 
-/// The number that `word` is, from its first character to its last.
+/// The number in the whole of `word`.
 std::optional<float> number_in(std::string_view word) {
   float number = 0.0F;
   const char* const end = word.data() + word.size();
@@ -25,7 +25,7 @@ std::optional<float> number_in(std::string_view word) {
   return failure == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
-/// What follows the coordinates of a "v" statement, if that are three numbers.
+/// The colour after the three coordinates of a "v" statement; nullopt without three numbers.
 std::optional<Rgb> color_after_position(std::string_view coordinates) {
   constexpr std::size_t position_size = 3;
   std::array<float, 6> numbers{};

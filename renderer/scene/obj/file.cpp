@@ -29,11 +29,11 @@ namespace {
 /// tinyobjloader counts in int.
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 
-/// Objects cost far more memory than the line that names one.
+/// An object takes far more memory than the line that names it.
 constexpr std::size_t max_parts = std::size_t{1} << 20;
 
-/// Takes what tinyobjloader finds, line by line. Its own reader of whole files is not used: it
-/// loses polygons whose ears it cannot find, and cannot be made to stop at a bad index.
+/// Collects tinyobjloader's results, line by line. Its own reader of whole files loses polygons
+/// whose ears it cannot find, and cannot stop at a bad index.
 class Collector {
  public:
   /// smoothing_groups: of smoothing_groups_in().
@@ -119,7 +119,7 @@ class Collector {
     }
   }
 
-  /// OBJ counts from 1, or backwards from -1, which is the last one given so far.
+  /// OBJ counts from 1, or backwards from -1, the last element so far.
   int resolved(int index, std::size_t count, const char* what) const {
     const std::int64_t place =
         index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(count) + index;
@@ -128,7 +128,7 @@ class Collector {
     }
     return static_cast<int>(place);
   }
-  /// tinyobjloader says 0 for what a corner leaves out.
+  /// tinyobjloader gives 0 for an omitted index.
   int optional(int index, std::size_t count, const char* what) const {
     return index == 0 ? -1 : resolved(index, count, what);
   }
@@ -151,7 +151,7 @@ class Collector {
   std::size_t faces_ = 0;
 };
 
-/// A backslash at its end continues a line, which tinyobjloader does not know.
+/// A backslash at its end continues a line, which tinyobjloader does not support.
 void join_continued_lines(std::string& text) {
   for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
     const std::size_t end = at + 1 < text.size() && text[at + 1] == '\r' ? at + 2 : at + 1;
@@ -178,7 +178,7 @@ std::size_t coordinates_of(std::string_view keyword) {
   return keyword == "v" || keyword == "vn" ? 3 : keyword == "vt" ? 2 : 0;
 }
 
-/// The coordinates in the statements of `text` that are no numbers.
+/// The coordinates in the statements of `text` that are not numbers.
 std::vector<std::string_view> no_numbers_in(std::string_view text) {
   std::vector<std::string_view> found;
   for_each_line(text, [&](std::string_view line) {
@@ -198,7 +198,7 @@ std::vector<std::string_view> no_numbers_in(std::string_view text) {
 
 /// The text of an OBJ file with "1e999", which tinyobjloader reads as infinite, in place of each
 /// coordinate of a v, vn or vt statement that is not a decimal number, such as "nan", "1.#INF" or
-/// "0,5". Coordinates that are left out stay so.
+/// "0,5". Omitted coordinates stay omitted.
 std::string with_infinities_for_no_numbers(std::string text) {
   const std::vector<std::string_view> no_numbers = no_numbers_in(text);
   if (no_numbers.empty()) {
@@ -214,15 +214,15 @@ std::string with_infinities_for_no_numbers(std::string text) {
   return result.append(text, copied);
 }
 
-/// "off" is 0, as is what is no number.
+/// "off" is 0, as is any text that is not a number.
 unsigned group_in(std::string_view text) {
   unsigned group = 0;
   std::from_chars(text.data(), text.data() + text.size(), group);
   return group;
 }
 
-/// The smoothing group of each "f" statement of `text`, in their order, 0: none; empty if no face
-/// has one.
+/// The smoothing group of each "f" statement of `text`, in order, 0: none; empty if no face has
+/// one.
 std::vector<unsigned> smoothing_groups_in(std::string_view text) {
   std::vector<unsigned> groups;
   unsigned group = 0;
@@ -239,8 +239,8 @@ std::vector<unsigned> smoothing_groups_in(std::string_view text) {
   return is_smooth ? groups : std::vector<unsigned>();
 }
 
-/// Gives the faces of a smoothing group that have no normals of their own, at each vertex, the mean
-/// of the group's faces there, weighted by their areas.
+/// Adds vertex normals to faces of a smoothing group without normals: the mean of the group's faces
+/// at a vertex, weighted by their areas.
 void add_smooth_normals(ObjFile& obj) {
   const std::size_t stated = obj.normals.size();
   std::map<std::pair<unsigned, int>, int> index_of;  // by group and position

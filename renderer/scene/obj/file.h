@@ -1,4 +1,4 @@
-// Reads a Wavefront OBJ file's geometry, as it is written, through tinyobjloader.
+// Reads a Wavefront OBJ file's geometry, unconverted, through tinyobjloader.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace foveola {
 
-/// Where a corner of a face finds its values, counted from 0; -1: it has none.
+/// Indices of a face's corner, from 0; -1: absent.
 struct ObjCorner {
   int position = -1;
   int uv = -1;
@@ -22,28 +22,28 @@ struct ObjCorner {
   auto operator<=>(const ObjCorner&) const = default;
 };
 
-/// The faces of one object that have one material.
+/// The faces of one object with one material.
 struct ObjPart {
-  std::string object;                      ///< the last "o", or, as long as there was none, "g"
+  std::string object;                      ///< the last "o", or, before any, "g"
   std::string material;                    ///< the last "usemtl"; may be empty
   std::vector<ObjCorner> corners;          ///< one face after the other
   std::vector<std::size_t> begins;         ///< for each face, the index of its first corner
-  std::vector<unsigned> smoothing_groups;  ///< of each face, 0: none; empty if no face has one
+  std::vector<unsigned> smoothing_groups;  ///< per face, 0: none; empty if no face has one
 };
 
 struct ObjFile {
   std::vector<Vec3> positions;
-  std::vector<Rgb> colors;  ///< see vertex_colors_in(): one a position, or none
-  std::vector<Vec2> uvs;    ///< as the file has them: v runs upwards
+  std::vector<Rgb> colors;  ///< see vertex_colors_in(): one per position, or none
+  std::vector<Vec2> uvs;    ///< as in the file: v runs upwards
   std::vector<Vec3> normals;
   std::vector<ObjPart> parts;                   ///< in the order of their first face
-  std::vector<std::string> material_libraries;  ///< what follows each "mtllib"
+  std::vector<std::string> material_libraries;  ///< the arguments of "mtllib"
   std::string sha256;                           ///< SHA-256 of the file
 };
 
 /// Reads the file at `path`: faces with their indices resolved and in range, and smoothing groups
-/// as normals. Lines, points and curves are not read. Throws Error if the file cannot be read, is
-/// no text, or a face names what has not been given before it.
+/// as normals. Lines, points and curves are not read. Throws Error if the file cannot be read or is
+/// not text, or if a face refers to an element not defined before it.
 ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings);
 
 }  // namespace foveola

@@ -30,8 +30,8 @@ namespace {
 
 constexpr const char* where_files_belong = "put the file into the folder of the OBJ file";
 
-/// The file inside `folder` that `name` refers to, if it is there. Throws Error, which begins with
-/// `where`, if it leads out of the folder.
+/// The file inside `folder` that `name` refers to; nullopt if it does not exist. Throws Error,
+/// which begins with `where`, if it leads out of the folder.
 std::optional<fs::path> file_if_there(const fs::path& folder, const std::string& name,
                                       const std::string& where) {
   try {
@@ -45,7 +45,7 @@ std::string missing(const std::string& name) {
   return fmt::format("refers to \"{}\", a file that does not exist", sanitised(name));
 }
 
-/// What an mtllib statement names: one file, whose name may have blanks, or several files.
+/// The files named by an mtllib statement: one file, whose name may have blanks, or several.
 std::vector<std::string> library_names(const fs::path& folder, const std::string& statement) {
   std::vector<std::string> words;
   for (Statement left = statement_in(statement); !left.keyword.empty();
@@ -65,9 +65,8 @@ std::vector<std::string> library_names(const fs::path& folder, const std::string
 /// A material of some library.
 struct LibraryMaterial {
   MtlMaterial values;
-  std::string
-      folder;  ///< folder of the library, as it is named from the OBJ file's: "" or "sub/folder/"
-  std::string place;  ///< for messages
+  std::string folder;  ///< the library's folder, relative to the OBJ file's: "" or "sub/folder/"
+  std::string place;   ///< for messages
 };
 
 struct Library {
@@ -109,7 +108,7 @@ Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFi
   return library;
 }
 
-/// Collects the materials that are in use, each once.
+/// Collects the used materials, each once.
 class UsedMaterials {
  public:
   UsedMaterials(const Library& library, const fs::path& folder, bool is_strict, Warnings& warnings)
@@ -154,7 +153,7 @@ class UsedMaterials {
     return material_of(source.values, find_texture, textures_, source.place, warnings_);
   }
 
-  /// Empty, with a warning, for one that is not there.
+  /// Empty, with a warning, for a missing file.
   fs::path texture_file(const std::string& name, const std::string& place) {
     const std::optional<fs::path> file = file_if_there(folder_, name, place);
     if (!file && is_strict_) {

@@ -1,4 +1,4 @@
-// Meshes out of the parts of an OBJ file.
+// Converts the parts of an OBJ file to meshes.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace foveola {
 
-/// The triangles of `part`, each vertex once, with texture coordinates only if `is_textured`;
-/// material is left alone. Faces that lack a normal get that of their plane, where others have
-/// some. Polygons become triangles; those without area or that are not finite are dropped with a
-/// warning. Throws std::length_error as triangulate does.
+/// The triangles of `part` with shared vertices, and with texture coordinates only if
+/// `is_textured`; material is not set. If some faces have normals, the others get that of their
+/// plane. Polygons are triangulated; triangles without area or with non-finite corners are dropped
+/// with a warning. Throws std::length_error as triangulate does.
 Mesh mesh_of(const ObjFile& obj, const ObjPart& part, bool is_textured, Warnings& warnings);
 
 }  // namespace foveola

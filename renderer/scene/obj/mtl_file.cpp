@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::size_t largest_library = std::size_t{1} << 26;
 
-/// An option of a map, and what stands for an argument of it that may be left out.
+/// An option of a map, and the default of an argument that may be omitted.
 struct MapOption {
   std::string_view name;
   int arguments;
-  std::string_view absent;  ///< empty: no argument may be left out
+  std::string_view absent;  ///< empty: all arguments are required
 };
 
 constexpr std::array<MapOption, 13> map_options = {{{"-o", 3, "0"},
@@ -36,13 +36,13 @@ constexpr std::array<MapOption, 13> map_options = {{{"-o", 3, "0"},
                                                     {"-texres", 1, ""},
                                                     {"-type", 1, ""}}};
 
-/// What follows the keyword of a map.
+/// The arguments of a map.
 struct Map {
   std::string options;  ///< with all of their arguments
   std::string_view file;
 };
 
-/// tinyobjloader takes three words after -o, -s and -t, be they numbers or the file's name.
+/// tinyobjloader takes three words after -o, -s and -t, whether numbers or the file's name.
 Map map_in(std::string_view text) {
   Map map{.options = {}, .file = text};
   for (;;) {
@@ -73,7 +73,7 @@ constexpr std::array<std::string_view, 6> colours = {"Ka", "Kd", "Ke", "Ks", "Kt
 constexpr std::array<std::string_view, 12> single_numbers = {
     "Ni", "Ns", "Pc", "Pcr", "Pm", "Pr", "Ps", "Tr", "aniso", "anisor", "d", "illum"};
 
-/// How many numbers a statement takes; 0 for those that take none.
+/// Number of numbers of a statement; 0 for statements without numbers.
 std::size_t numbers_of(std::string_view keyword) {
   const auto is_in = [&](const auto& keywords) {
     return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
@@ -81,8 +81,8 @@ std::size_t numbers_of(std::string_view keyword) {
   return is_in(colours) ? 3 : is_in(single_numbers) ? 1 : 0;
 }
 
-/// The `count` numbers that `text` begins with, as tinyobjloader wants them; empty if one is none.
-/// A colour's second and third are its first where they are left out.
+/// The `count` numbers at the beginning of `text`, in tinyobjloader's form; nullopt if one is not a
+/// number. A colour's second and third number default to its first.
 std::optional<std::string> numbers_in(std::string_view text, std::size_t count) {
   const std::string_view first = statement_in(text).keyword;
   std::string numbers;
@@ -108,8 +108,8 @@ tinyobj::material_t values_in(const std::string& lines) {
   return materials.at(0);
 }
 
-/// The statement as tinyobjloader reads it aright; empty if it is to be left out, as `material`
-/// then says.
+/// The statement in a form that tinyobjloader reads correctly; nullopt if it must be left out, as
+/// `material` then records.
 std::optional<std::string> readable(const Statement& statement, MtlMaterial& material) {
   if (is_map(statement.keyword)) {
     const Map map = map_in(statement.rest);

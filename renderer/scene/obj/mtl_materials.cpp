@@ -46,7 +46,7 @@ class MaterialReader {
     return has("illum") && std::find(models.begin(), models.end(), values_.illum) != models.end();
   }
 
-  /// Within the range that a value may have, with a warning if it was not.
+  /// Clamped to a value's range, with a warning if it was outside.
   float limited(float value, float lowest, float highest, const char* statement) const {
     const float result = std::isfinite(value) ? std::clamp(value, lowest, highest) : lowest;
     if (result != value) {
@@ -69,7 +69,7 @@ class MaterialReader {
     }
     return limited(values_.diffuse, 1.0F, "Kd");
   }
-  /// Exporters write a black Kd beside a map that is meant to be seen.
+  /// Exporters write a black Kd beside a map that should be visible.
   Rgb seen_diffuse() const {
     const Rgb stated = diffuse();
     const bool is_black = max_component(stated) == 0.0F && !values_.diffuse_texname.empty();
@@ -88,7 +88,7 @@ class MaterialReader {
     return !has_filter() || std::min({filter[0], filter[1], filter[2]}) >= 1.0F;
   }
 
-  /// Exporters write illum 4 for what is opaque as well, and an Ni above 1 for curtains.
+  /// Exporters write illum 4 for opaque materials as well, and an Ni above 1 for curtains.
   bool is_glass() const {
     return has_illum({6, 7, 9}) || (has_illum({4}) && values_.ior > 1.0F &&
                                     (values_.dissolve < 1.0F || !is_filter_white()));
@@ -128,7 +128,7 @@ class MaterialReader {
     read_base_texture(material, values_.diffuse_texname, values_.diffuse_texopt);
   }
 
-  /// 1 is what is written where nothing is meant.
+  /// 1 is written where none is meant.
   void read_ior(Material& material) const {
     constexpr float max_ior = 10.0F;
     if (values_.ior > 1.0F) {
@@ -211,7 +211,7 @@ class MaterialReader {
     }
   }
 
-  /// By norm, or by a bump map in colours, as which Blender writes them.
+  /// By norm, or by a coloured bump map, as Blender writes.
   void read_normals(Material& material) const {
     const bool has_norm = !values_.normal_texname.empty();
     const std::string& name = has_norm ? values_.normal_texname : values_.bump_texname;

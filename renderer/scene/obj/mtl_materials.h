@@ -1,4 +1,4 @@
-// What the statements of a material library mean in this renderer's materials.
+// Converts the statements of a material library to this renderer's materials.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace foveola {
 
-/// OBJ's "white material" of faces that name none or one that no library has: a Lambertian surface.
+/// OBJ's "white material", for faces without a known material: a Lambertian surface.
 Material default_obj_material();
 
-/// Finds the file that a texture statement names, as written there; empty if the texture is to be
-/// left out. Throws Error if it may not be read.
+/// Finds the file of a texture statement, as written; empty leaves the texture out. Throws Error if
+/// it must not be read.
 using ObjTextureFinder = std::function<std::filesystem::path(const std::string& name)>;
 
 /// The material that `source` describes; its textures are added to `textures`. place: of the
-/// material, for warnings. All are double-sided, since OBJ knows no other.
+/// material, for warnings. All are double-sided, since OBJ has no others.
 ///
 /// - Kd and map_Kd: a Lambertian surface, exactly, unless one of the following holds. A Kd of zero
 ///   under a map counts as white, as other importers have it.

@@ -12,7 +12,7 @@ namespace {
 using DVec2 = glm::dvec2;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// The polygon seen along the axis that its normal is nearest to, turning counter-clockwise.
+/// The polygon projected along the axis nearest to its normal, counter-clockwise.
 std::vector<DVec2> flattened(std::span<const Vec3> corners) {
   const DVec3 normal = area_vector(corners);
   const DVec3 size = glm::abs(normal);
@@ -60,7 +60,7 @@ Triangles fan(std::size_t count) {
   return triangles;
 }
 
-/// Cuts one ear after the other off the ring of corners that are left.
+/// Cuts ears one by one off the ring of remaining corners.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<DVec2>& corners) : corners_(corners), left_(corners.size()) {
@@ -73,7 +73,7 @@ class EarCutter {
     std::size_t refused = 0;  // in a row
     while (left_.size() > 3) {
       at %= left_.size();
-      // A simple polygon always has an ear; of what is none, the next corner is cut all the same.
+      // A simple polygon always has an ear; otherwise the next corner is cut all the same.
       if (refused < left_.size() && !is_ear(at)) {
         ++at;
         ++refused;

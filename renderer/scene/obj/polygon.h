@@ -1,4 +1,4 @@
-// Polygons into triangles.
+// Triangulates polygons.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace foveola {
 
-/// The largest polygon that is not convex: each of its triangles is sought among all its corners.
+/// Maximum number of corners of a concave polygon: the search for each triangle visits all corners.
 constexpr std::size_t max_concave_corners = 4096;
 
-/// Twice the polygon's area, along the normal of its front, which sees it turn counter-clockwise
-/// (Newell's method: no corner needs to be convex). It must have a corner.
+/// Twice the polygon's area along its front normal, about which the corners run counter-clockwise
+/// (Newell's method: no corner needs to be convex). At least one corner.
 DVec3 area_vector(std::span<const Vec3> corners);
 
-/// The triangles, counted by corner and turning as the polygon does, of a flat simple polygon; of
-/// three corners or more always two fewer than corners. A convex polygon becomes a fan around its
-/// first corner, any other is cut ear by ear (Meisters 1975, "Polygons Have Ears"). One that
+/// Triangulates a flat simple polygon into corner indices with the polygon's winding: always two
+/// fewer triangles than corners, from three corners. A convex polygon becomes a fan around its
+/// first corner; any other is cut by ears (Meisters 1975, "Polygons Have Ears"). A polygon that
 /// intersects itself, is not flat or not finite gets triangles too, which may overlap. Throws
-/// std::length_error if it has more than `max_concave_corners` and is not convex.
+/// std::length_error if it is concave with more than `max_concave_corners` corners.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corners);
 
 }  // namespace foveola

@@ -25,8 +25,8 @@ bool are_same_but_for_case(std::string_view a, std::string_view b) {
   });
 }
 
-/// What `folder` has under that name, or, if nothing, the only thing that it has under that name in
-/// letters of another case.
+/// The entry of `folder` with this name or, without one, the only entry with this name in another
+/// case.
 std::optional<fs::path> entry_of(const fs::path& folder, const fs::path& name) {
   std::error_code failure;
   if (fs::exists(folder / name, failure)) {
@@ -45,7 +45,7 @@ std::optional<fs::path> entry_of(const fs::path& folder, const fs::path& name) {
   return found;
 }
 
-/// `relative` as the folders and the file are really called.
+/// `relative` with the actual names of the folders and the file.
 std::optional<fs::path> in_its_own_case(const fs::path& folder, const fs::path& relative) {
   fs::path result;
   for (const fs::path& part : relative) {

@@ -1,5 +1,5 @@
-// Finds the files that OBJ files and material libraries name: written on other systems, whose paths
-// have backslashes and do not tell upper case from lower.
+// Finds the files named in OBJ files and material libraries, which may come from systems with
+// backslashes and case-insensitive names.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace foveola {
 
-/// The file inside `folder` that `name` refers to, as local_reference() has it, without blanks
-/// around it. What no file is called exactly may be called in letters of another case (ASCII), if
-/// only one file is. Nothing if there is none. Throws std::runtime_error that says why, as
-/// confined_file does, if `name` leads out of the folder.
+/// The file inside `folder` that `name` refers to, as by local_reference(), with surrounding blanks
+/// removed. Without an exact match, a unique match in another case (ASCII) counts. nullopt if there
+/// is none. Throws std::runtime_error with the reason, as confined_file does, if `name` leads out
+/// of the folder.
 std::optional<std::filesystem::path> find_obj_reference(const std::filesystem::path& folder,
                                                         std::string_view name);
 

@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// Takes the digits at the front off `text`, and returns how many there were.
+/// Removes the digits at the front of `text`, and returns their number.
 std::size_t take_digits(std::string_view& text) {
   const auto* const end =
       std::find_if_not(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -20,7 +20,7 @@ std::size_t take_digits(std::string_view& text) {
   return count;
 }
 
-/// Takes one of `characters` off the front of `text`, if it begins with one.
+/// Removes one of `characters` from the front of `text`, if it begins with one.
 bool take(std::string_view characters, std::string_view& text) {
   const bool is_there = !text.empty() && characters.find(text.front()) != std::string_view::npos;
   text.remove_prefix(is_there ? 1 : 0);
@@ -42,8 +42,8 @@ void append_utf8(std::uint32_t code_point, std::string& text) {
   }
 }
 
-/// bytes: UTF-16 after its byte order mark, of an even number; low: which byte of two comes first
-/// of a unit, 0 or 1. A surrogate that stands alone becomes the replacement character.
+/// bytes: UTF-16 after its byte order mark, of an even number; low: index of a unit's lower byte, 0
+/// or 1. An unpaired surrogate becomes the replacement character.
 std::string utf8_from_utf16(std::string_view bytes, std::size_t low) {
   constexpr std::uint32_t replacement = 0xFFFD;
   const auto unit = [&](std::size_t i) {
@@ -108,7 +108,7 @@ Statement statement_in(std::string_view line) {
 }
 
 bool is_number(std::string_view word) {
-  constexpr std::size_t longest_exponent = 9;  // tinyobjloader gives up on longer ones
+  constexpr std::size_t longest_exponent = 9;  // tinyobjloader rejects longer ones
   take("+-", word);
   std::size_t digits = take_digits(word);
   if (take(".", word)) {

@@ -1,4 +1,4 @@
-// Text files of one statement a line, as OBJ and MTL are.
+// Reads text files of one statement per line, as OBJ and MTL are.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace foveola {
 /// The content of a file. Throws Error if it cannot be read or is larger than `largest` bytes.
 std::string read_bytes(const std::filesystem::path& path, std::size_t largest);
 
-/// The text in `bytes`, the content of the file at `path`: in UTF-8, whose byte order mark becomes
-/// blank, or, by its byte order mark, in UTF-16 of either order. Throws Error if it is UTF-16 that
-/// is cut off, or holds a zero, which no text does.
+/// The text in `bytes`, the content of the file at `path`: UTF-8, whose byte order mark becomes
+/// blank, or UTF-16 with a byte order mark. Throws Error if it is truncated UTF-16 or holds a zero
+/// byte.
 std::string utf8_text(const std::filesystem::path& path, std::string bytes);
 
-/// Without blanks (spaces and tabs) on either side.
+/// Without surrounding spaces and tabs.
 std::string_view trimmed(std::string_view text);
 
 /// The first word of a line, and the rest.
@@ -29,12 +29,11 @@ struct Statement {
 };
 Statement statement_in(std::string_view line);
 
-/// Whether `word` is a decimal number, which tinyobjloader can read, from its first character to
-/// its last.
+/// Whether the whole `word` is a decimal number that tinyobjloader can read.
 bool is_number(std::string_view word);
 
-/// Calls `use` with each line of `text`, whether LF, CR LF, CR or the text ends it. Throws
-/// WorkStopped in work that is stopped.
+/// Calls `use` with each line of `text`, ended by LF, CR LF, CR or the end of the text. Throws
+/// WorkStopped in stopped work.
 template <typename Use>
 void for_each_line(std::string_view text, Use use) {
   while (!text.empty()) {

@@ -20,7 +20,7 @@ namespace foveola {
 namespace fs = std::filesystem;
 namespace {
 
-/// Calls `work` with the file's bytes; what is wrong with the image becomes an Error that names it.
+/// Calls `work` with the file's bytes; turns the image's faults into an Error that names the file.
 template <typename Work>
 auto with_image(const fs::path& file, Work work) {
   const std::string bytes = read_file(file);
@@ -31,7 +31,7 @@ auto with_image(const fs::path& file, Work work) {
   }
 }
 
-/// All zero for an image whose header cannot be read: decoding it will say why.
+/// All zero for an unreadable header: decoding will report it.
 ImageSize size_if_readable(const fs::path& file) {
   try {
     return with_image(file,
@@ -65,7 +65,7 @@ DecodedImage content_of(const ObjTexture& texture) {
   return decode(texture.first, texture.is_srgb).value();
 }
 
-/// Of all that its texels are made of.
+/// Of all inputs of its texels.
 std::string digest_of(const ObjTexture& texture, bool with_mips) {
   const auto digest_of_file = [](const fs::path& file) {
     return file.empty() ? std::string() : sha256_of_file(file);
@@ -103,7 +103,7 @@ bool has_colors(const fs::path& file) {
     }
   } catch (const OutputIsInput&) {
     throw;
-  } catch (const Error&) {  // it is left out, as any bump map
+  } catch (const Error&) {  // it is left out, like any bump map
   }
   return false;
 }

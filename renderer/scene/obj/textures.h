@@ -1,4 +1,4 @@
-// The textures that an OBJ file's materials use: each decoded once.
+// Collects the textures of an OBJ file's materials; each image is decoded once.
 #pragma once
 
 #include <compare>
@@ -15,12 +15,12 @@
 
 namespace foveola {
 
-/// What a texture's texels are made of.
+/// The sources of a texture's texels.
 struct ObjTexture {
   enum class Content : std::uint8_t {
-    unchanged,           ///< `first` as it is
+    unchanged,           ///< `first` unchanged
     color_alpha,         ///< colour of `first`, or white, and alpha of `second`
-    roughness_metallic,  ///< `first` in green and `second` in blue, where there are any
+    roughness_metallic,  ///< `first` in green and `second` in blue, if present
   };
   Content content = Content::unchanged;
   std::filesystem::path first;  ///< empty: none
@@ -30,23 +30,22 @@ struct ObjTexture {
   auto operator<=>(const ObjTexture&) const = default;
 };
 
-/// Whether the image at `file` can be decoded and has other colours than greys: a bump map that has
-/// is a normal map.
+/// Whether the image at `file` can be decoded and is not grey: such a bump map is a normal map.
 bool has_colors(const std::filesystem::path& file);
 
 class ObjTextureSet {
  public:
-  /// The index, in what decode() will return, of `texture` continued by `wrap`.
+  /// The index, in the result of decode(), of `texture` with `wrap`.
   int add(const ObjTexture& texture, Wrap wrap);
 
-  /// All textures that were added and whose images can be decoded. `materials` then count these,
-  /// and use no others. place: the scene's, for messages. is_strict: whether an image that cannot
-  /// be decoded is an Error instead of a warning. kept: where decoded images are found and left, or
-  /// null. Throws Error if all together take more memory than require_modest_memory grants.
+  /// All added textures whose images can be decoded. Renumbers the textures of `materials`, and
+  /// removes the others. place: the scene's, for messages. is_strict: whether an image that cannot
+  /// be decoded is an Error instead of a warning. kept: stores decoded images for reuse, or null.
+  /// Throws Error if all together exceed require_modest_memory.
   std::vector<Texture> decode(std::vector<Material>& materials, KeptParts<Texels>* kept,
                               const std::string& place, bool is_strict, Warnings& warnings) const;
 
-  /// The images that the textures are made of, each once.
+  /// The textures' image files, each once.
   std::set<std::filesystem::path> files() const;
 
  private:

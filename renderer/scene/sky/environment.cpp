@@ -35,7 +35,7 @@ Environment decode(std::span<const unsigned char> encoded) {
   return environment;
 }
 
-/// A cube map is none, however it is laid out.
+/// A cube map is not an equirect image, in any layout.
 void warn_of_other_projections(const Environment& environment, const std::string& file,
                                Warnings& warnings) {
   constexpr int rounding_px = 2;
@@ -47,8 +47,8 @@ void warn_of_other_projections(const Environment& environment, const std::string
   }
 }
 
-/// What stands for infinity: it comes of suns that were too bright for half floats, so no less than
-/// these hold, nor less than anything else in the map.
+/// The replacement of infinity, which stems from suns too bright for half floats: at least their
+/// maximum, and the maximum of the map.
 float brightest_of(const std::vector<Rgb>& map) {
   constexpr float largest_half = 65504.0F;
   float brightest = largest_half;

@@ -28,7 +28,7 @@ void require_valid(const SunAndSky& s) {
           "it lies between 0 and 1");
 }
 
-/// From CIE XYZ to linear Rec. 709 (ITU-R BT.709-6, white D65); colours outside of it are cut.
+/// From CIE XYZ to linear Rec. 709 (ITU-R BT.709-6, white D65); colours outside are clipped.
 Rgb rgb_from_xyz(const DVec3& xyz) {
   const DVec3 rgb(3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z,
                   -0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z,
@@ -47,7 +47,7 @@ struct Perez {
   }
 };
 
-/// Rows belong to the turbidity's square, itself and 1; columns to the cube, square, first power of
+/// Rows are for the turbidity's square, itself and 1; columns for the cube, square, first power of
 /// the sun's zenith angle and 1.
 using ZenithMatrix = std::array<std::array<double, 4>, 3>;
 
@@ -105,7 +105,7 @@ class ClearSky {
 
  private:
   double sun_zenith_angle_;  ///< at most a right angle
-  double dimming_;           ///< by a sun below the horizon
+  double dimming_;           ///< for a sun below the horizon
   Perez luminance_{};
   Perez x_{};
   Perez y_{};
@@ -142,7 +142,7 @@ constexpr std::array<double, bands> ozone = {
     0.04,  0.048, 0.063, 0.075, 0.085, 0.103, 0.12,  0.12,  0.115, 0.125, 0.12,  0.105, 0.09,
     0.079, 0.067, 0.057, 0.048, 0.036, 0.028, 0.023, 0.018, 0.014, 0.011, 0.01,  0.009};
 
-/// The sun's irradiance of a surface across its direction.
+/// The sun's normal irradiance.
 Rgb sun_irradiance(double elevation_rad, double turbidity) {
   const double zenith_angle = 0.5 * pi - elevation_rad;
   const double air_mass =

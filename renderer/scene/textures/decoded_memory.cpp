@@ -18,11 +18,11 @@ std::size_t max_decoded_bytes() {
                   pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) / 2);
 }
 
-/// What any file may ask for: twenty images of 2048 x 2048 pixels, each of a single colour.
+/// Allowed to any file: twenty images of 2048 x 2048 pixels, each of a single colour.
 constexpr std::size_t modest_bytes = std::size_t{1} << 28;
 
-/// Deflate shrinks to no less than 1/1032 (zlib, "Technical Details"), and half floats and usual
-/// palettes grow two- to fourfold when they are decoded.
+/// Deflate shrinks to no less than 1/1032 (zlib, "Technical Details"); decoding expands half floats
+/// and common palettes two- to fourfold.
 constexpr std::size_t max_growth = 4096;
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-/// A channel of an image, stretched to some size; 255 everywhere without an image.
+/// A channel of an image, resampled to some size; 255 everywhere without an image.
 struct Source {
   const DecodedImage* image;
   int channel;

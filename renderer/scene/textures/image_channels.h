@@ -1,4 +1,4 @@
-// One image out of the channels of two.
+// Combines channels of two images into one.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace foveola {
 
-/// `color`, or white without one, with an alpha from `mask`: its own alpha where that is not 255
-/// all over, else its grey or red. As large as the one of the two with more pixels, the other's
-/// texels repeated or left out. Two channels if `color` is missing or grey, else four.
+/// `color`, or white without one, with an alpha from `mask`: its own alpha unless that is 255
+/// everywhere, else its grey or red. As large as the image with more pixels; the other is resampled
+/// to its nearest texels. Two channels if `color` is missing or grey, else four.
 DecodedImage with_alpha(const std::optional<DecodedImage>& color, const DecodedImage& mask);
 
-/// Roughness in green and metalness in blue, from the greys or reds of the two; 255 for what is
-/// missing. As large as with_alpha() would be; one of the two must be there.
+/// Roughness in green and metalness in blue, from the two images' grey or red; 255 for a missing
+/// image. As large as with_alpha() would be. At least one image must be present.
 DecodedImage roughness_metallic(const std::optional<DecodedImage>& roughness,
                                 const std::optional<DecodedImage>& metallic);
 

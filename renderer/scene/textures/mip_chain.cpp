@@ -9,8 +9,8 @@
 namespace foveola {
 namespace {
 
-/// The texels along one axis that one texel of the next level covers: at most three, since it is
-/// at least as wide as a third of them and begins at a multiple of its own width.
+/// The texels along one axis under one texel of the next level: at most three, since it is at least
+/// as wide as a third of them and begins at a multiple of its own width.
 struct Cover {
   std::size_t first = 0;
   std::size_t count = 0;
@@ -34,7 +34,7 @@ std::vector<Cover> covers(int size, int next_size) {
   return result;
 }
 
-/// Between the codes of a level and what its texels mean, channel by channel.
+/// Converts between a level's codes and linear values, channel by channel.
 class Codec {
  public:
   Codec(int channels, bool is_srgb, bool has_opacity)
@@ -52,7 +52,7 @@ class Codec {
   std::uint8_t code(float linear, std::size_t channel) const {
     return is_srgb_[channel] ? srgb_byte_from_linear(linear) : byte_from_linear(linear);
   }
-  /// Index of the alpha that weights the other channels; channels() if none does.
+  /// Index of the alpha that weights the other channels; channels() without one.
   std::size_t opacity() const { return opacity_; }
 
  private:
@@ -76,8 +76,8 @@ void add_row(std::vector<float>& sums, const std::uint8_t* codes, float weight,
   }
 }
 
-/// What rounding has taken from each channel so far, to be given to the next texel: texels of a
-/// coarse level are much alike, and rounding all of them the same way would move their mean.
+/// Rounding error of each channel so far, carried to the next texel: texels of a coarse level are
+/// similar, and equal rounding would shift their mean.
 using Carry = std::array<float, 4>;
 
 void write_row(const std::vector<float>& sums, const std::vector<Cover>& columns,

@@ -16,8 +16,8 @@ ByteTable make_table(double (*decode)(double)) {
   return table;
 }
 
-/// Finds a code among those whose interval of linear values it lies in, from a start that is at
-/// most two codes too low: the codes are closest together near black, 3294 to the unit.
+/// Finds the code whose interval contains a linear value, starting at most two codes too low: the
+/// codes are densest near black, 3294 per unit.
 struct SrgbEncoder {
   static constexpr std::size_t buckets = 4096;
   std::array<float, 256> upper_end{};  ///< for each code, the largest linear value nearest to it

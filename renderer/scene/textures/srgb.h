@@ -1,4 +1,4 @@
-// The sRGB transfer function, and 8-bit codes of it and of linear values.
+// The sRGB transfer function and its 8-bit codes.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,7 @@ inline double linear_from_srgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-/// The linear value of each 8-bit code, sRGB-encoded or linear itself; lives as long as the
-/// program.
+/// The linear value of each 8-bit code, sRGB or linear; lives as long as the program.
 const std::array<float, 256>& linear_from_byte(bool is_srgb);
 
 /// The 8-bit code nearest to `linear`, which is clamped to [0, 1]; 0 for NaN.

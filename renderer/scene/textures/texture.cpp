@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// The two texels along one axis that a coordinate lies between.
+/// The two texels along one axis around a coordinate.
 struct Taps {
   int first;
   int second;
@@ -35,8 +35,8 @@ Taps clamped_taps(float coordinate, int size) {
           .weight_second = position - below};
 }
 
-/// Folds the period of two images onto one; at the folds a mirrored image meets its own edge texel,
-/// as a clamped one does.
+/// Folds the period of two images into one; at the folds a mirrored image meets its own edge texel,
+/// like a clamped one.
 float mirrored(float coordinate) {
   const float within_period = coordinate - 2.0F * std::floor(0.5F * coordinate);
   return within_period > 1.0F ? 2.0F - within_period : within_period;
@@ -60,13 +60,13 @@ Taps nearest(const Taps& taps) {
   return {.first = texel, .second = texel, .weight_second = 0.0F};
 }
 
-/// Unlike a weighted sum, exact where both ends are equal.
+/// Unlike a weighted sum, exact for equal ends.
 template <typename T>
 T interpolate(const T& from, const T& to, float weight) {
   return from + weight * (to - from);
 }
 
-/// The same of texels whose last value says how far they are there: what is not has no colour.
+/// The same for texels whose last value is an opacity, which weights the colours.
 template <typename T>
 T interpolate_visible(const T& from, const T& to, float weight) {
   constexpr int alpha = T::length() - 1;
@@ -82,7 +82,7 @@ T interpolate_visible(const T& from, const T& to, float weight) {
 template <int channels>
 using Texel = glm::vec<channels, float>;
 
-/// Light, and alpha from 0 to 255: it is linear, so that it can be scaled once, after filtering.
+/// Light, and alpha from 0 to 255: it is linear, and can be scaled once after filtering.
 template <int channels>
 Texel<channels> decoded(const std::uint8_t* codes, const float* linear_from_byte) {
   Texel<channels> texel;

@@ -15,7 +15,7 @@
 namespace foveola {
 namespace {
 
-/// Boxes in a binary tree, each node of which halves its boxes along its longest axis.
+/// A binary tree of boxes: each node splits its boxes along its longest axis.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Bounds> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
@@ -23,7 +23,7 @@ class BoxTree {
     add_node(0, static_cast<std::uint32_t>(order_.size()));
   }
 
-  /// Appends to `found` the numbers of the boxes that touch `box`.
+  /// Appends the numbers of the boxes that touch `box` to `found`.
   void find(const Bounds& box, std::vector<std::uint32_t>& found, std::uint32_t node = 0) const {
     const Node& here = nodes_[node];
     if (!touch(here.box, box)) {
@@ -151,7 +151,7 @@ void CoincidentSurfaces::add_overlaps(const SceneTriangle& place,
     }
     has_others = true;
     overlap.emitters.push_back(number);
-    // An emitter that only surfaces without light overlap has an entry, too.
+    // An emitter overlapped only by surfaces without emission has an entry, too.
     const float clearance = 2.0F * (emitter.tolerance_m + here.tolerance_m);
     Overlap& its_own = overlaps_[emitter.place];
     if (its_own.emitters.empty()) {
@@ -200,7 +200,7 @@ bool CoincidentSurfaces::overlaps(const Emitter& emitter, const Emitter& other) 
   if (!lies_in_plane(emitter, other) && !lies_in_plane(other, emitter)) {
     return false;
   }
-  // Triangles in a plane are apart if a line along a side of one of them parts them.
+  // Triangles in a plane are disjoint if a line along a side of one of them separates them.
   for (const Emitter* triangle : {&emitter, &other}) {
     for (const DVec3& side :
          {triangle->side1, triangle->side2, triangle->side2 - triangle->side1}) {

@@ -1,4 +1,4 @@
-// Finds emissive triangles that overlap other triangles in one plane, and decides which is seen.
+// Finds emissive triangles that overlap coplanar triangles, and decides which of them is visible.
 #pragma once
 
 #include <cstdint>
@@ -22,32 +22,31 @@ struct SceneTriangle {
   bool operator==(const SceneTriangle&) const = default;
 };
 
-/// Rays meet any of several triangles that lie in one place, as rounding has it, and every emitter
-/// among them would light the scene. Here the first in the list of those that shine against a ray
-/// is what the ray meets, and what lights the place that the ray comes from. Surfaces that blend
-/// are left out.
+/// Where several triangles coincide, rounding decides which one a ray hits, and every emitter among
+/// them would light the scene. Here the first listed triangle that emits against a ray is both the
+/// one hit and the only emitter. Alpha-blended surfaces are left out.
 class CoincidentSurfaces {
  public:
-  /// The scene must outlive this object. emitters: in the order in which they are preferred.
+  /// The scene must outlive this object. emitters: in order of preference.
   CoincidentSurfaces(const Scene& scene, std::span<const SceneTriangle> emitters);
 
-  /// There are no overlaps.
+  /// Whether there are no overlaps.
   bool empty() const { return overlaps_.empty(); }
 
-  /// What a ray along `direction` (unit length) meets in the place of `hit`, which is not a miss.
+  /// The visible hit at the place of `hit`, which is not a miss, along `direction` (unit length).
   Hit seen(const Hit& hit, const Vec3& direction) const;
 
-  /// Whether a ray along `direction` that comes to `point` of the emitter, on a side that it shines
-  /// to, sees it.
+  /// Whether a ray along `direction` to `point` of the emitter, on an emitting side, sees the
+  /// emitter.
   bool is_seen(const SceneTriangle& emitter, const Vec3& point, const Vec3& direction) const;
 
   /// Whether is_seen() may be false.
   bool may_be_hidden(const SceneTriangle& emitter) const;
 
-  /// How far off the emitter, in metres, no surface of its plane is in the way; 0 without overlap.
+  /// Distance from the emitter, in metres, beyond which nothing coincides; 0 without overlap.
   float clearance_m(const SceneTriangle& emitter) const;
 
-  /// A warning that names the first overlap; empty if there is none.
+  /// A warning that names the first overlap; nullopt if there is none.
   std::optional<std::string> warning() const;
 
  private:
@@ -58,9 +57,9 @@ class CoincidentSurfaces {
     bool double_sided;
     bool has_opacity;
   };
-  /// Of one triangle with emitters.
+  /// The emitters at one triangle.
   struct Overlap {
-    std::vector<std::uint32_t> emitters;  ///< itself among them if it is one; ascending
+    std::vector<std::uint32_t> emitters;  ///< including itself if it emits; ascending
     float clearance_m = 0.0F;
   };
   struct Hash {
@@ -74,7 +73,7 @@ class CoincidentSurfaces {
   static bool overlaps(const Emitter& emitter, const Emitter& other);
   Emitter emitter_of(const SceneTriangle& place) const;
   bool shines(const Emitter& emitter, const Vec3& direction) const;
-  /// The point's barycentric coordinates if the emitter is there.
+  /// The point's barycentric coordinates on the emitter; nullopt if it lies outside.
   std::optional<Vec2> find(const Emitter& emitter, const DVec3& point) const;
 
   const Scene& scene_;

@@ -20,8 +20,8 @@ float map_row(const Environment& environment, const Vec3& direction) {
   return (0.5F - 2.0F * elevation) * static_cast<float>(environment.map_height) - 0.5F;
 }
 
-/// Where the map shows a direction, which is in the map's own frame: in texels, counted from the
-/// centre of texel (0, 0); x in [-1/2, W - 1/2], y in [-1/2, H - 1/2].
+/// The map position of a direction in the map's own frame: in texels, from the centre of texel (0,
+/// 0); x in [-1/2, W - 1/2], y in [-1/2, H - 1/2].
 Vec2 map_position(const Environment& environment, const Vec3& direction) {
   const bool is_pole = direction.x == 0.0F && direction.z == 0.0F;
   const float azimuth = is_pole ? 0.0F : turns_of(direction.x, -direction.z);
@@ -64,8 +64,8 @@ struct Corners {
   }
 };
 
-/// The sines of the elevations that border the rows of cells, from the top. In double: near the
-/// poles they differ in their last few digits as floats.
+/// The sines of the elevations at the borders of the rows of cells, from the top. In double: near
+/// the poles floats would differ only in their last digits.
 std::vector<double> border_sines(const Environment& environment) {
   std::vector<double> sines;
   for (int row = 0; row <= environment.map_height + 1; ++row) {

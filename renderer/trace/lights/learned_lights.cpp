@@ -9,19 +9,18 @@
 namespace foveola {
 namespace {
 
-/// So few light samples in a region that it is small, and so many that they tell something. With
-/// four times as many in all, or per region, built-in scenes were not less noisy.
+/// Light samples per region: few enough for small regions, enough for estimates. Four times as many
+/// in all, or per region, did not reduce the noise of built-in scenes.
 constexpr std::size_t outcomes_per_region = 64;
 
-/// As how many draws the mean over all regions counts in each.
+/// Weight of the mean over all regions, in draws of a region.
 constexpr double prior_draws = 4.0;
 
-/// The part of each choice that is made as if nothing were known. With half of it, the variance of
-/// the built-in scenes was 3 % less where the camera stood, and more can go wrong where it moves
-/// to.
+/// Share of each choice without learning. With half of it, the variance of the built-in scenes was
+/// 3 % less at the camera's place, but other places may lose more.
 constexpr double default_part = 0.1;
 
-/// How often a light, or some part of the lights, was drawn, and the sum of what it gave.
+/// Number of draws of a light, or of a part of the lights, and the sum of their gains.
 struct Tally {
   double draws = 0.0;
   double sum = 0.0;
@@ -35,7 +34,7 @@ struct Tally {
     sum += other.sum;
   }
   double mean() const { return draws > 0.0 ? sum / draws : 0.0; }
-  /// As if it had been drawn more often, with this mean.
+  /// The mean with prior_draws further draws of this mean.
   double mean_with(double prior) const {
     return (sum + prior_draws * prior) / (draws + prior_draws);
   }
@@ -46,11 +45,11 @@ using KindTallies = std::array<Tally, kind_count>;
 using SkyTallies = std::array<Tally, SquareWarp::squares>;
 using TreeTallies = std::array<std::array<Tally, LightTree::width>, LightTree::preferring_nodes>;
 
-/// What is known of a region, or of all.
+/// Tallies of a region, or of all.
 struct Experience {
   KindTallies kinds;  ///< squared gains
   SkyTallies sky;     ///< squared gains
-  TreeTallies tree;   ///< whether anything arrived
+  TreeTallies tree;   ///< also counts whether anything arrived
 
   void add(const LightOutcome& outcome, const LightTree* lights) {
     const double squared = static_cast<double>(outcome.gain) * static_cast<double>(outcome.gain);
@@ -81,8 +80,8 @@ struct Experience {
   }
 };
 
-// The variance of a sum of which one term is drawn and weighed by 1 / p is least where p is
-// proportional to the root of the mean square of what each term gives if it is drawn.
+// The variance of a sum, of which one term is drawn and weighted by 1 / p, is minimal if p is
+// proportional to the root mean square of each term.
 
 KindProbabilities kinds_of(const Experience& region, const Experience& all,
                            const KindProbabilities& usual) {

@@ -1,5 +1,5 @@
-// Which lights reach which part of a scene, learned from paths that were traced before: walls are
-// in no other way known to next-event estimation.
+// Light probabilities per region of a scene, learned from traced paths. Next-event estimation
+// learns of occlusion in no other way.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,16 @@
 
 namespace foveola {
 
-/// Unlike PiecewiseConstant2D it holds no memory elsewhere, since there is one for every region.
+/// A density on the unit square. Allocates no memory elsewhere, since every region has one.
 class SquareWarp {
  public:
   static constexpr std::size_t width = 8;
   static constexpr std::size_t squares = width * width;
 
-  /// The square that holds a point of the unit square, row by row.
+  /// The index of the square that holds a point of the unit square, row by row.
   static std::size_t square_of(const Vec2& point) { return width * step(point.y) + step(point.x); }
 
-  /// weights: of each square, positive and finite.
+  /// weights: one per square, positive and finite.
   explicit SquareWarp(const std::array<double, squares>& weights) {
     double total = 0.0;
     std::array<double, width> rows{};
@@ -94,42 +94,41 @@ class SquareWarp {
 
 enum class LightKind : std::uint8_t { environment, suns, local, nothing };
 
-/// With which probability each kind is drawn; 0 for those that there are not.
+/// Probability of drawing each kind of light; 0 for absent kinds.
 struct KindProbabilities {
   float environment = 0.0F;
   float suns = 0.0F;
   float local = 0.0F;
 };
 
-/// How a light sample at a path's vertex turned out, before anything was learned.
+/// The result of a light sample at a path's vertex, drawn before learning.
 struct LightOutcome {
   ShadingPoint shading_point;
   LightKind kind;
-  /// Of the environment the square of SquareWarp that the direction was drawn from; of local lights
-  /// the one drawn, or `no_light`.
+  /// For the environment, the square of SquareWarp that the direction was drawn from. For local
+  /// lights, the light's index, or `no_light`.
   std::uint32_t light;
-  /// What arrived of it, in units of the radiance that the path scatters to where it comes from.
+  /// The unoccluded light's contribution to the scattered radiance; 0 if occluded.
   float gain = 0.0F;
 
   static constexpr std::uint32_t no_light = ~0U;
 };
 
-/// Tables for the regions of the surfaces that paths have met; in parts of the scene that they have
-/// not, those of some region near them. Whatever was learned, every light keeps a part of the
-/// probability that it usually has, so that what is wrong costs samples and never makes a picture
-/// wrong.
+/// Probability tables for regions of the surfaces hit by the learning paths. Other points use a
+/// region near them. Every light keeps part of its unlearned probability, so that bad learning adds
+/// variance but no bias.
 class LearnedLights {
  public:
-  /// Nothing is learned: one region.
+  /// Without learning: one region.
   explicit LearnedLights(const KindProbabilities& usual) : kinds_(1, usual) {}
 
-  /// usual: that the outcomes were drawn with. tree: of the local lights, or null. knows_sky: the
-  /// environment was drawn by its brightness.
+  /// usual: probabilities with which the outcomes were drawn. tree: of the local lights, or null.
+  /// knows_sky: whether the environment was drawn by its brightness.
   LearnedLights(std::span<const LightOutcome> outcomes, const KindProbabilities& usual,
                 const LightTree* tree, bool knows_sky);
 
-  /// The mean square of light samples drawn as learned, over that of those drawn as usual, as far
-  /// as these outcomes tell, from which nothing should have been learned; 1 where nothing arrived.
+  /// Estimated ratio of the mean squares of light samples, learned over unlearned; 1 if nothing
+  /// arrived. outcomes: independent of those learned from.
   double relative_mean_square(std::span<const LightOutcome> outcomes,
                               const KindProbabilities& usual, const LightTree* tree) const;
 
@@ -141,18 +140,17 @@ class LearnedLights {
   }
 
   const KindProbabilities& kinds(std::uint32_t region) const { return kinds_[region]; }
-  /// The density of directions to the environment in the unit square of its numbers; null:
-  /// constant.
+  /// Density of environment directions in the sampler's unit square; null: constant.
   const SquareWarp* sky(std::uint32_t region) const {
     return sky_.empty() ? nullptr : &sky_[region];
   }
-  /// Null: none.
+  /// Null without preferences.
   const LightTree::Preferences* preferences(std::uint32_t region) const {
     return preferences_.empty() ? nullptr : &preferences_[region];
   }
 
  private:
-  /// With which probability the outcome's light was drawn, over that with which it is drawn now.
+  /// The unlearned over the learned probability of drawing the outcome's light.
   double relative_probability(const LightOutcome& outcome, const KindProbabilities& usual,
                               const LightTree* tree) const;
 

@@ -9,9 +9,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// A cone that holds those of `a` and `b`, as small as it can be but for rounding.
+/// The smallest cone, up to rounding, that contains those of `a` and `b`.
 void widen_cone(LightBounds& a, const LightBounds& b) {
-  // The axis of two-sided lights is a line: take the end that is nearer.
+  // The axis of two-sided lights is a line: take the nearer end.
   const bool flip = a.two_sided && b.two_sided && glm::dot(a.axis, b.axis) < 0.0;
   const DVec3 other = flip ? -b.axis : b.axis;
   const DVec3 across = glm::cross(a.axis, other);

@@ -1,5 +1,4 @@
-// What is known of one light, or of several together, without asking each: where they are, where
-// they shine to, and how much.
+// Bounds of one light or a group of lights: position, emission directions and intensity.
 #pragma once
 
 #include <algorithm>
@@ -40,28 +39,28 @@ struct DirectionCone {
   }
 };
 
-/// The lights shine in a cone of half angle falloff around each direction of a cone of half angle
-/// spread around the axis (Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with
-/// Adaptive Tree Splitting", section 4.1).
+/// The lights emit within a cone of half angle falloff around each direction of a cone of half
+/// angle spread around the axis (Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights
+/// with Adaptive Tree Splitting", section 4.1).
 struct LightBounds {
   Bounds box;
   DVec3 axis{0.0, 0.0, 1.0};  ///< unit length
   double spread_rad = 0.0;    ///< in [0, pi]
   double falloff_rad = 0.0;   ///< in [0, pi]
-  bool two_sided = false;     ///< shines against the axis too
-  /// Luminous intensity in the brightest direction, summed over the lights; 0: no light at all.
+  bool two_sided = false;     ///< also emits against the axis
+  /// Luminous intensity in the brightest direction, summed over the lights; 0: no emission.
   double intensity = 0.0;
 
   DVec3 centre() const { return 0.5 * (DVec3(box.lower) + DVec3(box.upper)); }
-  /// The radius of the sphere around the box.
+  /// Radius of the box's bounding sphere.
   double radius() const { return 0.5 * glm::length(DVec3(box.upper) - DVec3(box.lower)); }
 };
 
 /// Bounds of everything in `a` and in `b`.
 LightBounds merge(const LightBounds& a, const LightBounds& b);
 
-/// How many directions the lights shine to, weighed by the cosine they fall off with, in steradians
-/// (the measure of Conty Estevez and Kulla 2018, equation 1).
+/// Solid angle of the emission directions, weighted by their cosine falloff, in steradians (the
+/// measure of Conty Estevez and Kulla 2018, equation 1).
 double orientation_measure(const LightBounds& bounds);
 
 }  // namespace foveola

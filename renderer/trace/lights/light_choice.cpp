@@ -16,8 +16,7 @@ AliasTable::AliasTable(std::span<const double> weights) : slots_(weights.size())
     shares[i] = weights[i] / total * static_cast<double>(weights.size());
     (shares[i] < 1.0 ? poor : rich).push_back(static_cast<std::uint32_t>(i));
   }
-  // What is left in either list at the end is full but for rounding, and stays its slot's only
-  // item.
+  // Any item left in either list fills its slot up to rounding, and stays its only item.
   while (!poor.empty() && !rich.empty()) {
     const std::uint32_t filled = poor.back();
     const std::uint32_t giver = rich.back();
@@ -51,7 +50,7 @@ std::optional<ChosenLight> LightChoice::sample(const ShadingPoint& shading_point
     const std::size_t light = table->alias.sample(u);
     return ChosenLight{light, table->probabilities[light]};
   }
-  // Both numbers are one with twice the digits: deep in a large tree 24 bits do not suffice.
+  // Together they have twice the digits: deep in a large tree 24 bits do not suffice.
   return std::get<LightTree>(method_).sample(shading_point, u.x + 0x1p-24 * u.y, preferences);
 }
 

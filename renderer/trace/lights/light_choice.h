@@ -1,5 +1,4 @@
-// Which of several lights a sample is drawn from: an item by its weight in constant time (Walker
-// 1977; Vose 1991), or by a tree.
+// Chooses one of several lights: by weight in constant time (Walker 1977; Vose 1991), or by a tree.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +16,7 @@ namespace foveola {
 
 class AliasTable {
  public:
-  /// weights: >= 0 and finite, not all zero. Item i is drawn with weights[i] over their sum.
+  /// weights: >= 0 and finite, not all zero. Item i has probability weights[i] over their sum.
   explicit AliasTable(std::span<const double> weights);
 
   /// u: in the unit square.
@@ -36,30 +35,29 @@ class AliasTable {
   std::vector<Slot> slots_;
 };
 
-/// Few lights are drawn by their power, from a table; many by what they may give to the shading
+/// Draws few lights by power, from a table; many by their potential contribution to the shading
 /// point, from a tree.
 class LightChoice {
  public:
-  /// The most lights that are drawn from the table. Measured in a room lit by lamps of two
-  /// triangles each: the tree halves the product of time and variance with two lamps, and quarters
-  /// it with eight.
+  /// Maximum number of lights in the table. Measured in a room lit by lamps of two triangles each:
+  /// the tree halves the product of time and variance with two lamps, and quarters it with eight.
   static constexpr std::size_t default_max_in_table = 2;
 
-  /// One power and one element of bounds a light; without power there is no intensity. Not all
-  /// powers are zero.
+  /// One power and one bounds per light; a light without power has no intensity. Not all powers are
+  /// zero.
   LightChoice(std::span<const double> powers, std::span<const LightBounds> bounds,
               std::size_t max_in_table);
 
-  /// u: in the unit square. Empty if no light can reach the shading point. preferences: the tree's,
-  /// or null.
+  /// u: in the unit square. preferences: of the tree, or null. nullopt if no light can reach the
+  /// shading point.
   std::optional<ChosenLight> sample(const ShadingPoint& shading_point, const Vec2& u,
                                     const LightTree::Preferences* preferences) const;
 
-  /// With which probability sample() draws this light.
+  /// Probability that sample() draws this light.
   float probability(const ShadingPoint& shading_point, std::size_t light,
                     const LightTree::Preferences* preferences) const;
 
-  /// Null: lights are drawn from the table.
+  /// Null if lights are drawn from the table.
   const LightTree* tree() const { return std::get_if<LightTree>(&method_); }
 
  private:

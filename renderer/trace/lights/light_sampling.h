@@ -1,5 +1,5 @@
-// How next-event estimation draws light: its settings, the point whose incoming light is sampled,
-// and what drawing gives. What is not the usual way is there to measure what the usual way gains.
+// Light sampling of next-event estimation: settings, shading points and samples. Settings other
+// than the defaults exist to measure the defaults' gain.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace foveola {
 
-/// How a light is drawn where there are several.
+/// Method of choosing among several lights.
 enum class LightSelection : std::uint8_t {
-  usual,           ///< many lights by what they may give to the shading point
-  by_power_alone,  ///< wherever the shading point is
-  /// Each emissive triangle, point, spot and sun is as likely as any other, and as the environment.
+  usual,           ///< many lights by their potential contribution to the shading point
+  by_power_alone,  ///< independent of the shading point
+  /// Equal probability for each emissive triangle, point, spot and sun, and for the environment.
   uniform,
 };
 
 struct LightSampling {
   LightSelection selection = LightSelection::usual;
-  /// Points are uniform in the area of emissive triangles, even of those that are near.
+  /// Samples all emissive triangles uniformly in area, even near ones.
   bool triangles_by_area = false;
-  /// Directions to the environment have the density cosine / pi around the surface's normal,
-  /// wherever the sky is bright.
+  /// Samples environment directions with density cosine / pi around the surface's normal, whatever
+  /// the sky's brightness.
   bool environment_by_cosine = false;
-  /// Of the usual selection, which lights reach which part of the scene is learned: see
+  /// With the default selection, learns which lights reach which part of the scene: see
   /// PathTracer::learn_lights().
   bool learns = true;
 
@@ -35,27 +35,27 @@ struct LightSampling {
 /// Number: float, or Floats.
 template <typename Number>
 struct LocalLightSampleOf {
-  Vec3Of<Number> to_light{};  ///< from the place to the point, not of unit length
-  Number pdf{};               ///< per steradian; without size: a probability; 0: no light
-  Vec3Of<Number> radiance{};  ///< without size: the irradiance that it gives head-on
-  /// The light has no size.
+  Vec3Of<Number> to_light{};  ///< from the shading point to the sample, not of unit length
+  Number pdf{};               ///< per steradian; for a delta light: a probability; 0: no light
+  Vec3Of<Number> radiance{};  ///< for a delta light: the irradiance at normal incidence
+  /// Whether the light is a delta light.
   MaskOf<Number> is_delta{};
 };
 using LocalLightSample = LocalLightSampleOf<float>;
 
 struct DistantLight {
   Rgb radiance{0.0F};
-  float pdf = 0.0F;  ///< per steradian, with which next-event estimation draws its direction
+  float pdf = 0.0F;  ///< per steradian, of next-event estimation for this direction
 };
 
 struct ShadingPoint {
   Vec3 position{0.0F};
-  Vec3 normal{0.0F, 1.0F, 0.0F};  ///< unit length; of the geometry, not of its shading
-  bool transmits = true;          ///< light may arrive from both sides, not from the normal's alone
+  Vec3 normal{0.0F, 1.0F, 0.0F};  ///< unit length; geometric, not shading normal
+  bool transmits = true;          ///< light may arrive from both sides, not only the normal's
   std::uint32_t region = 0;       ///< see Lights::region_of()
 };
 
-/// ShadingPoints that light arrives at from their normal's side only, one a lane.
+/// One ShadingPoint per lane, lit from their normals' side only.
 struct ShadingPoints {
   Vec3Lanes position;
   Vec3Lanes normal;

@@ -11,23 +11,23 @@
 namespace foveola {
 namespace {
 
-/// Below this depth lights are halved by number, so that no arrangement of them makes the tree
-/// degenerate into a list.
+/// Below this depth lights are halved by number, so that no arrangement degenerates the tree into a
+/// list.
 constexpr int deepest_cost_split = 40;
 
 constexpr int max_bins = 12;
 
-/// Cosines of angles are wrong by up to this: a cosine next to 1 that is wrong by 1e-7 stands for
-/// an angle that is wrong by 4e-4. Nothing is left out for being turned away by less.
+/// Bound on the errors of angles' cosines: an error of 1e-7 in a cosine near 1 is an error of 4e-4
+/// in the angle. No light is excluded for facing away by less.
 constexpr float slack = 1e-3F;
 
 /// In square metres; keeps quotients by it finite.
 constexpr float smallest_squared_distance = 1e-20F;
 
-/// Stands for the sine of a sphere's half size where it is seen from inside.
+/// Replaces the sine of a sphere's half angle for points inside.
 constexpr float inside = 2.0F;
 
-/// The least importance of a child relative to its strongest sibling, so that light which reaches
+/// Minimum importance of a child relative to its strongest sibling, so that a light that reaches
 /// the shading point never has none.
 constexpr float smallest_importance = 1e-30F;
 
@@ -46,8 +46,8 @@ Angle difference(const Angle& a, const Angle& b) {
   return {is_zero ? 1.0F : cosine, is_zero ? 0.0F : sine};
 }
 
-/// The surface area orientation heuristic of one side of a split: what the lights give times how
-/// far they are apart in place and in direction.
+/// The surface area orientation heuristic of one side of a split: intensity times extent in space
+/// and direction.
 double cost_of(const LightBounds& bounds) {
   const double radius = bounds.radius();
   return bounds.intensity * orientation_measure(bounds) * radius * radius;
@@ -76,11 +76,11 @@ class LightTree::Builder {
   }
 
  private:
-  /// Lights that stand together under one child.
+  /// Lights under one child.
   struct Group {
     std::span<std::uint32_t> lights;
     LightBounds bounds;
-    int depth;  ///< splits that led to it
+    int depth;  ///< number of splits above it
   };
 
   Group group_of(std::span<std::uint32_t> items, int depth) const {
@@ -91,7 +91,7 @@ class LightTree::Builder {
     return {items, bounds, depth};
   }
 
-  /// Adds an empty node for a group, which waits to be put below it; returns its index.
+  /// Adds an empty node for a group, and queues its children; returns its index.
   std::uint32_t add_node(const Group& group, const Place& parent, std::deque<Group>& waiting) {
     const auto index = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_.emplace_back();
@@ -100,7 +100,7 @@ class LightTree::Builder {
     return index;
   }
 
-  /// Puts the group that has waited longest below its node, which is this one.
+  /// Fills the node of the longest waiting group.
   void fill_node(std::uint32_t index, std::deque<Group>& waiting) {
     const Group group = waiting.front();
     waiting.pop_front();
@@ -120,7 +120,7 @@ class LightTree::Builder {
     }
   }
 
-  /// Splits what costs most, until there are enough.
+  /// Splits the most expensive groups, until there are enough.
   std::vector<Group> children_of(const Group& group) {
     std::vector<Group> children{group};
     while (children.size() < width) {
@@ -139,7 +139,7 @@ class LightTree::Builder {
     return children;
   }
 
-  /// Single lights cannot be split, and even a group that costs nothing can.
+  /// Single lights cannot be split; groups can, even at no cost.
   static double cost_to_keep(const Group& group) {
     return group.lights.size() == 1 ? -1.0 : cost_of(group.bounds);
   }
@@ -165,7 +165,7 @@ class LightTree::Builder {
 
   using Iterator = std::span<std::uint32_t>::iterator;
 
-  /// Orders the lights into two groups, neither of them empty; returns where the second begins.
+  /// Splits the lights into two non-empty groups; returns the beginning of the second.
   Iterator split(std::span<std::uint32_t> items, int depth) {
     if (items.size() > 2 && depth < deepest_cost_split) {
       const CostSplit best = best_split(items);
@@ -209,7 +209,7 @@ class LightTree::Builder {
     for (int axis = 0; axis < 3; ++axis) {
       if (extent[axis] > 1e-3 * longest) {
         const CostSplit candidate = best_split_along(items, axis, lower[axis], extent[axis]);
-        // Thin boxes are worse than their radius says.
+        // For thin boxes the radius underestimates the cost.
         if (candidate.cost * longest / extent[axis] < best.cost) {
           best = candidate;
           best.cost *= longest / extent[axis];
@@ -280,9 +280,9 @@ LightTree::Lanes LightTree::importance(const Node& node, const ShadingPoint& sha
       cosine = std::abs(cosine);
     }
   }
-  // The smallest angles, over all points of the sphere around the lights, between a direction they
-  // shine to and the one to the shading point, and between the shading point's normal and the
-  // light. Inside the sphere the lights may be in any direction.
+  // The minimum angles, over all points of the bounding sphere, between an emission direction and
+  // that to the shading point, and between the shading point's normal and the light. Inside the
+  // sphere the lights may be in any direction.
   Lanes cosines;
   for (std::size_t i = 0; i < width; ++i) {
     const float sine = half_size_sine[i];
@@ -328,7 +328,7 @@ std::optional<ChosenLight> LightTree::sample(const ShadingPoint& shading_point, 
     if (!(sum > 0.0)) {
       return std::nullopt;
     }
-    // What is left of the random number, stretched to [0, 1), decides below.
+    // The rest of the random number, rescaled to [0, 1), decides below.
     u *= sum;
     std::size_t lane = 0;
     for (std::size_t next = 0; next < width; ++next) {

@@ -15,11 +15,11 @@
 namespace foveola {
 namespace {
 
-/// Of so many outcomes one is not learned from.
+/// One of this many outcomes is kept out of the learning, to judge it.
 constexpr std::size_t outcomes_per_judge = 8;
 
-/// The relative mean square of light samples below which what is learned is used: it costs a few
-/// percent of the time, and lights are not all that is noisy.
+/// Maximum relative mean square of light samples for using the learned probabilities: they cost a
+/// few percent of the time, and lights are not the only source of noise.
 constexpr double worth_learning = 0.8;
 
 constexpr float infinitely_far = std::numeric_limits<float>::infinity();
@@ -89,7 +89,7 @@ KindProbabilities Lights::default_probabilities(const Scene& scene,
 
 LightKind Lights::kind_of(const ShadingPoint& shading_point, float u_kind) const {
   const KindProbabilities& probabilities = learned_.kinds(shading_point.region);
-  // Rounding may leave a u_kind above the sum, which belongs to the last kind there is.
+  // Rounding may leave a u_kind above the sum, which belongs to the last present kind.
   const bool only_distant = local_.empty();
   if (environment_ && (u_kind < probabilities.environment || (only_distant && suns_.empty()))) {
     return LightKind::environment;
@@ -163,7 +163,7 @@ LightSampleOf<Number> Lights::from_local(const LocalLightSampleOf<Number>& sampl
 
 namespace {
 
-/// Gathers samples that were drawn one by one.
+/// Collects samples that were drawn one by one.
 class LightSampleLanes {
  public:
   void put(std::size_t lane, const LightSample& sample) {
@@ -329,7 +329,7 @@ EnvironmentLight::Sample Lights::sample_sky(const ShadingPoint& shading_point,
     sample.light.pdf *= point.density;
     return sample;
   }
-  // Where light arrives from both sides, half of the numbers go to each.
+  // If light arrives from both sides, half of the numbers go to each.
   const bool is_beyond = shading_point.transmits && u.y < 0.5F;
   const float u_cosine = shading_point.transmits ? std::fmod(2.0F * u.y, 1.0F) : u.y;
   const Vec3 local = sample_cosine_hemisphere(azimuth_at(u.x), u_cosine);

@@ -1,4 +1,4 @@
-// Next-event estimation's view of a scene: where light comes from, and how likely it is drawn.
+// All lights of a scene, sampled for next-event estimation.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,19 @@
 
 namespace foveola {
 
-/// Light that arrives at a point if nothing is in the way: f |cos| radiance / pdf estimates what is
-/// scattered. A ray may meet by chance what a sample was drawn from, so both are to be weighed by
-/// their densities; but no ray meets a delta light, and its samples count in full.
+/// Unoccluded light at a point: f |cos| radiance / pdf estimates the scattered radiance. Rays may
+/// hit the same light by chance, so both are weighted by their densities (multiple importance
+/// sampling). No ray hits a delta light: its samples have weight 1.
 ///
 /// Number: float, or Floats.
 template <typename Number>
 struct LightSampleOf {
   Vec3Of<Number> direction{};  ///< unit length, towards the light
-  Number pdf{};  ///< per steradian; without size: the probability that it was drawn; 0: no light
-  Vec3Of<Number> radiance{};  ///< without size: the irradiance that it gives head-on
-  MaskOf<Number> is_delta{};  ///< a light without size
-  Vec3Of<Number> to_light{};  ///< the shadow ray's direction from the shading point
-  Number t_max{};             ///< where the shadow ray ends; infinite for distant lights
+  Number pdf{};  ///< per steradian; for a delta light: the probability of the choice; 0: no light
+  Vec3Of<Number> radiance{};  ///< for a delta light: the irradiance at normal incidence
+  MaskOf<Number> is_delta{};  ///< a delta light
+  Vec3Of<Number> to_light{};  ///< from the shading point along the shadow ray
+  Number t_max{};             ///< the shadow ray's end; infinite for distant lights
 };
 using LightSample = LightSampleOf<float>;
 using LightSamples = LightSampleOf<Floats>;
@@ -40,49 +40,49 @@ struct LightNumbers {
   Vec2Lanes point;
 };
 
-/// Three kinds of light: the environment, the suns (directional lights), and those in the scene
-/// (emissive triangles, points, spots). Of the n kinds that a scene has, each is drawn with the
-/// probability 1 / (2 n) + its share of the power / 2, for power knows nothing of walls. The power
-/// of what is infinitely far is what falls through the disc of the scene's bounding sphere. Of a
-/// uniform selection a kind has as large a share as of the lights.
+/// Three kinds of light: the environment, the suns (directional lights), and local lights (emissive
+/// triangles, points, spots). Each of a scene's n kinds is drawn with the probability 1 / (2 n) +
+/// its share of the power / 2, since power ignores occlusion. The power of an infinitely far light
+/// is the flux through the disc of the scene's bounding sphere. For a uniform selection a kind's
+/// share is that of the number of lights.
 class Lights {
  public:
   /// The scene must outlive this object. max_in_table: see LocalLights.
   explicit Lights(const Scene& scene, const LightSampling& sampling = {},
                   std::size_t max_in_table = LightChoice::default_max_in_table);
 
-  /// Nothing shines: every radiance is zero.
+  /// Whether the scene has no emission: every radiance is zero.
   bool empty() const { return empty_; }
 
-  /// Which of several surfaces in one place is seen, and lights.
+  /// Resolves coincident surfaces: which is visible and emits.
   const CoincidentSurfaces& coincident() const { return local_.coincident(); }
 
-  /// u_kind decides something.
+  /// Whether u_kind matters.
   bool has_several_kinds() const {
     return (environment_ ? 1 : 0) + (suns_.empty() ? 0 : 1) + (local_.empty() ? 0 : 1) > 1;
   }
 
-  /// u_choice decides something.
+  /// Whether u_choice matters.
   bool has_several_of_a_kind() const { return suns_.size() > 1 || local_.size() > 1; }
 
-  /// Empty if the light drawn does not reach the shading point, or if what shines is found by rays
-  /// only (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
+  /// nullopt if the light drawn does not reach the shading point, or if the emission is sampled by
+  /// rays only (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
   std::optional<LightSample> sample(const ShadingPoint& shading_point, float u_kind,
                                     const Vec2& u_choice, const Vec2& u) const;
 
-  /// From which light sample() draws as long as nothing is learned; nothing of it has arrived yet.
+  /// The light of sample() before learning, as an outcome with gain 0.
   LightOutcome outcome(const ShadingPoint& shading_point, float u_kind, const Vec2& u_choice,
                        const Vec2& u) const;
 
-  /// There is something to learn.
+  /// Whether learning can change the probabilities.
   bool can_learn() const {
     return has_several_kinds() || draws_bright_sky_ || local_.tree() != nullptr;
   }
-  /// From now on light is drawn by what arrived in these outcomes, and shading points are to say
-  /// their region; unless one of them says that it would hardly help. To be called once.
+  /// Draws lights as learned from these outcomes, unless part of them shows too little gain.
+  /// Shading points must then have their region. To be called once.
   void learn(std::span<const LightOutcome> outcomes);
 
-  /// For ShadingPoint::region. normal: of the geometry.
+  /// For ShadingPoint::region. normal: geometric.
   std::uint32_t region_of(const Vec3& position, const Vec3& normal) const {
     return learned_.region_of(position, normal);
   }
@@ -90,72 +90,72 @@ class Lights {
     return learned_.regions_of(position, normal);
   }
 
-  /// The same for the shading points of some lanes.
+  /// The same for the shading points in some lanes.
   LightSamples sample(const ShadingPoints& shading_points, const LightNumbers& numbers,
                       const LaneMask& lanes) const;
 
-  /// With which density per steradian sample() would have drawn the point that a ray from the
-  /// shading point hit; 0 for surfaces that are not sampled. distance: in metres; cosine: of the
-  /// angle between the ray and the surface's normal.
+  /// Density, per steradian, of sample() for the point that a ray from the shading point hit; 0 for
+  /// surfaces that are not sampled. distance: in metres. cosine: of the angle between the ray and
+  /// the surface's normal.
   float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                      float cosine) const;
 
-  /// What arrives from infinity: environment and discs of suns. direction: unit length. The density
-  /// is that of samples drawn for the shading point.
+  /// Radiance from infinity: environment and sun discs, with the density of samples for the shading
+  /// point. direction: unit length.
   DistantLight distant_light(const ShadingPoint& shading_point, const Vec3& direction) const;
 
-  /// Some suns are discs.
+  /// Whether some suns are discs.
   bool has_sun_discs() const { return suns_.sizeless() < suns_.size(); }
-  /// The direction lies in the disc of a sun.
+  /// Whether the direction lies in the disc of a sun.
   bool is_in_sun(const Vec3& direction) const { return suns_.at(direction).pdf > 0.0F; }
 
-  /// Rays may meet points and spots.
+  /// Whether rays may hit points and spots.
   bool has_spheres() const { return local_.has_spheres(); }
-  /// The lanes whose rays may meet one.
+  /// The lanes whose rays may hit one.
   LaneMask may_meet_sphere(const Vec3s& origin, const Vec3s& direction) const {
     return local_.may_meet_sphere(origin, direction);
   }
-  /// Calls visit(PunctualLights::Met) for those on a ray from the shading point, with the density
-  /// of sample(), whatever else the ray meets.
+  /// Calls visit(PunctualLights::Met) for the spheres on a ray from the shading point, with the
+  /// density of sample(), whatever else the ray hits.
   template <typename Visit>
   void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, const Visit& visit) const {
     local_.visit_spheres(shading_point, ray, learned_.kinds(shading_point.region).local,
                          learned_.preferences(shading_point.region), visit);
   }
 
-  /// The points and spots, and the suns, that no ray meets.
+  /// Numbers of points and spots, and of suns, that no ray hits.
   std::size_t sizeless_points() const { return local_.sizeless(); }
   std::size_t sizeless_suns() const { return suns_.sizeless(); }
 
  private:
-  using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn
+  using Sun = std::optional<std::size_t>;  ///< the sun that a direction was drawn from
 
   KindProbabilities default_probabilities(const Scene& scene, LightSelection selection) const;
-  /// What the environment alone says of the direction, as with_suns() takes it.
+  /// The environment's radiance and density alone, for with_suns().
   DistantLight sky_at(const ShadingPoint& shading_point, const Vec3& direction) const;
   EnvironmentLight::Sample sample_sky(const ShadingPoint& shading_point, const Vec2& u) const;
-  /// sky: what the environment alone says of the direction. known: see Suns::at().
+  /// sky: the environment's radiance and density in this direction. known: see Suns::at().
   DistantLight with_suns(const ShadingPoint& shading_point, const DistantLight& sky,
                          const Vec3& direction, Sun known) const;
 
   LightKind kind_of(const ShadingPoint& shading_point, float u_kind) const;
-  /// probability: with which local lights were drawn.
+  /// probability: of drawing local lights.
   template <typename Number>
   static LightSampleOf<Number> from_local(const LocalLightSampleOf<Number>& sample,
                                           const Number& probability);
   std::optional<LightSample> sample_suns(const ShadingPoint& shading_point, const Vec2& u_choice,
                                          const Vec2& u) const;
-  /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its
-  /// density may be off by any factor.
+  /// sky: the value that came with the drawn direction. A new evaluation may fall into a
+  /// neighbouring cell, whose density may differ by any factor.
   std::optional<LightSample> sample_distant(const ShadingPoint& shading_point,
                                             const Vec3& direction, const DistantLight& sky,
                                             Sun known) const;
 
-  std::optional<EnvironmentLight> environment_;  ///< empty where it gives no light
+  std::optional<EnvironmentLight> environment_;  ///< nullopt where it has no emission
   Suns suns_;
   LocalLights local_;
   bool empty_;
-  bool draws_bright_sky_;  ///< there is an environment, and it is drawn by its brightness
+  bool draws_bright_sky_;  ///< whether an environment exists and is drawn by its brightness
   LearnedLights learned_;
 };
 

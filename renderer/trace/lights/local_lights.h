@@ -1,4 +1,4 @@
-// The lights that stand in the scene: emissive triangles, points and spots.
+// The lights within the scene: emissive triangles, points and spots.
 #pragma once
 
 #include <cstddef>
@@ -15,66 +15,66 @@ namespace foveola {
 
 class LocalLights {
  public:
-  /// The scene must outlive this object. max_in_table: see LightChoice; of the usual selection.
+  /// The scene must outlive this object. max_in_table: see LightChoice; for the default selection.
   LocalLights(const Scene& scene, const LightSampling& sampling, std::size_t max_in_table);
 
-  /// There is nothing to draw.
+  /// Whether no light can be drawn.
   bool empty() const { return !choice_; }
 
   const CoincidentSurfaces& coincident() const { return triangles_.coincident(); }
 
-  /// Whether something shines that is not drawn (see TriangleLights).
+  /// Whether some emission is not sampled (see TriangleLights).
   bool has_unlisted() const { return triangles_.has_unlisted(); }
 
-  /// Luminous, in radiance times square metre times steradian.
+  /// Luminous power, in radiance times square metre times steradian.
   double power() const { return power_; }
 
   bool has_spheres() const { return choice_ && !punctual_.spheres().empty(); }
 
-  /// The lanes whose rays may meet a point's or a spot's sphere.
+  /// The lanes whose rays may hit a point's or a spot's sphere.
   LaneMask may_meet_sphere(const Vec3s& origin, const Vec3s& direction) const {
     return punctual_.may_meet(origin, direction);
   }
 
-  /// Points or spots without size.
+  /// Number of points and spots without size.
   std::size_t sizeless() const { return punctual_.size() - punctual_.spheres().size(); }
 
-  /// Lights that have power.
+  /// Number of lights with power.
   std::size_t size() const { return size_; }
 
-  /// Null: there are few, which are not drawn from a tree.
+  /// Null if the lights are too few for a tree.
   const LightTree* tree() const { return choice_ ? choice_->tree() : nullptr; }
 
-  /// Empty if the light drawn does not reach the shading point. u_choice, u: in the unit square.
-  /// preferences: the tree's, or null. Not to be called when empty().
+  /// nullopt if the light drawn does not reach the shading point. u_choice, u: in the unit square.
+  /// preferences: of the tree, or null. Not to be called when empty().
   std::optional<LocalLightSample> sample(const ShadingPoint& shading_point, const Vec2& u_choice,
                                          const Vec2& u,
                                          const LightTree::Preferences* preferences) const;
 
-  /// The light that sample() draws from without preferences.
+  /// The light that sample() chooses without preferences.
   std::optional<ChosenLight> light_drawn(const ShadingPoint& shading_point,
                                          const Vec2& u_choice) const {
     return choice_->sample(shading_point, u_choice, nullptr);
   }
 
-  /// For choose() to put lights into.
+  /// An empty container for choose().
   TriangleLights::Drawn nothing_drawn() const { return TriangleLights::Drawn(triangles_); }
 
-  /// Chooses a light for the shading point in a lane. Puts it into `drawn` if that can draw it;
-  /// else draws from it, as sample() does.
+  /// Chooses a light for the shading point in a lane. Adds it to `drawn` if that supports it;
+  /// otherwise samples it now, as sample() does.
   enum class Choice { nothing, drawn, sampled };
   Choice choose(const ShadingPoint& shading_point, const Vec2& u_choice, const Vec2& u,
                 const LightTree::Preferences* preferences, std::size_t lane,
                 TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
 
-  /// With which density per steradian sample() would have drawn the point that a ray from the
-  /// shading point hit; 0 for what is not sampled.
+  /// Density, per steradian, of sample() for the point that a ray from the shading point hit; 0 for
+  /// surfaces that are not sampled.
   float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                      float cosine, const LightTree::Preferences* preferences) const;
 
-  /// Calls visit(PunctualLights::Met) for the spheres on a ray from the shading point. Their
-  /// density is that of a sample, where one of this kind of light has the given probability. Not to
-  /// be called when empty().
+  /// Calls visit(PunctualLights::Met) for the spheres on a ray from the shading point. Densities
+  /// are those of samples, given the probability of this kind of light. Not to be called when
+  /// empty().
   template <typename Visit>
   void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, float kind_probability,
                      const LightTree::Preferences* preferences, const Visit& visit) const {

@@ -13,10 +13,10 @@ namespace {
 
 using std::numbers::pi_v;
 
-/// Spheres whose sine of half the angle that they fill, squared, is less count as points.
+/// Spheres with a smaller squared sine of half the subtended angle count as points.
 constexpr float smallest_squared_sine = 1e-10F;
 
-/// The narrowest rim of a spot, in cosines: KHR_lights_punctual's.
+/// The minimum width of a spot's rim, in cosines: KHR_lights_punctual's.
 constexpr float narrowest_rim = 1e-3F;
 
 bool shines(const PunctualLight& light) {
@@ -34,7 +34,7 @@ float rim_of(const PunctualLight& light) {
   return std::max(narrowest_rim, std::cos(light.inner_cone_rad) - std::cos(light.outer_cone_rad));
 }
 
-/// What a spot lets through towards `direction`, of unit length; 1 for points.
+/// Angular factor of a spot towards `direction`, of unit length; 1 for points.
 float cone_factor(const PunctualLight& light, const Vec3& direction) {
   if (light.kind == PunctualLight::Kind::point) {
     return 1.0F;
@@ -53,8 +53,8 @@ float cone_factor(const PunctualLight& light, const Vec3& direction) {
   return t * t;
 }
 
-/// The integral over the cosine of the angle to a spot's direction, and so over the solid angle
-/// but for a factor of 2 pi, of what the spot lets through.
+/// Integral of a spot's factor over the cosine of the angle to its direction: the solid angle
+/// integral divided by 2 pi.
 double cone_integral(const PunctualLight& light) {
   const double rim = rim_of(light);
   const double outer = std::cos(static_cast<double>(light.outer_cone_rad));
@@ -70,13 +70,13 @@ double cone_integral(const PunctualLight& light) {
   return inside + rim / 3.0;
 }
 
-/// A light as a place sees it.
+/// A light as seen from a place.
 struct View {
   Vec3 direction;  ///< unit length, to its centre
   float distance;  ///< of that
   Rgb intensity;   ///< towards the place
   float radius;
-  bool is_sphere;  ///< it does not count as a point
+  bool is_sphere;  ///< whether it does not count as a point
 
   bool is_from_inside() const { return !(radius / distance < 1.0F); }
   Rgb radiance() const { return intensity / (pi_v<float> * radius * radius); }
@@ -88,7 +88,7 @@ struct View {
   }
 };
 
-/// Empty if the light does not reach the place.
+/// nullopt if the light does not reach the place.
 std::optional<View> view_from(const Vec3& place, const PunctualLight& light) {
   const Vec3 to_centre = light.position - place;
   const float distance = glm::length(to_centre);
@@ -206,7 +206,7 @@ std::optional<PunctualLights::Met> PunctualLights::meet(std::size_t light, const
 LaneMask PunctualLights::may_meet(const Vec3s& origin, const Vec3s& direction) const {
   LaneMask lanes{};
   for (const std::size_t light : spheres_) {
-    // With room for rounding, here and in meet().
+    // With a margin for rounding, here and in meet().
     const float squared_radius = 1.01F * lights_[light].radius_m * lights_[light].radius_m;
     const Vec3s to_centre = all_lanes(lights_[light].position) - origin;
     const Floats along = dot(to_centre, direction);

@@ -15,7 +15,7 @@ bool is_sun(const PunctualLight& light) {
          std::abs(glm::dot(light.direction, light.direction) - 1.0F) < 1e-3F;
 }
 
-/// 1 - cos(angle) by way of half the angle, which is exact where the angle is small.
+/// 1 - cos(angle) through half the angle, which is exact for small angles.
 float one_minus_cosine(float angle_rad) {
   const float sine = std::sin(0.5F * angle_rad);
   return 2.0F * sine * sine;

@@ -1,4 +1,4 @@
-// Directional lights: from one direction exactly, or from a disc in the sky that rays see.
+// Directional lights: delta lights, or discs in the sky that rays see.
 #pragma once
 
 #include <cstddef>
@@ -12,35 +12,35 @@
 
 namespace foveola {
 
-/// The directional ones among a scene's lights, drawn by their irradiance E, or all alike. A disc
-/// of angular radius a shines with E / (pi sin^2 a), so that a surface that faces its centre gets
-/// E. Radii above a right angle count as one, and below 5e-4 rad (a tenth of the Sun's) as none: a
-/// direction of floats cannot decide whether it is in the disc. Lights that are not finite or do
-/// not shine are left out.
+/// The directional lights of a scene, drawn by their irradiance E, or uniformly. A disc of angular
+/// radius a has radiance E / (pi sin^2 a), so that a surface facing its centre gets E. Radii above
+/// a right angle are clamped to it. Radii below 5e-4 rad (a tenth of the Sun's) count as 0, since a
+/// direction of floats cannot resolve such a disc. Lights with non-finite values or without
+/// emission are left out.
 class Suns {
  public:
   explicit Suns(const Scene& scene, LightSelection selection = LightSelection::usual);
 
   bool empty() const { return suns_.empty(); }
   std::size_t size() const { return suns_.size(); }
-  /// Those without a disc.
+  /// Number of suns without a disc.
   std::size_t sizeless() const;
 
-  /// The luminous irradiance of a surface that faces all of them.
+  /// Luminous irradiance of a surface facing all suns.
   double irradiance() const { return irradiance_; }
 
   struct Sample {
     std::size_t sun;
     Vec3 direction;  ///< unit length, towards the light
     bool is_delta;
-    float probability;  ///< with which a delta sun was drawn
-    Rgb irradiance;     ///< that a delta sun gives
+    float probability;  ///< of drawing this sun, if a delta light
+    Rgb irradiance;     ///< of a delta light
   };
   /// u_choice, u: in the unit square. Not to be called when empty().
   Sample sample(const Vec2& u_choice, const Vec2& u) const;
 
-  /// Light of the discs in `direction`. known: a sun from which the direction was drawn, if any, so
-  /// that rounding at its disc's rim does not matter.
+  /// Light of the discs in `direction`. known: the sun that the direction was drawn from, if any,
+  /// which counts despite rounding at its disc's rim.
   DistantLight at(const Vec3& direction, std::optional<std::size_t> known = {}) const;
 
  private:
@@ -48,8 +48,8 @@ class Suns {
     Rgb irradiance;
     DirectionCone disc;
     bool is_delta;
-    float probability;   ///< with which it is drawn
-    DistantLight shine;  ///< what its disc gives; nothing for a delta sun
+    float probability;   ///< of drawing it
+    DistantLight shine;  ///< radiance and density of its disc; none for a delta light
 
     explicit Sun(const PunctualLight& light);
     bool covers(const Vec3& direction) const;

@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-/// Normals that are opposite are as far apart as so many standard deviations of all positions.
+/// Distance of opposite normals, in standard deviations of all positions.
 constexpr float opposite_normals = 1.0F;
 
 float coordinate(const SurfaceRegions::Place& place, std::uint32_t axis) {
@@ -22,7 +22,7 @@ using Places = std::span<SurfaceRegions::Place>;
 double deviation_along(Places places, std::uint32_t axis) {
   double sum = 0.0;
   double squares = 0.0;
-  // Relative to one of them, so that far from the origin nothing is lost.
+  // Relative to one of them, to keep precision far from the origin.
   const double origin = coordinate(places.front(), axis);
   for (const SurfaceRegions::Place& place : places) {
     const double x = coordinate(place, axis) - origin;
@@ -84,7 +84,7 @@ class SurfaceRegions::Builder {
     return widest;
   }
 
-  /// The median, unless nothing is below it: then the next that is above it.
+  /// The median, or the next larger value if nothing is below it.
   static float border_near(Places places, std::uint32_t axis, float median) {
     float above = std::numeric_limits<float>::infinity();
     for (const Place& place : places) {

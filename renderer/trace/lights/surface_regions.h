@@ -1,5 +1,4 @@
-// Parts of a scene's surfaces, in each of which points are near each other and face about the same
-// way.
+// Partitions a scene's surfaces into regions of nearby points with similar normals.
 #pragma once
 
 #include <array>
@@ -12,8 +11,8 @@
 
 namespace foveola {
 
-/// A tree of halvings, of all space and all normals (Bentley 1975, "Multidimensional Binary Search
-/// Trees"), so that every point is in a region.
+/// A k-d tree over all positions and normals (Bentley 1975, "Multidimensional Binary Search
+/// Trees"): every point lies in a region.
 class SurfaceRegions {
  public:
   struct Place {
@@ -23,22 +22,22 @@ class SurfaceRegions {
 
   /// A single region.
   SurfaceRegions() = default;
-  /// So many that each holds at least `fewest` of the places, if no two are the same.
+  /// As many regions as possible with at least `fewest` of the places each, if no two are equal.
   SurfaceRegions(std::vector<Place> places, std::size_t fewest);
 
   std::size_t count() const { return std::size_t{1} << levels_; }
 
-  /// Below count(). Numbers that are not finite are in some region.
+  /// In [0, count()). Non-finite points lie in some region.
   std::uint32_t region_of(const Place& place) const;
 
   /// The same for eight points.
   Uints regions_of(const Vec3s& position, const Vec3s& normal) const;
 
  private:
-  static constexpr std::size_t axes = 6;  ///< the position's, then the normal's
+  static constexpr std::size_t axes = 6;  ///< position, then normal
   struct Halving {
     std::uint32_t axis = 0;
-    float border = 0.0F;  ///< the least of the upper half
+    float border = 0.0F;  ///< minimum of the upper half
   };
   class Builder;
 

@@ -1,5 +1,5 @@
-// Emissive triangles as light sources: those of meshes and of every instance of a mesh, drawn by
-// the solid angle at which a point sees them.
+// Emissive triangles of meshes and instances as light sources, sampled by the solid angle that they
+// subtend at a point.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@
 
 namespace foveola {
 
-/// One for each lane of a triangle and of a point that sees it, or single ones: Number is float or
-/// Floats. Vectors are doubles: a needle's angles are differences of nearly equal ones. What is
-/// computed from them is as exact as a float.
+/// A triangle seen from a point, one per lane or a single one: Number is float or Floats. Vectors
+/// are doubles, since a needle's angles are differences of nearly equal vectors. Results have a
+/// float's precision.
 template <typename Number>
 class SphericalTriangleOf {
  public:
-  /// Seen from `viewpoint`. All that follows is finite for every finite triangle and viewpoint.
+  /// Seen from `viewpoint`. All results are finite for every finite triangle and viewpoint.
   SphericalTriangleOf(const TriangleOf<Number>& triangle, const Vec3Of<Number>& viewpoint)
       : a_(wide(triangle.p0) - wide(viewpoint)),
         b_(wide(triangle.p1) - wide(viewpoint)),
@@ -42,8 +42,8 @@ class SphericalTriangleOf {
     half_turns_ = turns_of(narrow(numerator), narrow(denominator));
   }
 
-  /// In steradians, in [0, 2 pi]; one of the two on the plane (Van Oosterom and Strackee 1983, "The
-  /// Solid Angle of a Plane Triangle").
+  /// In steradians, in [0, 2 pi]; ambiguous between the two in the triangle's plane (Van Oosterom
+  /// and Strackee 1983, "The Solid Angle of a Plane Triangle").
   Number solid_angle() const { return (4.0F * std::numbers::pi_v<float>)*half_turns_; }
 
   /// The barycentric coordinates of a point whose direction is uniform in the solid angle (as Arvo
@@ -54,9 +54,9 @@ class SphericalTriangleOf {
     const Vector a = (1.0 / length_a_) * a_;
     const Vector b = (1.0 / length_b_) * b_;
     const Vector c = (1.0 / length_c_) * c_;
-    // The corner d on the side from a to c that leaves the share u.x of the solid angle in (a, b,
-    // d). It is a's mirror image at some axis between a and c, x a + y c. The formula of the solid
-    // angle, with d in place of c, is linear in x and y.
+    // The corner d on the side from a to c such that (a, b, d) has the share u.x of the solid
+    // angle. It mirrors a at an axis between a and c, x a + y c. The solid angle's formula, with d
+    // in place of c, is linear in x and y.
     const Wide triple = magnitude(dot(normal_, a)) / (length_b_ * length_c_);
     const SinesCosines<Number> half_angle = sine_cosine_of_turns(Number(u.x * half_turns_));
     const Wide sine = wide(half_angle.sine);
@@ -70,7 +70,7 @@ class SphericalTriangleOf {
     const Vector d{has_axis ? mirrored.x : c.x, has_axis ? mirrored.y : c.y,
                    has_axis ? mirrored.z : c.z};
 
-    // On the arc from b to d, uniform in the height over b.
+    // On the arc from b to d, uniform in height over b.
     const Wide lowest = dot(d, b);
     const Wide height = 1.0 - wide(u.y) * (1.0 - lowest);
     const Wide squared_sine = 1.0 - lowest * lowest;
@@ -122,64 +122,64 @@ class SphericalTriangleOf {
     return {narrow(is_parallel ? third : x), narrow(is_parallel ? third : y)};
   }
 
-  Vector a_, b_, c_;  ///< the corners, from the viewpoint
-  Vector normal_;     ///< twice the area long
+  Vector a_, b_, c_;  ///< corners, relative to the viewpoint
+  Vector normal_;     ///< length: twice the area
   Wide length_a_, length_b_, length_c_;
-  Number half_turns_;  ///< half the solid angle as an angle, in turns
+  Number half_turns_;  ///< half the solid angle, in turns
 };
 using SphericalTriangle = SphericalTriangleOf<float>;
 
-/// What drawing a point needs of an emissive triangle, or of eight. Number: float, or Floats.
+/// Data for sampling a point of an emissive triangle, or of eight. Number: float, or Floats.
 template <typename Number>
 struct EmitterOf {
   TriangleOf<Number> triangle;
   Vec3Of<Number> front_normal;
   Number area;                  ///< square metres
-  Number squared_longest_side;  ///< square metres; 0: points are never uniform in solid angle
+  Number squared_longest_side;  ///< square metres; 0: never sampled by solid angle
   Number rounding_error;        ///< see TriangleOf
-  Number shining_sides;         ///< 1 or 2
+  Number shining_sides;         ///< number of emitting sides: 1 or 2
   Vec3Of<Number> radiance;      ///< without textures
 };
 
-/// A list of triangles in world space. Points are drawn uniformly in the solid angle of triangles
-/// that are near for their size, and in the area of the others. A textured emitter counts with its
-/// texture's mean, and what is not opaque as if it were.
+/// A list of triangles in world space. Triangles that are near for their size are sampled uniformly
+/// in solid angle, others in area. A textured emitter counts with its texture's mean, a transparent
+/// one as opaque.
 ///
-/// Not in the list, though they shine: unlit materials, textures whose mean is black, and objects
-/// that would make it longer than `max_triangles`. Rays find their light, without help.
+/// Emission left out of the list: unlit materials, textures with a black mean, and objects beyond
+/// `max_triangles`. Their light is sampled by rays alone.
 class TriangleLights {
  public:
   static constexpr std::size_t max_triangles = 4'000'000;
   static constexpr std::uint32_t nothing = ~0U;
 
-  /// The scene must outlive this object. by_area: points are uniform in the area of all triangles.
+  /// The scene must outlive this object. by_area: samples all triangles uniformly in area.
   explicit TriangleLights(const Scene& scene, bool by_area = false);
 
   std::size_t size() const { return emitters_.size(); }
 
-  /// Which of several triangles in one place is seen, and lights.
+  /// Resolves coincident triangles: which is visible and emits.
   const CoincidentSurfaces& coincident() const { return *coincident_; }
 
-  /// Whether something shines that is not in the list.
+  /// Whether some emission is not in the list.
   bool has_unlisted() const { return has_unlisted_; }
 
-  /// Luminous power in radiance times square metre times steradian; 0 for triangles without area
-  /// and for those that are not finite.
+  /// Luminous power in radiance times square metre times steradian; 0 for triangles without area or
+  /// with non-finite values.
   double power(std::size_t triangle) const;
   LightBounds bounds(std::size_t triangle) const;
 
-  /// A point of the triangle; empty if it does not shine towards `place`. u: in the unit square.
+  /// A point of the triangle; nullopt if it does not emit towards `place`. u: in the unit square.
   std::optional<LocalLightSample> sample(std::size_t triangle, const Vec3& place,
                                          const Vec2& u) const;
 
-  /// Gathers triangles, and then draws a point of each at once.
+  /// Collects triangles, then samples a point of each at once.
   class Drawn;
 
-  /// With which density per steradian at `place` sample() would have drawn a point at the given
-  /// distance in metres, seen at an angle to the triangle's normal of the given cosine.
+  /// Density of sample() per steradian at `place`, for a point at `distance` in metres, with
+  /// `cosine` between its direction and the triangle's normal.
   float pdf(std::size_t triangle, const Vec3& place, float distance, float cosine) const;
 
-  /// The triangle that a ray hit, or `nothing` if it is not in the list.
+  /// The index of the triangle that a ray hit, or `nothing` if it is not in the list.
   std::uint32_t index_of(const Hit& hit) const {
     const std::uint32_t first = first_of_object_[hit.object];
     return first == nothing ? nothing : first + hit.triangle;
@@ -187,11 +187,11 @@ class TriangleLights {
 
  private:
   struct Emitter : EmitterOf<float> {
-    bool is_uniform;  ///< shines with `radiance` everywhere and in all directions
+    bool is_uniform;  ///< same `radiance` everywhere and in all directions
     SceneTriangle place;
   };
 
-  /// The triangle seen from `place`, if it is to be sampled by its solid angle.
+  /// The triangle seen from `place`; nullopt if it is not to be sampled by solid angle.
   static std::optional<SphericalTriangle> seen_from_near(const Emitter& emitter, const Vec3& place);
 
   void add_object(std::uint32_t object, bool by_area);
@@ -209,13 +209,13 @@ class TriangleLights::Drawn {
  public:
   explicit Drawn(const TriangleLights& lights) { emitters_.fill(lights.emitters_.data()); }
 
-  /// Whether the triangle's points can be drawn here: it shines with one radiance. The others are
-  /// left to TriangleLights::sample().
+  /// Whether this class can sample the triangle: it has a single radiance. The others are left to
+  /// TriangleLights::sample().
   static bool can_draw(const TriangleLights& lights, std::size_t triangle) {
     return lights.emitters_[triangle].is_uniform;
   }
 
-  /// The triangle that was chosen in a lane, with the probability of that choice.
+  /// Sets the triangle chosen in a lane, with its probability.
   void put(std::size_t lane, const TriangleLights& lights, std::size_t triangle,
            float probability) {
     emitters_[lane] = &lights.emitters_[triangle];
@@ -223,7 +223,7 @@ class TriangleLights::Drawn {
   }
 
   using Samples = LocalLightSampleOf<Floats>;
-  /// place: that the light is for. u: in the unit square.
+  /// place: the shading points. u: in the unit square.
   Samples sample(const Vec3s& place, const Vec2s& u) const;
 
  private:

@@ -16,7 +16,7 @@ Vec3 sample_uniform_hemisphere(const Vec2& u) {
   return {r * azimuth.cosine, r * azimuth.sine, z};
 }
 
-/// What is left of u in [begin, begin + length), spread over [0, 1).
+/// The position of u in [begin, begin + length), rescaled to [0, 1).
 float rescaled(float u, float begin, float length) {
   return std::clamp((u - begin) / length, 0.0F, largest_below_one);
 }
@@ -27,7 +27,7 @@ bool has_covers(const Reflectance& reflectance) {
          (reflectance.clearcoat > 0.0F || max_component(reflectance.sheen_color) > 0.0F);
 }
 
-/// Whether nothing but the Lambertian layer reflects.
+/// Whether only the Lambertian layer reflects.
 bool is_matte(const Reflectance& reflectance) {
   return reflectance.metallic == 0.0F && reflectance.specular == 0.0F &&
          reflectance.transmission == 0.0F && !has_covers(reflectance);
@@ -95,7 +95,7 @@ void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTabl
   glass_.emplace(microfacets_.ggx(), outgoing_, eta, albedo);
 }
 
-/// Chooses lobes in proportion to the light that each sends back; returns that of all.
+/// Chooses lobes in proportion to their albedos; returns the sum.
 float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
   float transmission_albedo = 0.0F;
   if (glass_) {
@@ -111,7 +111,7 @@ float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
     diffuse_probability_ = diffuse_albedo / total;
     transmission_probability_ = transmission_albedo / total;
   } else if (total != 0.0F) {
-    // Not a number: so is every sample's weight, and the path is reported.
+    // NaN, so that every sample's weight is NaN too, and the path is reported.
     layers_ = OpaqueLayersOf<float>(Rgb(total));
     diffuse_probability_ = 1.0F;
   }
@@ -255,8 +255,8 @@ std::optional<BsdfSample> Bsdf::weighed(const Vec3& incoming, bool is_reflected)
                     .is_transmitted = !is_reflected};
 }
 
-/// share: how much of the light from `incoming` is scattered, without the covers. probability: of
-/// this direction if the base is sampled.
+/// share: of the light from `incoming` that is scattered, without the covers. probability: of this
+/// direction if the base is sampled.
 BsdfSample Bsdf::specular(const Vec3& incoming, const Rgb& share, float probability) const {
   const float total = base_probability_ * probability;
   return {.incoming = incoming,

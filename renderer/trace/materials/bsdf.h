@@ -1,4 +1,4 @@
-// How a surface scatters light: glTF's metallic-roughness model and its extensions at one point.
+// The BSDF: glTF's metallic-roughness model and its extensions at one point.
 #pragma once
 
 #include <optional>
@@ -13,30 +13,30 @@
 
 namespace foveola {
 
-/// The model of renderer/MATERIALS.md, seen from one direction.
+/// The model of renderer/MATERIALS.md for one outgoing direction.
 ///
 /// Directions are local: +z is the shading normal, on the side of the outgoing direction, and all
 /// of them point away from the surface.
 class Bsdf {
  public:
   /// outgoing: unit length, z > 0. tables: of a scene with such a material; must outlive this
-  /// object. coat_normal: the clear coat's, unit length, on the side of the outgoing direction.
+  /// object. coat_normal: of the clear coat, unit length, on the side of the outgoing direction.
   Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
        const Vec3& coat_normal = {0.0F, 0.0F, 1.0F});
 
-  /// incoming: unit length, from the side of the surface that is_reflected says; beyond the shading
-  /// normal's horizon only a clear coat with another normal has a value. Perfect mirrors and lenses
-  /// have no value.
+  /// incoming: unit length, from the side that is_reflected names. Beyond the shading normal's
+  /// horizon only a clear coat with another normal has a value. Perfect mirrors and lenses have no
+  /// value.
   BsdfValue eval(const Vec3& incoming, bool is_reflected) const;
-  /// The side is that of the shading normal.
+  /// The same on the shading normal's side.
   BsdfValue eval(const Vec3& incoming) const { return eval(incoming, incoming.z > 0.0F); }
 
-  /// The share of light that passes a smooth thin wall straight on, as a specular sample with
-  /// incoming = -outgoing.
+  /// Share of light that passes a smooth thin wall straight, as a specular sample with incoming =
+  /// -outgoing.
   Rgb straight_transmission() const;
 
-  /// Empty if the sample is lost: it ended on the wrong side of the surface. u_lobe in [0, 1), u in
-  /// the unit square, both below 1.
+  /// nullopt if the sample is lost: it ended on the wrong side of the surface. u_lobe in [0, 1), u
+  /// in the unit square, both below 1.
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
@@ -57,20 +57,19 @@ class Bsdf {
 
   Vec3 outgoing_;
   OpaqueLayersOf<float> layers_;
-  MicrofacetLobe microfacets_;  ///< not of a surface that is only diffuse
+  MicrofacetLobe microfacets_;  ///< absent if the surface is only diffuse
   std::optional<ThinWall> wall_;
   std::optional<GlassInterface> glass_;
   bool is_glass_smooth_ = false;
   float glass_share_ = 0.0F;  ///< the glass's share of the mixture
-  Rgb transmitted_{
-      0.0F};  ///< share in the mixture and tint of what thin walls or glass let through
+  Rgb transmitted_{0.0F};  ///< mixture share and tint of light transmitted by thin walls or glass
   std::optional<CoverLayers> covers_;
-  // The lobes' probabilities if the base is sampled, and the base's own.
+  // Probabilities of the lobes given that the base is sampled, and of the base.
   float specular_probability_ = 0.0F;
   float diffuse_probability_ = 0.0F;
   float transmission_probability_ = 0.0F;
   float base_probability_ = 1.0F;
-  float base_scale_ = 1.0F;  ///< what the covers leave of the base
+  float base_scale_ = 1.0F;  ///< share of light that the covers leave for the base
 };
 
 }  // namespace foveola

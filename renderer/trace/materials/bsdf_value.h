@@ -1,5 +1,5 @@
-// What goes into a BSDF and what comes out of it; Fresnel's reflectance: Schlick's approximation
-// for metals and coats, the exact one for glass.
+// Inputs and outputs of a BSDF; Fresnel reflectances: Schlick's approximation for metals and coats,
+// exact for glass.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace foveola {
 
-/// How far Schlick's Fresnel reflectance is on its way from its value at normal incidence to that
-/// at grazing incidence (Schlick 1994, eq. 15). cosine: in [0, 1]; a number, or lanes of them.
+/// Schlick's interpolation weight between reflectance at normal and at grazing incidence (Schlick
+/// 1994, eq. 15). cosine: in [0, 1]; a number, or lanes of them.
 template <typename Number>
 Number schlick_weight(const Number& cosine) {
   const Number complement = 1.0F - cosine;
@@ -30,7 +30,7 @@ inline float clearcoat_reflectance(float cosine) {
   return normal + (1.0F - normal) * schlick_weight(cosine);
 }
 
-/// What a smooth interface between two dielectrics does to unpolarised light.
+/// Fresnel reflection of unpolarised light at a smooth interface of two dielectrics.
 struct FresnelSplit {
   float reflected = 1.0F;           ///< share of the power, in [0, 1]
   float transmitted_cosine = 0.0F;  ///< between the refracted direction and the normal; 0: total
@@ -38,8 +38,8 @@ struct FresnelSplit {
 };
 
 /// Snell's law and Fresnel's equations (Born and Wolf, section 1.5.2). cosine: of the incidence, in
-/// [0, 1]. eta: index of refraction of the far side over that of the near side, > 0; at 1 nothing
-/// is reflected or bent.
+/// [0, 1]. eta: index of refraction of the far side over that of the near side, > 0; at 1 light
+/// passes unchanged.
 inline FresnelSplit fresnel_split(float cosine, float eta) {
   const float root = (eta - 1.0F) * (eta + 1.0F) + cosine * cosine;
   if (root <= 0.0F) {
@@ -61,7 +61,7 @@ struct Reflectance {
   float specular = 1.0F;      ///< in [0, 1]
   Rgb specular_color{1.0F};   ///< >= 0
   float transmission = 0.0F;  ///< in [0, 1]
-  bool is_solid = false;      ///< what is transmitted is refracted; else the wall is thin
+  bool is_solid = false;      ///< transmitted light is refracted; otherwise the wall is thin
   bool from_inside = false;   ///< the outgoing direction lies in the solid
   float clearcoat = 0.0F;     ///< in [0, 1]
   float clearcoat_roughness = 0.0F;
@@ -69,7 +69,7 @@ struct Reflectance {
   float sheen_roughness = 0.0F;
 };
 
-/// Schlick's reflectance of a dielectric's coat, at normal and at grazing incidence.
+/// Schlick reflectance of a dielectric coat, at normal and at grazing incidence.
 struct CoatReflectance {
   Rgb normal;
   float grazing;
@@ -84,21 +84,19 @@ inline CoatReflectance coat_reflectance(const Reflectance& reflectance) {
 struct BsdfSample {
   Vec3 incoming;  ///< unit length, local
   Rgb weight;     ///< BSDF times |cosine| over pdf
-  float pdf;      ///< per steradian; of a specular sample the probability
-  /// The direction is the only one of a perfect mirror or lens: eval() knows nothing of it.
+  float pdf;      ///< per steradian; for a specular sample the probability
+  /// The single direction of a perfect mirror or lens, for which eval() is 0.
   bool is_specular = false;
-  bool is_transmitted = false;  ///< through the surface; else it is reflected
-  /// How much transmission has scaled the radiance: eta^2 when refracted (MATERIALS.md), else 1.
-  /// Roulette takes it out again.
+  bool is_transmitted = false;  ///< transmitted; otherwise reflected
+  /// Factor of refraction on the radiance: eta^2 (MATERIALS.md), else 1. Roulette divides by it.
   float radiance_scale = 1.0F;
 };
 
-/// The BSDF and its sampling density, which share nearly all of their terms. Number: float, or
-/// Floats.
+/// The BSDF and its sampling density, which share most of their terms. Number: float, or Floats.
 template <typename Number>
 struct BsdfValueOf {
   Vec3Of<Number> times_cosine{};  ///< BSDF times the incoming direction's cosine
-  Number pdf{};                   ///< per steradian, with which sample() gives that direction
+  Number pdf{};                   ///< per steradian, of sample() for that direction
 
   BsdfValueOf& operator+=(const BsdfValueOf& other) {
     times_cosine = times_cosine + other.times_cosine;

@@ -32,7 +32,7 @@ CoverLayers::CoverLayers(const Reflectance& reflectance, const Vec3& outgoing,
   const float strongest_sheen = max_component(reflectance.sheen_color);
   if (strongest_sheen > 0.0F) {
     const float white = tables.sheen().of(sheen_, reflectance.sheen_roughness, outgoing.z);
-    // Where the fit's masking lets more than all light through, it is scaled down to all.
+    // Where the fit's masking gives an albedo above 1, it is scaled down to 1.
     sheen_color_ = reflectance.sheen_color * (base_scale_ / std::max(white, 1.0F));
     sheen_albedo = luminance(sheen_color_) * white;
     base_scale_ *= 1.0F - strongest_sheen * std::min(white, 1.0F);

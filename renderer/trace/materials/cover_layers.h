@@ -1,4 +1,4 @@
-// What lies over a surface: clearcoat, and sheen below it.
+// Layers over a surface: clearcoat, and sheen below it.
 #pragma once
 
 #include <optional>
@@ -12,32 +12,32 @@
 
 namespace foveola {
 
-/// Both layers let through to what is below the share of light that they do not reflect, by their
-/// albedo for the outgoing direction.
+/// Each layer transmits the light that it does not reflect, by its albedo for the outgoing
+/// direction.
 class CoverLayers {
  public:
-  /// outgoing: unit length, z > 0. coat_normal: the clear coat's, unit length, on its side.
-  /// base_albedo: luminance of what is below, for the choice of lobes.
+  /// outgoing: unit length, z > 0. coat_normal: of the clear coat, unit length, on its side.
+  /// base_albedo: luminance of the base, for the choice of lobes.
   CoverLayers(const Reflectance& reflectance, const Vec3& outgoing, const Vec3& coat_normal,
               float base_albedo, const ScatteringTables& tables);
 
-  /// With which all that is below is multiplied.
+  /// Factor on everything below the layers.
   float base_scale() const { return base_scale_; }
 
   float clearcoat_probability() const { return clearcoat_probability_; }
   float sheen_probability() const { return sheen_probability_; }
   float base_probability() const { return 1.0F - clearcoat_probability_ - sheen_probability_; }
 
-  /// The only direction that a smooth clear coat reflects from; empty if it is rough.
+  /// The only direction that a smooth clear coat reflects; nullopt if it is rough.
   struct Mirror {
     Vec3 incoming;
     float reflectance;
   };
   std::optional<Mirror> clearcoat_mirror() const;
-  /// A direction that a rough clear coat reflects from; empty if it lies below the coat.
+  /// A direction reflected by a rough clear coat; nullopt if it lies below the coat.
   std::optional<Vec3> sample_clearcoat(const Vec2& u) const;
 
-  /// The base's value under the layers, and theirs. incoming: unit length, reflected.
+  /// The sum of the base's value below the layers and their own. incoming: unit length, reflected.
   BsdfValue over(const BsdfValue& base, const Vec3& incoming) const;
 
  private:
@@ -46,7 +46,7 @@ class CoverLayers {
   MicrofacetLobe clearcoat_;
   float clearcoat_strength_;
   CharlieSheen sheen_;
-  Rgb sheen_color_{0.0F};  ///< times what is left below the clearcoat
+  Rgb sheen_color_{0.0F};  ///< times the share left below the clearcoat
   float base_scale_ = 1.0F;
   float clearcoat_probability_ = 0.0F;
   float sheen_probability_ = 0.0F;

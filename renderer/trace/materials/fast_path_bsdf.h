@@ -1,5 +1,4 @@
-// How opaque surfaces of the metallic-roughness model without covers scatter light, eight at a
-// time.
+// The BSDF of opaque metallic-roughness surfaces without covers, eight at a time.
 #pragma once
 
 #include <optional>
@@ -12,24 +11,24 @@
 
 namespace foveola {
 
-/// A material's values at one point, as FastPathBsdfs wants them.
+/// A material's values at one point, as input of FastPathBsdfs.
 struct FastPathLayers {
   Rgb base_color;
   float metallic;
   float roughness;
-  CoatReflectance coat;  ///< reflectance of the dielectric part's coat
+  CoatReflectance coat;  ///< reflectance of the dielectric coat
 
-  /// The microfacets reflect.
+  /// Whether the microfacets reflect.
   bool is_shiny;
 };
 FastPathLayers fast_path_layers(const Reflectance& reflectance);
 
-/// Whether FastPathBsdfs can take a surface: it is opaque and has no covers.
+/// Whether FastPathBsdfs supports a surface: it is opaque and has no covers.
 bool is_on_fast_path(const Reflectance& reflectance);
-/// Whether FastPathBsdfs can take its roughness too, for which single precision is enough.
+/// Whether FastPathBsdfs supports its roughness too: single precision is enough.
 bool is_on_fast_path(const FastPathLayers& layers);
 
-/// Gathers the layers of eight surfaces; black where nothing was put.
+/// Collects the layers of eight surfaces; unset lanes are black.
 class FastPathLayersLanes {
  public:
   void put(std::size_t lane, const FastPathLayers& layers);
@@ -41,14 +40,14 @@ class FastPathLayersLanes {
   bool any_shiny_ = false;
 };
 
-/// The same BSDF as Bsdf's for eight surfaces, with the same local directions.
+/// The BSDF of Bsdf for eight surfaces, with the same local directions.
 class FastPathBsdfs {
  public:
   /// outgoing: unit length, z > 0. albedo must outlive this object.
   FastPathBsdfs(const FastPathLayersLanes& layers, const Vec3s& outgoing, const GgxAlbedo& albedo);
 
   using Values = BsdfValueOf<Floats>;
-  /// Zeros where incoming looks below the surface.
+  /// Zero if incoming lies below the surface.
   Values eval(const Vec3s& incoming) const;
 
   struct Samples {

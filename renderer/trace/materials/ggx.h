@@ -1,5 +1,4 @@
-// The GGX microfacet distribution, its visible normals, and the reflection of such a surface, seen
-// from one direction.
+// The GGX microfacet distribution, its visible normals, and its reflection lobe.
 #pragma once
 
 #include <numbers>
@@ -10,16 +9,16 @@
 
 namespace foveola {
 
-/// Below it a surface is perfectly smooth: reflections of rougher ones blur over 0.006 degrees.
+/// Below it a surface is a perfect mirror: reflections at this roughness blur over 0.006 degrees.
 constexpr float smallest_roughness = 0.01F;
 
 /// Below this alpha, the slopes of half vectors are finer than floats near 1.
 constexpr float fine_alpha = 0.01F;
 
-/// normalize(a + b) in double. Not inline: few surfaces are so smooth that they need it.
+/// normalize(a + b) in double. Not inline, since few surfaces are so smooth.
 Vec3 fine_half_vector(const Vec3& a, const Vec3& b);
 
-/// The normal that reflects one direction into the other. The density depends on its slope.
+/// The normal that reflects one direction into the other. The density is sensitive to its slope.
 inline Vec3 half_vector(float alpha, const Vec3& a, const Vec3& b) {
   return alpha < fine_alpha ? fine_half_vector(a, b) : normalized(a + b);
 }
@@ -28,8 +27,8 @@ inline Vec3s half_vector(const Floats& /*alpha*/, const Vec3s& a, const Vec3s& b
   return normalized(a + b);
 }
 
-/// All directions are in a local frame whose +z is the surface's normal, unit length. Number:
-/// float, or Floats.
+/// Directions are in a local frame whose +z is the unit normal of the surface. Number: float, or
+/// Floats.
 template <typename Number>
 struct GgxOf {
   using Vector = Vec3Of<Number>;
@@ -37,7 +36,7 @@ struct GgxOf {
   Number alpha = Number{} + 1.0F;  ///< > 0; glTF's roughness squared
 
   /// Density of microfacet normals per steradian and projected area (Walter et al. 2007, eq. 33),
-  /// in a form that keeps its digits at small alpha.
+  /// in a form that stays precise at small alpha.
   Number density(const Vector& normal) const {
     const Number slope = (normal.x * normal.x + normal.y * normal.y) / (alpha * alpha);
     const Number s = slope + normal.z * normal.z;
@@ -55,22 +54,22 @@ struct GgxOf {
   Vector visible_normal(const Vector& w, const SinesCosines<Number>& azimuth,
                         const Number& u) const {
     const Vector stretched = normalized(Vector{alpha * w.x, alpha * w.y, w.z});
-    // The point of the cap lies this far below the sphere's top; without the differences from 1
-    // both small and large u keep their digits.
+    // Depth of the cap's point below the sphere's top. Without differences from 1, small and large
+    // u stay precise.
     const Number depth = u * (1.0F + stretched.z);
     const Number r = square_root(depth * (2.0F - depth));
     return normalized(Vector{alpha * (r * azimuth.cosine + stretched.x),
                              alpha * (r * azimuth.sine + stretched.y),
                              (1.0F - u) * (1.0F + stretched.z)});
   }
-  /// The same with the azimuth as a random number too. u: in the unit square.
+  /// The same with a random azimuth. u: in the unit square.
   Vector visible_normal(const Vector& w, const Vec2Of<Number>& u) const {
     return visible_normal(w, azimuth_at(u.x), u.y);
   }
 };
 using Ggx = GgxOf<float>;
 
-/// `w` mirrored at `normal`; unit length. Vectors, or lanes of them.
+/// `w` mirrored at `normal`; unit length. Vectors, or lanes of vectors.
 template <typename Vector>
 inline Vector reflected(const Vector& w, const Vector& normal) {
   return normalized((2.0F * dot(w, normal)) * normal - w);
@@ -82,7 +81,7 @@ class MicrofacetLobeOf {
  public:
   using Vector = Vec3Of<Number>;
 
-  /// To be assigned to.
+  /// For assignment only.
   MicrofacetLobeOf() = default;
 
   /// outgoing: unit length, z > 0.
@@ -102,12 +101,11 @@ class MicrofacetLobeOf {
     Number cosine;        ///< between the half vector and either direction, in [0, 1]
   };
 
-  /// incoming: unit length, z > 0. probability: of sampling this lobe; the density has it as a
-  /// factor.
+  /// incoming: unit length, z > 0. probability: of sampling this lobe, a factor of the density.
   Facets facets(const Vector& incoming, const Number& probability) const {
     const Vector half = half_vector(ggx_.alpha, outgoing_, incoming);
     // Both share D / (4 cos(outgoing)), with D as in GgxOf::density(); the masking is G2 in the
-    // BSDF and G1 in the density of visible normals (Heitz 2018, eq. 17). One division for both.
+    // BSDF and G1 in the density of visible normals (Heitz 2018, eq. 17). One division serves both.
     const Number s = (half.x * half.x + half.y * half.y) * inverse_alpha_squared_ + half.z * half.z;
     const Number inverse_masking = 1.0F + lambda_outgoing_ + ggx_.lambda(incoming);
     const Number times_cosine = 1.0F / (density_scale_ * s * s * inverse_masking);
@@ -118,7 +116,7 @@ class MicrofacetLobeOf {
 
   Facets facets(const Vector& incoming) const { return facets(incoming, Number{} + 1.0F); }
 
-  /// Unit length; z <= 0 if it ends below the surface. u: see GgxOf::visible_normal().
+  /// Unit length; z <= 0 if it lies below the surface. u: see GgxOf::visible_normal().
   Vector sample(const SinesCosines<Number>& azimuth, const Number& u) const {
     return reflected(outgoing_, ggx_.visible_normal(outgoing_, azimuth, u));
   }
@@ -132,7 +130,7 @@ class MicrofacetLobeOf {
   Number density_scale_{};
 };
 
-/// Of any roughness.
+/// A lobe of any roughness.
 class MicrofacetLobe : public MicrofacetLobeOf<float> {
  public:
   MicrofacetLobe() = default;
@@ -143,7 +141,7 @@ class MicrofacetLobe : public MicrofacetLobeOf<float> {
                          outgoing),
         is_smooth_(roughness < smallest_roughness) {}
 
-  /// A perfect mirror, of which facets() and sample() know nothing.
+  /// A perfect mirror, for which facets() and sample() are not defined.
   bool is_smooth() const { return is_smooth_; }
 
  private:

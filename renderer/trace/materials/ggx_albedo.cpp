@@ -25,8 +25,8 @@ SchlickAlbedo integrate_albedo(float cosine, const Ggx& ggx) {
   return {.white = static_cast<float>(white), .grazing = static_cast<float>(grazing)};
 }
 
-/// Integrates over s with c = s^2, which puts more points where the albedo changes most: at grazing
-/// angles.
+/// Integrates over s with c = s^2, which concentrates points at grazing angles, where the albedo
+/// changes most.
 SchlickAlbedo mean_of(const GgxAlbedo::Row& row) {
   constexpr int points = 256;
   double white = 0.0;

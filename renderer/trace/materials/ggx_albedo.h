@@ -1,5 +1,5 @@
-// How much light a rough surface reflects at its first bounce: what is missing is given back to
-// metals, and what a coat does not reflect goes to the layer below. The axes of such tables.
+// Directional albedo of a rough surface's first bounce. The lost share is compensated for metals;
+// light that a coat does not reflect goes to the layer below. Also the axes of such tables.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +18,11 @@
 
 namespace foveola {
 
-/// Alpha of the tables' first rows, so small that albedos depend on cosine / alpha only.
+/// Alpha of the tables' first rows, so small that albedos depend only on cosine / alpha.
 constexpr float vanishing_alpha = 1e-5F;
 
-/// A cosine's position in [0, 1] on the tables' axis; of a number, or of lanes of them. Where
-/// masking sets in, at cosines around alpha, positions lie dense.
+/// A cosine's position in [0, 1] on the tables' axis; of a number, or of lanes of them. Positions
+/// are dense at cosines around alpha, where masking sets in.
 template <typename Number>
 Number albedo_position(const Number& cosine, const Number& alpha) {
   constexpr float no_zero = std::numeric_limits<float>::min();
@@ -41,8 +41,8 @@ inline float cosine_of_node(std::size_t node, int steps, float alpha) {
   return std::max(above, 1e-7F * alpha);
 }
 
-/// A position among nodes: the one below, and how far it is to the next. What is not a number lies
-/// at the first one. Number: float, or Floats.
+/// The node below a position, and the fraction of the way to the next node. NaN lies at the first
+/// node. Number: float, or Floats.
 template <typename Number>
 struct NodePositionOf {
   IntOf<Number> below;
@@ -80,12 +80,12 @@ struct RoughnessInterval {
 /// The albedo's table over roughness and the cosine of the direction. Within 1e-4 of the integral.
 class GgxAlbedo {
  public:
-  /// Computes the rows of the roughnesses in `needed`; no others may be asked for, but for 0 (a
-  /// mirror) and 1 (lanes that do not shine). All of them take 70 ms of a core.
+  /// Computes the rows of the roughnesses in `needed`. Other rows must not be read, except 0 (a
+  /// mirror) and 1 (lanes without a lobe). All rows take 70 ms of a core.
   GgxAlbedo(std::span<const RoughnessInterval> needed, const Workers& workers);
 
-  /// The albedo as a function of the cosine, for one roughness or for eight of them. Valid as long
-  /// as the table.
+  /// The albedo as a function of the cosine, for one roughness or for eight. Valid as long as the
+  /// table.
   template <typename Number>
   class RowOf {
    public:
@@ -98,7 +98,7 @@ class GgxAlbedo {
     friend class GgxAlbedo;
     const Vec2* nodes_ = nullptr;
     const SchlickAlbedo* means_ = nullptr;
-    IntOf<Number> smoother_{};    ///< number of the table's row below the roughness
+    IntOf<Number> smoother_{};    ///< the table's row below the roughness
     IntOf<Number> first_node_{};  ///< index of that row's first node
     Number alpha_{};
     Number rougher_weight_{};
@@ -106,7 +106,7 @@ class GgxAlbedo {
   using Row = RowOf<float>;
   using Rows = RowOf<Floats>;
 
-  /// roughness: perceptual, in [0, 1]; below smallest_roughness it is that of a perfect mirror.
+  /// roughness: perceptual, in [0, 1]; below smallest_roughness, a perfect mirror.
   Row row(float roughness) const;
   /// roughness: in [smallest_roughness, 1].
   Rows row(const Floats& roughness) const { return rough_row(roughness); }
@@ -115,7 +115,7 @@ class GgxAlbedo {
   template <typename Number>
   RowOf<Number> rough_row(const Number& roughness) const;
   Row mirror_row() const;
-  /// Whether the row of this number is read for any of these roughnesses.
+  /// Whether the row `number` is read for any of these roughnesses.
   static bool is_needed(std::size_t number, std::span<const RoughnessInterval> needed);
 
   static constexpr int roughness_steps = 64;
@@ -123,9 +123,9 @@ class GgxAlbedo {
   static constexpr std::size_t row_count = roughness_steps + 2;
   static constexpr std::size_t nodes_in_row = cosine_steps + 1;
 
-  /// What is tabulated of an albedo: x: the white one; y: by how much the lobe's mean Schlick
-  /// weight exceeds that of the cosine, over alpha. Against the position both are nearly straight
-  /// lines, also for alpha towards 0.
+  /// The tabulated form of an albedo. x: the white albedo. y: the excess of the lobe's mean Schlick
+  /// weight over the cosine's, divided by alpha. Both are nearly linear in the position, also for
+  /// alpha towards 0.
   static Vec2 node_of(const SchlickAlbedo& albedo, float cosine, float alpha) {
     return {albedo.white, (albedo.grazing / albedo.white - schlick_weight(cosine)) / alpha};
   }
@@ -135,17 +135,17 @@ class GgxAlbedo {
     return {.white = x, .grazing = x * (schlick_weight(cosine) + alpha * y)};
   }
 
-  /// The nodes at both sides of a roughness, and there at both sides of a cosine.
+  /// The nodes around a roughness, each around a cosine.
   template <typename Number>
   struct Cell {
     Vec2Of<Number> smoother[2];
     Vec2Of<Number> rougher[2];
   };
-  /// index: of the smoother node below the cosine.
+  /// index: the smoother node below the cosine.
   static Cell<float> cell(const Vec2* nodes, std::int32_t index) {
     const Vec2* smoother = nodes + index;
     const Vec2* rougher = smoother + nodes_in_row;
-    // Number by number: GCC copies pairs by way of the stack.
+    // Number by number: GCC copies pairs through the stack.
     return {{{smoother[0].x, smoother[0].y}, {smoother[1].x, smoother[1].y}},
             {{rougher[0].x, rougher[0].y}, {rougher[1].x, rougher[1].y}}};
   }
@@ -175,10 +175,9 @@ class GgxAlbedo {
     return of_lanes;
   }
 
-  /// Row-major: first a mirror's row, then the roughnesses from 0 on, each over the position of the
-  /// cosine.
+  /// Row-major: first a mirror's row, then the roughnesses from 0, each over the cosine's position.
   std::vector<Vec2> nodes_;
-  std::vector<SchlickAlbedo> means_;  ///< one a row
+  std::vector<SchlickAlbedo> means_;  ///< one per row
 };
 
 template <typename Number>

@@ -1,4 +1,4 @@
-// What reflects in the metallic-roughness model: metal, and a coat over a Lambertian layer.
+// The reflecting layers of the metallic-roughness model: metal, and a coat over a Lambertian layer.
 #pragma once
 
 #include <numbers>
@@ -11,7 +11,7 @@
 
 namespace foveola {
 
-/// Outgoing directions are raised to it.
+/// Minimum cosine of outgoing directions; smaller ones are raised to it.
 inline constexpr float smallest_cosine = 1e-4F;
 
 template <typename Vector>
@@ -37,21 +37,21 @@ struct OpaqueValuesOf {
   Vec3Of<Number> base_color;
   Number metallic;
   Vec3Of<Number> coat_normal;  ///< the coat's Schlick reflectance at normal incidence
-  Number coat_grazing;         ///< and at grazing incidence
-  Number coated;               ///< the share of the surface whose coat reflects
-  Number opaque;               ///< the share of the surface with a Lambertian layer under its coat
+  Number coat_grazing;         ///< the coat's Schlick reflectance at grazing incidence
+  Number coated;               ///< share of the surface with a reflecting coat
+  Number opaque;               ///< share of the surface with a Lambertian layer under its coat
 };
 
-/// The layers, seen from one direction.
+/// The layers for one outgoing direction.
 template <typename Number>
 class OpaqueLayersOf {
  public:
   using Vector = Vec3Of<Number>;
 
-  /// To be assigned to.
+  /// For assignment only.
   OpaqueLayersOf() = default;
 
-  /// The Lambertian layer alone.
+  /// Only the Lambertian layer.
   explicit OpaqueLayersOf(const Vector& base_color)
       : diffuse_(white_diffuse * base_color),
         diffuse_albedo_(
@@ -92,27 +92,27 @@ class OpaqueLayersOf {
     }
   }
 
-  /// Of the outgoing direction, the share of light that the coat reflects.
+  /// Albedo of the coat for the outgoing direction.
   const Number& coat_albedo() const { return coat_albedo_; }
-  /// That of the microfacets if their Fresnel reflectance were 1.
+  /// Albedo of the microfacets for a Fresnel reflectance of 1.
   const Number& white_albedo() const { return lobe_.white; }
-  /// Luminance of what metal and coat reflect together, and of what the Lambertian layer does.
+  /// Luminance of the albedo of metal and coat together, and of the Lambertian layer.
   const Number& specular_albedo() const { return specular_albedo_; }
   const Number& diffuse_albedo() const { return diffuse_albedo_; }
 
-  /// The Fresnel reflectance of metal and coat together. cosine: see MicrofacetLobeOf::Facets.
+  /// Fresnel reflectance of metal and coat together. cosine: see MicrofacetLobeOf::Facets.
   Vector reflectance(const Number& cosine) const {
     const Number weight = schlick_weight(cosine);
     return (1.0F - weight) * specular_normal_ + weight * specular_grazing_;
   }
 
-  /// What metal and coat reflect, with the microfacets' density.
+  /// Value of metal and coat, with the microfacets' density.
   BsdfValueOf<Number> specular(const typename MicrofacetLobeOf<Number>::Facets& facets) const {
     return {.times_cosine = facets.times_cosine * reflectance(facets.cosine), .pdf = facets.pdf};
   }
 
-  /// What the Lambertian layer reflects. cosine: of the incoming direction. probability: with which
-  /// it is sampled.
+  /// Value of the Lambertian layer. cosine: of the incoming direction. probability: of sampling
+  /// this layer.
   BsdfValueOf<Number> diffuse(const Number& cosine, const Number& probability) const {
     Number received = cosine;
     if (has_coat_) {
@@ -126,18 +126,18 @@ class OpaqueLayersOf {
   /// The BSDF of a white Lambertian surface.
   static constexpr float white_diffuse = std::numbers::inv_pi_v<float>;
 
-  /// A coat that lets less of a uniform sky through hides the layer below but at grazing angles.
-  /// There it is Lambertian: the table is too coarse for quotients of what so bright a coat does
-  /// not reflect.
+  /// Minimum share of a uniform sky below a coat for coupling. Darker layers are visible at grazing
+  /// angles only, and are Lambertian there. The table is too coarse for quotients of their small
+  /// transmission.
   static constexpr float darkest_below_coat = 0.02F;
 
-  bool has_coat_ = false;  ///< any lane has one
+  bool has_coat_ = false;  ///< whether any lane has one
   GgxAlbedo::RowOf<Number> albedo_;
   SchlickAlbedoOf<Number> lobe_;
   Number coat_albedo_{};
   Vector specular_normal_{}, specular_grazing_{};
-  Number layer_f0_{}, layer_f90_{};  ///< the coat's strongest channel, over the Lambertian layer
-  Vector diffuse_{};                 ///< the Lambertian layer's BSDF but for (1 - E(incoming))
+  Number layer_f0_{}, layer_f90_{};  ///< the coat's strongest channel over the Lambertian layer
+  Vector diffuse_{};                 ///< the Lambertian BSDF without the factor (1 - E(incoming))
   Number specular_albedo_{}, diffuse_albedo_{};
 };
 

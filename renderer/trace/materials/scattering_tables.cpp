@@ -41,8 +41,8 @@ float integrate_albedo(float cosine, const Ggx& ggx, float eta) {
     if (refracted.z < 0.0F) {
       sum += transmitted * masking(refracted);
     }
-    // Above, reflection was total for these normals too: so the root at the critical angle stays at
-    // an end of the integral.
+    // Total reflection was counted above for these normals too: the root at the critical angle
+    // stays at an end of the integral.
     const Vec3 reflected = 2.0F * cosine_normal * normal - outgoing;
     if (can_reflect_totally && reflected.z > 0.0F) {
       sum -= transmitted * masking(reflected);

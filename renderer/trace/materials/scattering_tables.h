@@ -1,4 +1,4 @@
-// The tables of albedos that the BSDFs of one scene need.
+// The albedo tables for the BSDFs of one scene.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace foveola {
 
-/// The albedo of rough glass of one index of refraction, seen from outside and from inside. Within
-/// 5e-4 of the integral.
+/// The albedo of rough glass of one index of refraction, from outside and from inside. Within 5e-4
+/// of the integral.
 class GlassAlbedo {
  public:
   /// ior: > 1, of the inside over the outside.
@@ -22,7 +22,7 @@ class GlassAlbedo {
 
   float ior() const { return ior_; }
 
-  /// Reflected and transmitted share of the power. roughness: in [smallest_roughness, 1]. cosine:
+  /// Reflected plus transmitted share of the power. roughness: in [smallest_roughness, 1]. cosine:
   /// between the normal and the direction, in [0, 1].
   float at(float roughness, float cosine, bool from_inside) const;
 
@@ -31,10 +31,10 @@ class GlassAlbedo {
   std::vector<float> nodes_;  ///< side, roughness, position of the cosine
 };
 
-/// Glass with a smaller index of refraction bends light so little that its roughness does not show.
+/// Minimum index of refraction of rough glass: below it the roughness is invisible.
 constexpr float smallest_rough_ior = 1.001F;
 
-/// Whether light sees a material of glass as rough.
+/// Whether a glass material counts as rough.
 inline bool is_rough_glass(float ior, float roughness) {
   return ior >= smallest_rough_ior && roughness >= smallest_roughness;
 }
@@ -44,15 +44,15 @@ class ScatteringTables {
   ScatteringTables(std::span<const Material> materials, const Workers& workers);
 
   const GgxAlbedo& ggx() const { return ggx_; }
-  /// There must be a material with sheen.
+  /// Requires a material with sheen.
   const SheenAlbedo& sheen() const { return *sheen_; }
-  /// There must be a material of rough solid glass with this index of refraction.
+  /// Requires a material of rough solid glass with this index of refraction.
   const GlassAlbedo& glass(float ior) const;
 
  private:
   GgxAlbedo ggx_;
   std::optional<SheenAlbedo> sheen_;
-  std::vector<GlassAlbedo> glass_;  ///< one a distinct index of refraction
+  std::vector<GlassAlbedo> glass_;  ///< one per distinct index of refraction
 };
 
 }  // namespace foveola

@@ -19,7 +19,7 @@ constexpr std::size_t sheen_nodes_in_row = sheen_cosine_steps + 1;
 
 constexpr float roughness_range = 1.0F - CharlieSheen::smallest_roughness;
 
-/// A roughness on the table's axis, whose nodes are denser where fibres are fine.
+/// A roughness's position on the table's axis, whose nodes are denser for fine fibres.
 float roughness_position(float roughness) {
   return std::sqrt(std::max(0.0F, roughness - CharlieSheen::smallest_roughness) / roughness_range);
 }
@@ -29,7 +29,7 @@ float roughness_of_row(std::size_t row) {
   return CharlieSheen::smallest_roughness + roughness_range * position * position;
 }
 
-/// A cosine on the table's axis, whose nodes are denser towards grazing angles.
+/// A cosine's position on the table's axis, whose nodes are denser towards grazing angles.
 float cosine_position(float cosine) { return std::sqrt(std::sqrt(cosine)); }
 
 float cosine_of_node(std::size_t node) {
@@ -37,7 +37,7 @@ float cosine_of_node(std::size_t node) {
   return position * position * position * position;
 }
 
-/// Gauss and Legendre's rule over the cube root of the incoming cosine and half of the azimuths.
+/// Gauss-Legendre quadrature over the cube root of the incoming cosine and half of the azimuths.
 float integrate_albedo(float roughness, float cosine) {
   using Gauss = boost::math::quadrature::gauss<double, 20>;
   constexpr int azimuths = 20;
@@ -80,8 +80,8 @@ float CharlieSheen::lambda_exponent(float cosine) const {
 }
 
 float CharlieSheen::lambda(float cosine) const {
-  // The cosine of a direction along the normal may be rounded to more than 1, and a power of less
-  // than 0 is not a number.
+  // Rounding may raise the cosine of a direction along the normal above 1, and the power of a
+  // negative number is NaN.
   return std::exp(cosine < 0.5F ? lambda_exponent(cosine)
                                 : 2.0F * lambda_exponent(0.5F) -
                                       lambda_exponent(std::max(0.0F, 1.0F - cosine)));

@@ -18,8 +18,8 @@ Vec3 ThinWall::sample(const Vec2& u) const {
 }
 
 TransmissionValue GlassInterface::eval(const Vec3& incoming) const {
-  // In double: where eta is near 1 the half vector is a small difference, and on a nearly smooth
-  // surface its slope decides.
+  // In double: for eta near 1 the half vector is a small difference, and on a nearly smooth surface
+  // its slope matters.
   const DVec3 o = glm::normalize(DVec3(outgoing_));
   const DVec3 i = glm::normalize(DVec3(incoming));
   const DVec3 sum = o + static_cast<double>(eta_) * i;

@@ -1,5 +1,4 @@
-// Integrals over the microfacets that a rough surface shows to one direction, for tables of
-// albedos.
+// Integrals over the visible microfacet normals of a rough surface, for tables of albedos.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +17,9 @@ namespace foveola {
 /// GGX stretched by 1/alpha is a half sphere, seen with equal density over its outline. We cut it
 /// into arcs of equal y, the horizontal axis at right angles to the outgoing direction: the normals
 /// (alpha rho T, alpha y sqrt(1 + T^2), rho) for all T, with rho^2 + y^2 = 1. Along an arc,
-/// reflected and refracted directions cross the horizon, and total reflection sets in, where
-/// quadratic equations in T say. Between those the integrands are smooth, and Gauss and Legendre's
-/// rule is nearly exact.
+/// reflected and refracted directions cross the horizon, and total reflection sets in, at roots of
+/// quadratic equations in T. Between the roots the integrands are smooth, and Gauss-Legendre
+/// quadrature is nearly exact.
 class VisibleNormals {
  public:
   /// outgoing: unit length, in the plane y = 0, z > 0.
@@ -31,16 +30,16 @@ class VisibleNormals {
     stretched_cosine_ = cosine_ / length;
   }
 
-  /// Calls visit(normal, weight) for the normals that reflect to above the surface. The weights
-  /// would sum to 1 over all visible normals.
+  /// Calls visit(normal, weight) for the normals that reflect above the surface. The weights of all
+  /// visible normals sum to 1.
   template <typename Visit>
   void for_each_reflecting(const Visit& visit) const {
     for_each_arc([this](double k) { return reflecting(k); },
                  [&](const Arc& arc) { integrate<14>(arc, arc.range, visit); });
   }
 
-  /// The same for normals that do not reflect totally, where eta is the index of refraction of the
-  /// far side over that of the near one.
+  /// The same for normals without total reflection. eta: index of refraction of the far side over
+  /// that of the near one.
   template <typename Visit>
   void for_each_transmitting(double eta, const Visit& visit) const {
     for_each_arc([&](double k) { return transmitting(k, eta); },
@@ -76,7 +75,7 @@ class VisibleNormals {
     Range range;
   };
 
-  /// Where a T^2 - 2 b T + c < 0, b >= 0; beyond the greater root if a < 0.
+  /// The interval where a T^2 - 2 b T + c < 0, b >= 0; beyond the greater root if a < 0.
   static Range between_roots(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (discriminant <= 0.0) {
@@ -86,13 +85,13 @@ class VisibleNormals {
     return {c / q, a > 0.0 ? q / a : Range().end};
   }
 
-  /// The reflected direction's z is positive: 2 (o.n) n.z > o.z n.n.
+  /// Where the reflected direction's z is positive: 2 (o.n) n.z > o.z n.n.
   Range reflecting(double k) const {
     const double a2 = alpha_ * alpha_;
     return between_roots(cosine_ * a2 * (1.0 + k), alpha_ * sine_, cosine_ * (a2 * k - 1.0));
   }
 
-  /// (o.n)^2 > (1 - eta^2) n.n.
+  /// Where light is transmitted: (o.n)^2 > (1 - eta^2) n.n.
   Range transmitting(double k, double eta) const {
     if (eta >= 1.0) {
       return {};
@@ -103,8 +102,8 @@ class VisibleNormals {
                          critical2 * (1.0 + a2 * k) - cosine_ * cosine_);
   }
 
-  /// Ends where the refracted direction may cross the horizon: with the root of Snell's law squared
-  /// away, o.z^2 n.n - 2 o.z (o.n) n.z - (eta^2 - 1) n.z^2 = 0.
+  /// Ends where the refracted direction may cross the horizon. Snell's law, squared to remove its
+  /// root: o.z^2 n.n - 2 o.z (o.n) n.z - (eta^2 - 1) n.z^2 = 0.
   Range refracting(double k, double eta) const {
     const double a2 = alpha_ * alpha_;
     return between_roots(cosine_ * cosine_ * a2 * (1.0 + k), alpha_ * sine_ * cosine_,
@@ -118,7 +117,7 @@ class VisibleNormals {
     return {std::max(range.begin, -stretched_cosine_ / stretched_sine_), range.end};
   }
 
-  /// Calls visit_arc for arcs on which range_of(k) is not empty; they are those of small y.
+  /// Calls visit_arc for the arcs, all of small y, on which range_of(k) is not empty.
   template <typename RangeOf, typename VisitArc>
   void for_each_arc(const RangeOf& range_of, const VisitArc& visit_arc) const {
     const double largest_y = largest_y_of(range_of);
@@ -147,8 +146,8 @@ class VisibleNormals {
     return inside;
   }
 
-  /// In terms of t = tan(psi / 2) where T = tan(psi), denser towards both ends of the range: there
-  /// are integrands with the root of the distance, and the steepest normals.
+  /// In t = tan(psi / 2) where T = tan(psi), denser towards both ends of the range: some integrands
+  /// contain the square root of the distance, and the steepest normals.
   template <unsigned points, typename Visit>
   void integrate(const Arc& arc, const Range& range, const Visit& visit) const {
     if (range.empty()) {
@@ -174,7 +173,7 @@ class VisibleNormals {
     return std::copysign(1.0 / (cotangent + std::sqrt(1.0 + cotangent * cotangent)), tangent);
   }
 
-  /// Gauss and Legendre's points of an interval, with their weights.
+  /// Gauss-Legendre points of an interval, with their weights.
   template <unsigned points, typename Visit>
   static void for_each_point(double begin, double end, const Visit& visit) {
     const auto& abscissas = Gauss<points>::abscissa();

@@ -346,7 +346,7 @@ Rgb BlockTracer::thin_transmittance(Ray ray) {
       return transmittance;
     }
     if (!object_of(hit).is_thin_transmissive) {
-      break;  // at an edge that the search for blockers only just missed
+      break;  // an edge that the search for blockers just missed
     }
     const SurfacePoint point = surface_point(traced_.scene, hit, direction);
     const Frame frame(point.shading_normal);

@@ -12,13 +12,13 @@
 namespace foveola {
 namespace {
 
-/// What a surface shows of itself, and how much of what is behind it.
+/// A surface's own colour, and its transmittance.
 struct Layer {
   Rgb color{0.0F};
   Rgb passes{0.0F};
 };
 
-/// The colour scaled so that no channel is above 1, which keeps its hue.
+/// The colour scaled so that no channel exceeds 1, which keeps its hue.
 Rgb limited(const Rgb& color) { return color / std::max(1.0F, max_component(color)); }
 
 Rgb lit(const SurfacePoint& point, const Vec3& direction) {
@@ -26,7 +26,7 @@ Rgb lit(const SurfacePoint& point, const Vec3& direction) {
   return point.reflectance.base_color * (direct_ambient + (1.0F - direct_ambient) * cosine);
 }
 
-/// The share of light that goes straight on.
+/// Share of light transmitted straight.
 float transmission(const Material& material, const Reflectance& reflectance) {
   return is_thin_transmissive(material) ? reflectance.transmission * (1.0F - reflectance.metallic)
                                         : 0.0F;

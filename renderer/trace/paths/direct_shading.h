@@ -1,4 +1,4 @@
-// A scene as a modelling program shows it: without noise, and lit by a lamp where the viewer is.
+// A noise-free view of a scene lit by a headlamp, as in a modelling program.
 #pragma once
 
 #include "renderer/base/vec.h"
@@ -7,17 +7,17 @@
 
 namespace foveola {
 
-/// The light that surfaces get from all around; the lamp's share is the rest.
+/// Share of ambient light; the headlamp has the rest.
 inline constexpr float direct_ambient = 0.3F;
 
-/// What is seen where there is no surface.
+/// Colour of rays that miss all surfaces.
 inline constexpr Rgb direct_background{0.25F, 0.3F, 0.4F};
 
-/// What the ray from `viewpoint` along `direction` shows, in [0, 1]. A surface has its base colour
-/// times ambient + (1 - ambient) * the cosine between the ray and its shading normal, and what it
-/// shines with; colours that are brighter than 1 are scaled to fit. Surfaces that blend show what
-/// is behind them by their alpha; thin transmissive ones by their transmission, in their colour.
-/// Nothing casts a shadow and nothing is random.
+/// The display colour of the ray from `viewpoint` along `direction`, in [0, 1]. A surface has its
+/// base colour times ambient + (1 - ambient) * the cosine between the ray and its shading normal,
+/// plus its emission. Colours above 1 are scaled down to it. Blended surfaces are composited by
+/// their alpha, thin transmissive ones by their tinted transmission. There are no shadows and no
+/// random numbers.
 ///
 /// rays: of the scene. direction: unit length. pixel_angle_rad: of the picture's pixel, over which
 /// textures are averaged.

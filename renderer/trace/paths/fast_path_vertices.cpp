@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-/// The direction in lanes that are not used.
+/// The direction in unused lanes.
 constexpr Vec3 straight_up(0.0F, 0.0F, 1.0F);
 
 }  // namespace
@@ -45,7 +45,7 @@ LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
 FastPathLayersLanes BlockTracer::layers_of(const Group& group, const SurfacePoints& points,
                                            const LaneMask& lanes, LaneMask& others) const {
   FastPathLayersLanes layers;
-  // All lanes' texels are on their way before the first is read.
+  // All lanes' texels are prefetched before the first is read.
   for_each_lane(lanes, [&](std::size_t lane) {
     const std::size_t index = group.first + lane;
     if (!object_at(index).is_constant) {
@@ -151,7 +151,7 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
   const std::size_t first = group.first;
   const auto sample = bsdfs.sample(numbers.lobe, numbers.scattering);
   const Vec3s direction = normalized(frames.to_world(sample.incoming));
-  // Written so that what is not a number comes through, and is found below.
+  // Written so that NaN passes, and is found below.
   LaneMask goes_on = lanes & (sample.pdf != 0.0F) & ~(sample.incoming.z <= 0.0F) &
                      ~(dot(direction, points.horizon_normal) <= 0.0F);
   Vec3s origin = points.origin;

@@ -1,5 +1,5 @@
-// The paths of a block between two vertices, side by side, so that eight are read or written at
-// once.
+// States of a block's paths between two vertices, as columns that are read and written eight at a
+// time.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ namespace foveola {
 struct Path {
   Ray ray;
   Rgb throughput{1.0F};
-  float pdf = 0.0F;            ///< per steradian, with which the last vertex gave the direction
+  float pdf = 0.0F;            ///< per steradian, of the direction at the last vertex
   ShadingPoint shading_point;  ///< the last vertex; unused before the first
-  /// Of what arrives from infinity if the pdf is `certain`: see
+  /// Weight of radiance from infinity if the pdf is `certain`: see
   /// BlockTracer::distant_weight_beyond().
   float distant_weight = 1.0F;
-  float radiance_scale = 1.0F;  ///< what refraction has scaled the throughput by
-  Rgb absorption_per_m{0.0F};   ///< in the solid that the path is in
+  float radiance_scale = 1.0F;  ///< product of refraction's factors on the throughput
+  Rgb absorption_per_m{0.0F};   ///< of the solid around the path
   float width_m = 0.0F;         ///< the ray's width at its origin
-  float spread_rad = 0.0F;      ///< the angle by which the ray widens
+  float spread_rad = 0.0F;      ///< the angle of the ray's widening
   SampleStream random;
-  std::uint32_t job = 0;  ///< that the path is for
+  std::uint32_t job = 0;  ///< index of the path's job
 };
 
 /// Member i of everything belongs to path i.
@@ -64,7 +64,7 @@ struct PathStates {
     path.ray.key = key[i];
     return path;
   }
-  /// What is the same for all paths; what is their own is to be written after.
+  /// Sets all paths to `path`; members that differ are written afterwards.
   void fill(const Path& path) {
     origin.fill(path.ray.origin);
     throughput.fill(path.throughput);
@@ -79,7 +79,7 @@ struct PathStates {
     width_m.fill(path.width_m);
     spread_rad.fill(path.spread_rad);
   }
-  /// Its ray must begin at its origin.
+  /// The path's ray must begin at its origin.
   void put(std::size_t i, const Path& path) {
     origin.put(i, path.ray.origin);
     direction.put(i, path.ray.direction);
@@ -99,7 +99,7 @@ struct PathStates {
     job[i] = path.job;
   }
 
-  /// Moves those of the eight paths from `first` on that stay to `to`, which is not behind `first`.
+  /// Moves the staying paths of the eight at `first` to `to`, which is not behind `first`.
   void move(std::size_t first, const LanePacking& packing, std::size_t to) {
     for (Vectors* vectors : {&origin, &direction, &throughput, &shading_point_position,
                              &shading_point_normal, &absorption_per_m}) {
@@ -116,7 +116,7 @@ struct PathStates {
   }
 };
 
-/// What the paths' rays hit.
+/// Hits of the paths' rays.
 struct PathHits {
   static constexpr std::size_t capacity = PathStates::capacity;
 
@@ -133,7 +133,7 @@ struct PathHits {
     object[i] = hit.object;
     triangle[i] = hit.triangle;
   }
-  /// Which of the eight from `first` on hit anything.
+  /// The lanes of the eight from `first` that hit a surface.
   LaneMask met_surface(std::size_t first) const {
     return LaneMask(object.load(first) != Hit::nothing);
   }

@@ -12,11 +12,11 @@
 namespace foveola {
 namespace {
 
-/// Paths that are traced together: enough shadow rays for Embree's streams, and at the end so few
-/// that no thread waits long for another.
+/// Paths per block: enough shadow rays for Embree's streams, and at the end so few that no thread
+/// waits long for another.
 constexpr BlockSizes block_sizes = {.smallest = 64, .largest = BlockTracer::max_paths};
 
-/// The paths that are traced to learn from.
+/// Number of paths for learning.
 constexpr std::size_t learning_paths = 1U << 14U;
 constexpr std::uint32_t learning_seed = 0x1ea4;
 
@@ -33,7 +33,7 @@ std::vector<SampleJob> jobs_in_all_directions(std::size_t count) {
   return jobs;
 }
 
-/// How light samples turned out on paths from the viewpoint in all directions.
+/// Outcomes of light samples on paths from the viewpoint in all directions.
 std::vector<LightOutcome> light_outcomes(const TracedScene& traced, const Vec3& viewpoint,
                                          const Workers& workers) {
   const std::vector<SampleJob> jobs = jobs_in_all_directions(learning_paths);

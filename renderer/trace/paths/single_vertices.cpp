@@ -8,7 +8,7 @@
 namespace foveola {
 namespace {
 
-/// Which side light comes from is up to the triangle where the surface transmits.
+/// For a transmitting surface the triangle's orientation decides the side of the light.
 ShadingPoint shading_point_at(const SurfacePoint& point, const Lights& lights) {
   const bool transmits = point.reflectance.transmission > 0.0F;
   const Vec3& normal = transmits ? point.geometric_normal : point.horizon_normal;
@@ -18,7 +18,7 @@ ShadingPoint shading_point_at(const SurfacePoint& point, const Lights& lights) {
           .region = lights.region_of(point.position, normal)};
 }
 
-/// The absorption on the other side of a surface that a path has reached.
+/// The absorption on the other side of the surface at a path's vertex.
 Rgb absorption_beyond(const Path& path, const Reflectance& surface, const Rgb& inside) {
   if (!surface.is_solid) {
     return path.absorption_per_m;
@@ -115,7 +115,7 @@ bool BlockTracer::send(Path& path, const Hit& hit, const SurfacePoint& point,
     if (!sample.is_specular || side == 0.0F) {
       return false;
     }
-    // At the rims of smooth-shaded things, where mirrors would lose light.
+    // At the rims of smooth-shaded objects, where mirrors would lose light.
     direction -= 2.0F * side * point.geometric_normal;
     side = -side;
   }
@@ -197,7 +197,7 @@ float BlockTracer::distant_weight_beyond(const Path& path, const TracedObject& o
   if (path.pdf == certain && object.refracts) {
     return path.distant_weight;
   }
-  // Of light samples within what absorbs, none has a way to infinity.
+  // Inside an absorbing solid, no light sample reaches infinity.
   if (!object.refracts || path.absorption_per_m != Rgb(0.0F) ||
       !traced_.lights.is_in_sun(path.ray.direction)) {
     return 1.0F;

@@ -20,7 +20,7 @@
 namespace foveola {
 namespace {
 
-/// Whether there is a texture that the layers of a surface on the fast path read.
+/// Whether a texture varies the layers of a surface on the fast path.
 bool has_reflectance_texture(const Material& material) {
   return material.base_color_texture.exists() || material.metallic_roughness_texture.exists() ||
          material.specular_texture.exists() || material.specular_color_texture.exists();
@@ -45,7 +45,7 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
   return traced;
 }
 
-/// The innermost solid around a place: the first that a ray leaves without having entered it.
+/// The innermost solid around a place: the first that a ray leaves without entering.
 std::optional<std::uint32_t> solid_around(const Scene& scene, const RayScene& rays,
                                           const Vec3& place, const Vec3& direction) {
   constexpr int max_crossings = 256;
@@ -70,7 +70,7 @@ std::optional<std::uint32_t> solid_around(const Scene& scene, const RayScene& ra
   return std::nullopt;
 }
 
-/// Whether only sampling the surface finds what it mirrors or refracts.
+/// Whether its reflection or refraction is found only by sampling the surface.
 bool is_smooth_glass_or_mirror(const Material& material) {
   return (material.refracts() && material.metallic < 1.0F &&
           !is_rough_glass(material.ior, material.roughness)) ||

@@ -1,4 +1,4 @@
-// A scene with all that is built for tracing it.
+// A scene with all structures for tracing it.
 #pragma once
 
 #include <cstddef>
@@ -19,21 +19,21 @@
 
 namespace foveola {
 
-/// An object, with what is the same for all its hits.
+/// An object, with the values that are equal for all its hits.
 struct TracedObject {
   ObjectView view;
   bool is_unlit = false;
   bool is_thin_transmissive = false;
   bool shines = false;
   bool refracts = false;
-  Rgb absorption_per_m{0.0F};    ///< in the solid that it bounds
-  bool is_on_fast_path = false;  ///< its vertices are worked on eight at a time
-  bool is_constant = false;      ///< `layers` hold everywhere: no texture, no vertex says otherwise
+  Rgb absorption_per_m{0.0F};    ///< of the solid that it bounds
+  bool is_on_fast_path = false;  ///< its vertices are processed eight at a time
+  bool is_constant = false;      ///< `layers` hold everywhere: nothing varies them
   FastPathLayers layers{};       ///< without textures
   bool has_normal_map = false;
 };
 
-/// What decides how an object's hits are worked on: a bit each.
+/// Traits that select an object's processing, one bit each.
 struct ObjectTraits {
   static constexpr std::uint8_t shines = 1;
   static constexpr std::uint8_t is_thin_transmissive = 2;
@@ -47,17 +47,17 @@ struct TracedScene {
   Lights lights;
   ScatteringTables tables;
   std::vector<TracedObject> objects;
-  std::vector<std::uint8_t> traits;  ///< of each object; see ObjectTraits
-  bool has_absorption;               ///< some solid absorbs
-  bool has_other_lobes;              ///< something scatters otherwise than a Lambertian layer alone
-  bool is_dark;                      ///< nothing shines: every radiance is zero
-  /// There are suns with a disc, and solids that refract their light.
+  std::vector<std::uint8_t> traits;  ///< per object; see ObjectTraits
+  bool has_absorption;               ///< whether some solid absorbs
+  bool has_other_lobes;              ///< whether a surface has lobes other than Lambertian
+  bool is_dark;                      ///< no emission: every radiance is zero
+  /// Whether there are sun discs, and solids that refract their light.
   bool follows_suns_through_glass;
 
-  /// The absorption per metre at a place: that of the innermost solid around it.
+  /// Absorption per metre of the innermost solid around a place.
   Rgb absorption_at(const Vec3& place) const;
 
-  /// Empty unless there are lights that no path meets in mirrors or behind glass.
+  /// nullopt unless some lights are invisible in mirrors and behind glass.
   std::optional<std::string> warning_of_lights_without_size() const;
 
   TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,

@@ -1,5 +1,4 @@
-// What happens at every vertex of a path, whether it is worked on alone or with others, and the
-// random numbers of vertices.
+// Rules and random numbers of path vertices, shared by the general path and the fast path.
 #pragma once
 
 #include <cmath>
@@ -21,7 +20,7 @@ namespace foveola {
 
 struct GroupNumbers;
 
-/// Which of a vertex's numbers decide something; the others need not be computed.
+/// The random numbers that a vertex uses; others need not be computed.
 struct NeededNumbers {
   bool light_kind;    ///< there are lights of several kinds
   bool light_choice;  ///< there are several lights of one kind
@@ -30,8 +29,7 @@ struct NeededNumbers {
   bool keys;  ///< there are surfaces that only some rays meet
 };
 
-/// The random numbers of one vertex, in this order. Each has its own dimension whatever was decided
-/// before.
+/// The random numbers of one vertex, in this order. Each has a fixed dimension.
 struct VertexNumbers {
   float light_kind, lobe, roulette;
   Vec2 light_choice, light_point, scattering;
@@ -52,7 +50,7 @@ struct VertexNumbers {
   VertexNumbers(const GroupNumbers& group, std::size_t lane);
 };
 
-/// The random numbers of a group of paths; those that are not needed are 0.
+/// The random numbers of a group of paths; unused ones are 0.
 struct GroupNumbers {
   LightNumbers light{};
   Floats lobe{}, roulette{};
@@ -101,7 +99,7 @@ inline VertexNumbers::VertexNumbers(const GroupNumbers& group, std::size_t lane)
       shadow_key(group.shadow_key[lane]),
       next_key(group.next_key[lane]) {}
 
-/// How a surface scatters against a ray's direction, in the frame of its shading normal.
+/// The BSDF of a surface for a ray's direction, in the frame of its shading normal.
 inline Bsdf bsdf_at(const SurfacePoint& point, const Frame& frame, const Vec3& direction,
                     const ScatteringTables& tables) {
   const Vec3 coat_normal = point.coat_normal == point.shading_normal
@@ -110,41 +108,39 @@ inline Bsdf bsdf_at(const SurfacePoint& point, const Frame& frame, const Vec3& d
   return Bsdf(point.reflectance, frame.to_local(-direction), tables, coat_normal);
 }
 
-/// How much more often paths survive than their brightness says: those of at least half the
-/// camera's always do. Ending them so much later costs 5 to 26 % more rays and takes 13 to 33 % of
-/// the variance.
+/// Factor on the survival probability: paths with at least half the camera's throughput always
+/// survive. Relative to 1 it costs 5 to 26 % more rays and removes 13 to 33 % of the variance.
 inline constexpr float roulette_margin = 2.0F;
 
-/// The chance to survive of a path whose throughput's brightest channel is `brightest`, at least 1
-/// if it surely does. A number, or lanes of them.
+/// Survival probability of a path whose brightest throughput channel is `brightest`; values >= 1
+/// survive surely. A number, or lanes of them.
 template <typename Number>
 inline Number survival(const Number& brightest) {
   return roulette_margin * brightest;
 }
 
-/// Thin transmissive surfaces in line that a ray may pass without a vertex, so that no scene traps
-/// a path.
+/// Maximum number of thin transmissive surfaces that a ray passes without a vertex, so that no
+/// scene traps a path.
 inline constexpr int max_thin_surfaces = 256;
 
-/// The density of a direction that no light sample could have given: a camera's or a mirror's.
+/// The density of a direction that no light sample can have: a camera's or a mirror's.
 inline constexpr float certain = std::numeric_limits<float>::infinity();
 
 /// The power heuristic with exponent 2 (Veach 1997, section 9.2.4) for a sample of density `pdf`
-/// that could also have come from a strategy of density `other`. As a ratio, which cannot overflow
-/// into infinity over infinity. A number, or lanes of them.
+/// that could also have come from a strategy of density `other`. Computed as a ratio, which cannot
+/// become infinity over infinity. A number, or lanes of them.
 template <typename Number>
 inline Number power_heuristic(const Number& pdf, const Number& other) {
   const Number ratio = other / pdf;
   return chosen(pdf == certain, Number{} + 1.0F, 1.0F / (1.0F + ratio * ratio));
 }
 
-/// So many light samples that one scattered ray is as nothing beside them: the power heuristic then
-/// gives light samples all weight wherever there can be one.
+/// A number of light samples beside which a scattered ray has no weight in the power heuristic,
+/// wherever light samples exist.
 inline constexpr float overwhelmingly_many = 0x1p100F;
 
-/// What a path of this throughput gains from a light sample if its shadow ray is not blocked.
-/// value: the BSDF's, for the sample's direction. light_density: the density that the heuristic is
-/// told of the light sample.
+/// A light sample's contribution to a path if its shadow ray is not blocked. value: of the BSDF,
+/// for the sample's direction. light_density: of the light sample, for the heuristic.
 template <typename Number>
 inline Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput,
                                    const BsdfValueOf<Number>& value,
@@ -155,8 +151,8 @@ inline Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput,
   return (weight / light.pdf) * (throughput * value.times_cosine * light.radiance);
 }
 
-/// The direction of the shadow ray to a light sample, which was drawn for `position`, if it starts
-/// at `origin` instead: where it ends stays.
+/// The direction of the shadow ray from `origin` to a light sample drawn for `position`, with the
+/// same end.
 template <typename Number>
 inline Vec3Of<Number> shadow_direction(const LightSampleOf<Number>& light,
                                        const Vec3Of<Number>& position,
@@ -165,26 +161,26 @@ inline Vec3Of<Number> shadow_direction(const LightSampleOf<Number>& light,
                 light.to_light + (position - origin), light.to_light);
 }
 
-// Textures are averaged over much less than a ray stands for. A wide average shows parts of a
-// texture that the surface does not: in Crytek's Sponza a whole pixel and a tenth of the scattered
-// cone made the picture 2 % brighter, which no number of samples takes back (STABILITY.md).
+// Textures are filtered over much less than a ray's footprint. A wide filter includes texels that
+// the surface does not show: in Crytek's Sponza a whole pixel and a tenth of the scattered cone
+// made the picture 2 % brighter, a bias that samples do not remove (STABILITY.md).
 
-/// How much a ray from the camera widens: an eighth of its pixel, pbrt-v4's least
-/// (Camera::Approximate_dp_dxy), over which samples are spread anyway.
+/// Spread of a camera ray: an eighth of its pixel, pbrt-v4's minimum (Camera::Approximate_dp_dxy),
+/// within the samples' own spread.
 inline float camera_spread_rad(float pixel_angle_rad) { return 0.125F * pixel_angle_rad; }
 
-/// How much a scattered ray widens: a two-hundredth of the cone that holds as much solid angle as
-/// one sample stands for. A number, or lanes of them.
+/// Spread of a scattered ray: a two-hundredth of the cone with one sample's solid angle. A number,
+/// or lanes of them.
 template <typename Number>
 inline Number scattered_spread_rad(const Number& pdf) {
   constexpr float widest_rad = 0.02F;
   return smaller(0.005F / square_root(pdf), widest_rad);
 }
 
-/// The radiance of a path with values that are not finite.
+/// The radiance of a path with non-finite values.
 inline constexpr Rgb not_a_number(std::numeric_limits<float>::quiet_NaN());
 
-/// What is left of light after some metres, which may be infinitely many.
+/// Transmittance over a distance in metres, which may be infinite.
 inline Rgb transmittance(const Rgb& absorption_per_m, float distance_m) {
   const auto left = [&](float absorption) {
     return absorption > 0.0F ? std::exp(-absorption * distance_m) : 1.0F;

@@ -1,6 +1,6 @@
-// Embree 3 or 4, whichever the system has, by one set of calls.
+// One interface for Embree 3 and 4, whichever the system has.
 //
-// Embree 4 takes a query's flags beside its context, and has no streams of rays any more.
+// Embree 4 passes a query's flags beside its context, and has no ray streams.
 #pragma once
 
 #if FOVEOLA_EMBREE >= 4
@@ -41,7 +41,7 @@ inline void intersect_1(RTCScene scene, QueryContext& context, QueryFlags flags,
   rtcIntersect1(scene, &query, &arguments);
 }
 
-/// valid: -1 for each ray that takes part, 0 for others.
+/// valid: -1 for active rays, 0 for others.
 inline void intersect_8(const int* valid, RTCScene scene, QueryContext& context, QueryFlags flags,
                         RTCRayHit8& queries) {
   RTCIntersectArguments arguments = intersect_arguments(context, flags);
@@ -73,7 +73,7 @@ inline void intersect_1(RTCScene scene, QueryContext& context, QueryFlags flags,
   rtcIntersect1(scene, &context, &query);
 }
 
-/// valid: -1 for each ray that takes part, 0 for others.
+/// valid: -1 for active rays, 0 for others.
 inline void intersect_8(const int* valid, RTCScene scene, QueryContext& context, QueryFlags flags,
                         RTCRayHit8& queries) {
   context.flags = flags;

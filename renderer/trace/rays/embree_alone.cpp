@@ -13,7 +13,7 @@ namespace foveola {
 namespace {
 
 constexpr std::size_t packet_size = 8;
-/// Rays that a thread takes at a time: whole packets and whole streams.
+/// Rays per task: whole packets and whole streams.
 constexpr std::size_t task_rays = 8192;
 
 RTCRay embree_ray(const Ray& ray) {
@@ -38,7 +38,7 @@ void set_lane(RTCRay8& packet, std::size_t lane, const Ray& ray) {
   packet.flags[lane] = ray.flags;
 }
 
-/// The calls that find the closest hit, and how they want their rays.
+/// The closest-hit calls, and their ray layouts.
 struct ClosestHit {
   using Single = RTCRayHit;
   using Packet = RTCRayHit8;
@@ -64,7 +64,7 @@ struct ClosestHit {
   static RTCRay8& rays_of(Packet& packet) { return packet.ray; }
 };
 
-/// The calls that only ask whether there is one.
+/// The occlusion calls.
 struct AnyHit {
   using Single = RTCRay;
   using Packet = RTCRay8;
@@ -80,7 +80,7 @@ struct AnyHit {
   static RTCRay8& rays_of(Packet& packet) { return packet; }
 };
 
-/// Traces the same rays repeatedly, by one query.
+/// Repeats one query for the same rays.
 template <typename Query>
 class Replay {
  public:

@@ -15,13 +15,13 @@ void keep_first_error(void* text, RTCError, const char* message) {
   }
 }
 
-/// Embree calls it from all its threads. True: it may go on.
+/// Called by Embree from all its threads. Returns true: continue.
 bool count_bytes(void* total, ssize_t bytes, bool /*is_done*/) {
   *static_cast<std::atomic<std::ptrdiff_t>*>(total) += bytes;
   return true;
 }
 
-/// The same on every processor that has them, so that pictures are, too.
+/// Equal on every processor with these instructions, so that pictures are equal too.
 std::string device_configuration() {
   const std::string instructions = build_info().ray_instructions;
   return instructions.empty() ? "" : "isa=" + instructions;

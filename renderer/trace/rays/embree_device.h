@@ -1,5 +1,4 @@
-// Embree's objects, owned, its device with what that says of itself, and what it hands through to
-// the filters of a query.
+// Embree's device and objects with ownership, and the context that it passes to a query's filters.
 #pragma once
 
 #include <atomic>
@@ -31,9 +30,9 @@ class EmbreeDevice {
   EmbreeDevice& operator=(const EmbreeDevice&) = delete;
 
   RTCDevice handle() const { return device_.get(); }
-  /// What its objects take.
+  /// Memory of its objects.
   std::size_t memory_bytes() const { return static_cast<std::size_t>(memory_bytes_); }
-  /// Throws Error with the first thing that went wrong since the last call, if anything did.
+  /// Throws Error with the first failure since the last call, if any.
   void throw_if_failed() const;
 
   FromEmbree<RTCScene> new_scene() const;
@@ -42,18 +41,18 @@ class EmbreeDevice {
  private:
   std::atomic<std::ptrdiff_t> memory_bytes_ = 0;
   mutable std::string error_;
-  FromEmbree<RTCDevice> device_;  ///< released before what it writes to
+  FromEmbree<RTCDevice> device_;  ///< released before the members that it writes to
 };
 
 struct Scene;
 
-/// Every query goes with one of these: the filters rely on it.
+/// The context of every query, which the filters rely on.
 struct RayQueryContext : embree::QueryContext {
-  const Scene* scene;  ///< whose surfaces the filters ask
-  /// Keys by the rays' ids; null: a ray's id is its key.
+  const Scene* scene;  ///< for the filters
+  /// Keys by ray id; null: a ray's id is its key.
   const std::uint32_t* keys = nullptr;
-  std::uint32_t* met_thin_surface = nullptr;  ///< flags by the rays' ids, or null
-  bool meets_any_opacity = false;             ///< rays meet all that is not fully transparent
+  std::uint32_t* met_thin_surface = nullptr;  ///< flags by ray id, or null
+  bool meets_any_opacity = false;             ///< rays hit all but fully transparent surfaces
 
   explicit RayQueryContext(const Scene& asked) : embree::QueryContext{}, scene(&asked) {
     embree::init(*this);

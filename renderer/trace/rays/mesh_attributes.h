@@ -1,4 +1,4 @@
-// What a mesh's vertices and its material's textures say about one of its points.
+// A mesh's vertex attributes and texture values at a point.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline const Material& material_of(const Scene& scene, const Mesh& mesh) {
   return scene.materials[static_cast<std::size_t>(mesh.material)];
 }
 
-/// The value at `barycentric` of an attribute that is given at the corners, or lanes of them.
+/// The value at `barycentric` of an attribute given at the corners, or lanes of them.
 template <typename Value, typename Barycentric>
 inline Value interpolate(const Value& p0, const Value& p1, const Value& p2,
                          const Barycentric& barycentric) {
@@ -30,12 +30,12 @@ inline Value interpolate(const std::vector<Value>& attribute,
                      barycentric);
 }
 
-/// Fetches into the cache where a triangle's vertices are.
+/// Prefetches a triangle's vertex indices.
 inline void prefetch_triangle(const Mesh& mesh, std::uint32_t triangle) {
   __builtin_prefetch(&mesh.triangles[triangle]);
 }
 
-/// Fetches what the mesh says of them.
+/// Prefetches the vertices' attributes.
 inline void prefetch_vertices(const Mesh& mesh, std::uint32_t triangle) {
   for (const std::uint32_t vertex : mesh.triangles[triangle]) {
     const auto prefetch = [vertex](const auto& attribute) {
@@ -54,12 +54,12 @@ struct MeshPoint {
   const Mesh& mesh;
   std::uint32_t triangle = 0;
   Vec2 barycentric{0.0F};
-  /// How wide the ray is here, as a share of the triangle's size: the square root of the ratio of
-  /// the areas. 0 reads textures at their finest.
+  /// The ray's width relative to the triangle: the square root of the ratio of areas. 0 reads
+  /// textures at their finest level.
   float relative_width = 0.0F;
 };
 
-/// White where the mesh has none.
+/// White if the mesh has no colours.
 inline Vec4 vertex_color(const MeshPoint& point) {
   return point.mesh.colors.empty()
              ? Vec4(1.0F)
@@ -67,7 +67,7 @@ inline Vec4 vertex_color(const MeshPoint& point) {
                            point.barycentric);
 }
 
-/// What of a texture a point reads.
+/// The part of a texture that a point reads.
 struct TextureFootprint {
   const Texture& texture;
   Vec2 uv;
@@ -77,11 +77,11 @@ struct TextureFootprint {
   void prefetch() const { texture.prefetch(uv, uv_width); }
 };
 
-/// The widest footprint, as a share of its triangle's size. What it takes in of the texture beyond
-/// the triangle, by bilinear filtering of texels of its width, is then less than a hundredth.
+/// Maximum footprint, relative to its triangle. Bilinear filtering beyond the triangle then adds
+/// less than a hundredth.
 inline constexpr float max_footprint_share = 1.0F / 16.0F;
 
-/// There must be a texture, and the mesh must have coordinates.
+/// Requires a texture, and texture coordinates of the mesh.
 inline TextureFootprint texture_footprint(const Scene& scene, const TextureUse& use,
                                           const MeshPoint& point) {
   const std::vector<Vec2>& uvs = point.mesh.uv_sets[static_cast<std::size_t>(use.uv_set)];
@@ -98,13 +98,13 @@ inline TextureFootprint texture_footprint(const Scene& scene, const TextureUse& 
   return {.texture = texture, .uv = uv, .uv_width = share * std::sqrt(uv_area)};
 }
 
-/// White where the value has no texture or the mesh no coordinates for it.
+/// White without a texture, or without texture coordinates.
 inline Vec4 texture_value(const Scene& scene, const TextureUse& use, const MeshPoint& point) {
   return use.exists() && !point.mesh.uv_sets.empty() ? texture_footprint(scene, use, point).value()
                                                      : Vec4(1.0F);
 }
 
-/// Fetches into the cache the texels of the textures that most surfaces have.
+/// Prefetches the texels of the most common textures.
 inline void prefetch_textures(const Scene& scene, const MeshPoint& point) {
   if (point.mesh.uv_sets.empty()) {
     return;

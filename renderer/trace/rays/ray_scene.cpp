@@ -45,9 +45,8 @@ static_assert(offsetof(HitQueries, geometry) == offsetof(RTCRayHit8, hit.geomID)
 static_assert(offsetof(HitQueries, instance) == offsetof(RTCRayHit8, hit.instID));
 static_assert(Hit::nothing == RTC_INVALID_GEOMETRY_ID);
 
-/// Calls `passes(ray id, hit)` for each hit that Embree asks about, and rejects those
-/// that it is true for. Embree may ask about the same hit more than once, so the answer must not
-/// change.
+/// Calls `passes(ray id, hit)` for each hit that Embree filters, and rejects the hits for which it
+/// is true. Embree may filter a hit more than once, so the answer must not change.
 template <typename Passes>
 void reject_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
   const unsigned count = arguments->N;
@@ -70,7 +69,7 @@ const RayQueryContext& context_of(const RTCFilterFunctionNArguments* arguments) 
   return *static_cast<const RayQueryContext*>(arguments->context);
 }
 
-/// Every pair of a ray and a triangle has one random number that decides.
+/// One random number per pair of ray and triangle decides.
 bool passes_opacity(std::uint32_t id, const Hit& hit, const RayQueryContext& context) {
   const Scene& scene = *context.scene;
   const float opaque = opacity(scene, scene.mesh_of(hit.object), hit.triangle, hit.barycentric);
@@ -88,8 +87,7 @@ void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
   });
 }
 
-/// Also for thin transmissive surfaces with cut-outs: what they tint is found later, by closest
-/// hits.
+/// Also for thin transmissive surfaces with cut-outs: their tint is found later, by closest hits.
 void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
   std::uint32_t* met_thin_surface = context_of(arguments).met_thin_surface;
   reject_hits(arguments, [met_thin_surface](std::uint32_t id, const Hit&) {
@@ -100,9 +98,9 @@ void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
   });
 }
 
-/// How the filters treat a mesh.
+/// A mesh's use of the filters.
 struct Filtering {
-  bool by_opacity = false;       ///< not every ray meets it
+  bool by_opacity = false;       ///< only some rays hit it
   bool by_thin_surface = false;  ///< it tints shadow rays
 
   Filtering(const Scene& scene, const Mesh& mesh)
@@ -135,7 +133,7 @@ Hit closest_hit_of(RTCScene scene, const Ray& ray, RayQueryContext& context) {
           .triangle = query.hit.primID};
 }
 
-/// Where Embree finds the numbers of a mesh's vertices.
+/// Embree's source of a mesh's vertex indices.
 enum class Indices { shared_with_mesh, copied };
 
 FromEmbree<RTCGeometry> geometry_of(const EmbreeDevice& device, const Mesh& mesh, Indices indices,
@@ -163,7 +161,7 @@ FromEmbree<RTCGeometry> geometry_of(const EmbreeDevice& device, const Mesh& mesh
   return geometry;
 }
 
-/// Equal for meshes whose hierarchies are the same.
+/// Equal for meshes with equal hierarchies.
 std::string digest_of(const Mesh& mesh, const Filtering& filtering) {
   Sha256 digest;
   const std::array<std::uint64_t, 4> header = {mesh.positions.size(), mesh.triangles.size(),
@@ -175,7 +173,7 @@ std::string digest_of(const Mesh& mesh, const Filtering& filtering) {
   return digest.hex();
 }
 
-/// Embree calls these from all its threads. True: it may go on. It counts triangles that it splits
+/// Called by Embree from all its threads; true: continue. Embree counts triangles that it splits
 /// more than once, so that its fraction may exceed 1.
 bool may_go_on(void* scope, double /*fraction_done*/) {
   return !static_cast<const WorkScope*>(scope)->is_stopped();
@@ -185,7 +183,7 @@ bool report_build(void* scope, double fraction_done) {
   return may_go_on(scope, fraction_done);
 }
 
-/// monitor: asked while it is built, where that is watched. Throws WorkStopped.
+/// monitor: polled during building, if stopping or progress is watched. Throws WorkStopped.
 void commit(const EmbreeDevice& device, RTCScene ready, const Workers& workers,
             RTCProgressMonitorFunction monitor) {
   if (const WorkScope* const scope = WorkScope::current()) {
@@ -243,7 +241,7 @@ struct RayScene::Embree {
     }
   }
 
-  /// The same, with what `kept` has of them, which is then that of these.
+  /// The same, reusing the hierarchies in `kept`, which then holds these.
   void build_prototypes(const Workers& workers, KeptHierarchies::Embree& kept) {
     std::map<std::string, SharedFromEmbree<RTCScene>> in_use;
     for (const Mesh& mesh : source->prototypes) {
@@ -264,7 +262,7 @@ struct RayScene::Embree {
     kept.of_meshes = std::move(in_use);
   }
 
-  /// The objects where they stand in the world. To be called after their prototypes are built.
+  /// Adds the objects at their places in the world. To be called after building their prototypes.
   void build_world(const Workers& workers) {
     scene = device->new_scene();
     unsigned object = 0;
@@ -344,7 +342,7 @@ void RayScene::find_blocked(RayStream& rays) const {
   RayQueryContext context(*embree_->source);
   std::uint32_t* id = rays.key_.data();
   if (embree_->has_thin_surfaces) {
-    // The filters note thin transmissive surfaces by the ray's number, which takes the key's place.
+    // The filters mark thin transmissive surfaces by the ray's number, which replaces the key.
     id = rays.number_.data();
     context.keys = rays.key_.data();
     context.met_thin_surface = rays.met_thin_surface_.data();

@@ -1,4 +1,4 @@
-// The triangles of a scene, ready for rays. Everything that is Embree's stays behind this header.
+// Ray queries against a scene's triangles. All use of Embree stays behind this header.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ struct RTCSceneTy;
 
 namespace foveola {
 
-/// Scenes that are built with the same one of these share the hierarchies of prototypes whose
-/// triangles are the same, and build only what is new. It keeps those of the scene that was built
-/// last; scenes keep what they use, and may outlive it. For one scene at a time.
+/// Shares hierarchies of equal prototypes between successive versions of one scene, so that only
+/// new ones are built. Keeps those of the last built scene. Scenes own the hierarchies that they
+/// use, and may outlive this object.
 class KeptHierarchies {
  public:
   KeptHierarchies();
@@ -26,7 +26,7 @@ class KeptHierarchies {
   KeptHierarchies(const KeptHierarchies&) = delete;
   KeptHierarchies& operator=(const KeptHierarchies&) = delete;
 
-  /// Hierarchies of prototypes that were built, not found, in all scenes so far.
+  /// Number of prototype hierarchies built, not reused, for all scenes so far.
   std::uint64_t built() const;
 
  private:
@@ -43,11 +43,11 @@ struct alignas(16) Ray {
   float time = 0.0F;
   float t_max = std::numeric_limits<float>::infinity();
   std::uint32_t mask = ~0U;
-  std::uint32_t key = 0;  ///< random; decides which blended surfaces the ray meets
+  std::uint32_t key = 0;  ///< random; decides about hits of blended surfaces
   std::uint32_t flags = 0;
 };
 
-/// Where a ray met a triangle: at (1 - u - v) * p0 + u * p1 + v * p2 with barycentric = (u, v).
+/// A ray's hit on a triangle, at (1 - u - v) * p0 + u * p1 + v * p2 with barycentric = (u, v).
 struct Hit {
   static constexpr std::uint32_t nothing = ~0U;
 
@@ -59,12 +59,12 @@ struct Hit {
   bool missed() const { return object == nothing; }
 };
 
-/// In an instance, geometries are numbered anew.
+/// Geometries of an instance are numbered separately.
 inline std::uint32_t object_number(std::uint32_t instance, std::uint32_t geometry) {
   return instance == Hit::nothing ? geometry : instance;
 }
 
-/// Eight rays, laid out as Embree's packet of so many.
+/// Eight rays in the layout of Embree's packet of eight.
 struct RayLanes {
   Vec3Lanes origin;
   FloatLanes t_min;
@@ -75,7 +75,7 @@ struct RayLanes {
   UintLanes key;
   UintLanes flags;
 
-  /// Rays without end.
+  /// Rays of infinite length.
   RayLanes(const Vec3s& from, const Vec3s& along, const Uints& keys) {
     origin.store(from);
     t_min.store(Floats{});
@@ -99,66 +99,64 @@ struct RayLanes {
   }
 };
 
-/// Eight rays on their way to the first triangle on them, laid out as Embree's packet of so many.
+/// Closest-hit queries of eight rays, in the layout of Embree's packet of eight.
 struct HitQueries {
   RayLanes rays;
-  Vec3Lanes normal;  ///< Embree's, which nothing reads
+  Vec3Lanes normal;  ///< written by Embree, unused
   FloatLanes u, v;
   UintLanes triangle, geometry, instance;
-  UintLanes instance_part;  ///< Embree 4's, which nothing reads
+  UintLanes instance_part;  ///< written by Embree 4, unused
 
   explicit HitQueries(const RayLanes& wanted) : rays(wanted) {
     geometry.fill(Hit::nothing);
     instance.fill(Hit::nothing);
   }
 
-  /// Hit::object of all.
+  /// Hit::object of each lane.
   Uints object() const {
     const Uints instances = instance.load();
     return instances == Hit::nothing ? geometry.load() : instances;
   }
 };
 
-/// Answers depend on the ray alone, to the bit: not on the rays that are traced with it, nor on the
-/// number of threads that built the scene. A ray meets a surface with the probability of its
-/// opacity, as decided by the ray's key. Non-finite triangles are never hit.
+/// Results depend on the ray alone, to the bit: not on other rays of the call, nor on the number of
+/// threads that built the scene. A ray hits a surface with the probability of its opacity, decided
+/// by the ray's key. Non-finite triangles are never hit.
 ///
-/// Eight rays go to Embree together but are traced one by one ("incoherent"), which with
-/// Embree 3.13 takes as long as single rays less the cost of taking them apart. Packets that are
-/// traced together
-/// ("coherent") are twice as fast for neighbouring rays, but where two triangles are hit at the
-/// same distance (coplanar overlaps, shared edges) the winner changes with the packet's other rays.
+/// Eight rays go to Embree together but are traced one by one ("incoherent"). With Embree 3.13 this
+/// takes as long as single rays, without the cost of separating them. Coherent packets are twice as
+/// fast for neighbouring rays. But where two triangles are hit at the same distance (coplanar
+/// overlaps, shared edges), the winner depends on the packet's other rays.
 class RayScene {
  public:
-  /// The scene must outlive this object. kept: where the hierarchies of its prototypes are found
-  /// and left, or null. Throws Error when Embree fails, for lack of memory or an unsupported
-  /// processor.
+  /// The scene must outlive this object. kept: stores hierarchies of prototypes for reuse, or null.
+  /// Throws Error when Embree fails, for lack of memory or an unsupported processor.
   RayScene(const Scene& scene, const Workers& workers, KeptHierarchies* kept = nullptr);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// The first triangle on the ray; Hit::t is in multiples of direction's length.
+  /// The first triangle on the ray; Hit::t is in multiples of the direction's length.
   Hit closest_hit(const Ray& ray) const;
   Hit closest_hit(const Vec3& origin, const Vec3& direction) const {
     return closest_hit(Ray{.origin = origin, .direction = direction});
   }
-  /// The same for those of eight rays that have a bit in `lanes`.
+  /// The same for the rays in `lanes`.
   void find_hits(HitQueries& queries, const LaneMask& lanes) const;
 
-  /// The first triangle on the ray where the opacity is above 0, whatever the ray's key.
+  /// The first triangle on the ray with an opacity above 0, whatever the ray's key.
   Hit closest_hit_of_any_opacity(const Ray& ray) const;
 
-  /// Marks the rays that meet a triangle as blocked, and those that met thin transmissive surfaces.
+  /// Marks rays that hit a triangle as blocked, and rays that passed thin transmissive surfaces.
   void find_blocked(RayStream& rays) const;
 
-  /// Whether rays' keys decide something: there are surfaces that only some rays meet.
+  /// Whether rays' keys matter: some surfaces are partly transparent.
   bool asks_for_keys() const;
 
-  /// What Embree keeps: its hierarchy and its copy of the vertices; of all that share `kept`.
+  /// Embree's memory: hierarchies and copied vertices, of all scenes that share `kept`.
   std::size_t memory_bytes() const;
 
-  /// The scene that it was built of.
+  /// The scene that it was built from.
   const Scene& scene() const;
   /// Embree's own scene, for measuring Embree alone.
   RTCSceneTy* embree_scene() const;

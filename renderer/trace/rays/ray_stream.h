@@ -1,4 +1,4 @@
-// Many rays side by side, for Embree's streams of them.
+// A growing stream of shadow rays, for Embree's ray streams.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace foveola {
 
-/// A column of numbers that grows, into which eight are written at once.
+/// A growing column of numbers, written eight at a time.
 template <typename Number>
 class GrowingColumn {
  public:
@@ -22,7 +22,7 @@ class GrowingColumn {
   const Number& operator[](std::size_t i) const { return numbers_[i]; }
   Number* data() { return numbers_.data(); }
 
-  /// The numbers from there on may be anything, but those that were not written are `otherwise`.
+  /// Resizes the column. Numbers never written are `otherwise`, others may be anything.
   void resize(std::size_t size, Number otherwise = {}) { numbers_.resize(size, otherwise); }
 
   /// Writes all eight lanes.
@@ -63,8 +63,7 @@ class GrowingVectors {
   std::array<GrowingColumn<float>, 3> axes_;
 };
 
-/// Rays from t = 0 on (see Ray), to be asked whether they are blocked. Any number of them: `size`
-/// says for how many there is room before memory grows.
+/// Shadow rays from t = 0 (see Ray). `size`: expected number, before memory grows.
 class RayStream {
  public:
   explicit RayStream(std::size_t size) { resize(size + lane_count); }
@@ -72,7 +71,7 @@ class RayStream {
   std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
 
-  /// Adds those of eight rays that are packed.
+  /// Adds the packed rays of eight.
   void add(const LanePacking& packing, const Vec3s& origin, const Vec3s& direction,
            const Floats& t_max, const Uints& key) {
     make_room();
@@ -96,15 +95,15 @@ class RayStream {
   float t_max(std::size_t i) const { return t_max_[i]; }
   std::uint32_t key(std::size_t i) const { return key_[i]; }
 
-  /// What RayScene::find_blocked() found. Thin transmissive surfaces (see opacity.h) do not block
-  /// but tint.
+  /// Results of RayScene::find_blocked(). Thin transmissive surfaces (see opacity.h) tint and do
+  /// not block.
   bool is_blocked(std::size_t i) const { return t_max_[i] < 0.0F; }
   bool met_thin_surface(std::size_t i) const { return met_thin_surface_[i] != 0; }
 
  private:
   friend class RayScene;
 
-  /// For eight more.
+  /// Makes room for eight rays.
   void make_room() {
     if (size_ + lane_count > capacity_) {
       resize(2 * capacity_);
@@ -128,7 +127,7 @@ class RayStream {
   GrowingVectors origin_, direction_;
   GrowingColumn<float> t_max_;
   GrowingColumn<std::uint32_t> key_;
-  // What Embree wants beside them.
+  // Further inputs of Embree.
   GrowingColumn<float> zero_;
   GrowingColumn<std::uint32_t> mask_, met_thin_surface_;
   GrowingColumn<std::uint32_t> number_;  ///< 0, 1, 2, ...

@@ -100,8 +100,8 @@ float relative_width(float ray_width_m, float facing, float double_area) {
 
 namespace {
 
-/// Interpolated between the front's normals at the corners in the world, of any length; zero where
-/// the mesh has none.
+/// Interpolated between the front's vertex normals in the world, of any length; zero if the mesh
+/// has none.
 Vec3 vertex_normal(const MeshPoint& point, const Instance* instance) {
   if (point.mesh.normals.empty()) {
     return Vec3(0.0F);
@@ -116,7 +116,7 @@ NormalMap coat_normal_map(const Material& material) {
   return {material.clearcoat_normal_texture, material.clearcoat_normal_scale};
 }
 
-/// The share of light from below that a clear coat lets through against `direction`.
+/// The transmittance of a clear coat for light from below against `direction`.
 float coat_transmittance(const Scene& scene, const Material& material, const MeshPoint& point,
                          const Instance* instance, const Vec3& front_normal,
                          const Vec3& direction) {

@@ -9,8 +9,7 @@ struct CornerNormals {
   Vec3 p0, p1, p2;
 };
 
-/// The front's normals at a triangle's corners in the world, of any length; zero where the mesh has
-/// none.
+/// The front's vertex normals of a triangle in the world, of any length; zero if the mesh has none.
 CornerNormals corner_normals(const ObjectView& object, std::uint32_t triangle) {
   const Mesh& mesh = *object.mesh;
   if (mesh.normals.empty()) {

@@ -1,4 +1,4 @@
-// From hits to the geometry of surface points, eight at a time.
+// Computes the geometry of surface points from hits, eight at a time.
 #pragma once
 
 #include <cstddef>
@@ -15,28 +15,26 @@ namespace foveola {
 /// An object of a scene.
 struct ObjectView {
   const Mesh* mesh;
-  const Instance* instance;  ///< null for a mesh that stands in the world as it is
+  const Instance* instance;  ///< null for a mesh that is not instanced
 };
 
-/// What SurfacePoint says, without the material's textures.
+/// SurfacePoint without material values.
 struct SurfacePoints : SurfaceGeometryOf<Floats> {
   Floats double_area;  ///< twice the triangle's area, in square metres
 
   Vec3 smooth_normal_at(std::size_t lane) const {
     return {smooth_normal.x[lane], smooth_normal.y[lane], smooth_normal.z[lane]};
   }
-  /// Turns it to what a normal map makes of the smooth normal, unless that is turned away from the
-  /// ray.
+  /// Applies a normal map's result to the shading normal, unless that faces away from the ray.
   void turn_shading_normal(std::size_t lane, const Vec3s& direction, const Vec3& mapped);
 };
 
-/// Gathers eight hits, and then looks at all of them at once. Lanes that nothing was put into give
-/// anything.
+/// Collects eight hits, then evaluates all at once. Results of unset lanes are undefined.
 class SurfaceHits {
  public:
   void put(std::size_t lane, const ObjectView& object, std::uint32_t triangle);
 
-  /// direction: of the rays that hit, unit length. barycentric, distance: see Hit.
+  /// direction: of the rays, unit length. barycentric, distance: see Hit.
   SurfacePoints points(const Vec3s& direction, const Vec2s& barycentric,
                        const Floats& distance) const;
 
@@ -56,11 +54,11 @@ class SurfaceHits {
   TriangleOf<Floats> triangles() const;
   Vec3s front_normal(const TriangleOf<Floats>::Front& front) const;
 
-  std::uint32_t filled_ = 0;  ///< a bit a lane
+  std::uint32_t filled_ = 0;  ///< one bit per lane
   Corners corners_{};
-  Corners normals_{};  ///< zero where the mesh has none
+  Corners normals_{};  ///< zero if the mesh has none
   bool has_instances_ = false;
-  FloatLanes largest_term_, roundings_, winding_;  ///< only if there are instances: see TriangleOf
+  FloatLanes largest_term_, roundings_, winding_;  ///< used only with instances: see TriangleOf
 };
 
 }  // namespace foveola

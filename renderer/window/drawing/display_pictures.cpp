@@ -46,7 +46,7 @@ std::filesystem::path DisplayPictures::write_next(std::future<RgbImage> picture)
   const auto file = [this] {
     return std::filesystem::path(fmt::format("foveola-{}.png", last_number_));
   };
-  // One that was taken a moment ago may not be on the disk yet.
+  // A picture taken a moment ago may not be on the disk yet.
   do {
     ++last_number_;
   } while (std::filesystem::exists(file()));

@@ -1,4 +1,4 @@
-// Files of what a display shows, written in the background.
+// Writes files of the display's pictures in the background.
 #pragma once
 
 #include <filesystem>
@@ -11,34 +11,33 @@
 
 namespace foveola {
 
-/// Writes what a display shows, sRGB in [0, 1], as write_image does with linear radiance.
+/// Writes a display's picture, sRGB in [0, 1], as write_image does with linear radiance.
 void write_display_picture(const std::filesystem::path& file, const RgbImage& picture);
 
-/// Its destructor waits until all are written.
+/// Its destructor waits for all writing.
 class DisplayPictures {
  public:
-  /// The picture becomes this file as soon as it is there; a private one, of a page that a person
-  /// saw.
+  /// Writes the picture to this file once it is ready; a private one, of a page that a person saw.
   void write_privately(const std::filesystem::path& file, std::future<RgbImage> picture);
 
-  /// The picture becomes the next of foveola-1.png, foveola-2.png, and so on that is not there yet.
-  /// Returns which.
+  /// Writes the picture to the first of foveola-1.png, foveola-2.png, and so on that does not exist
+  /// yet. Returns its path.
   std::filesystem::path write_next(std::future<RgbImage> picture);
 
-  /// What became of a picture of write_next().
+  /// The result of a write_next().
   struct Written {
     std::filesystem::path file;
-    std::string fault;  ///< empty: it is there
+    std::string fault;  ///< empty: success
   };
-  /// Those of write_next() that are finished and that no call returned before.
+  /// The results of write_next() that are new since the last call.
   std::vector<Written> take_written();
 
-  /// Waits for all others; rethrows what kept the first one from being written.
+  /// Waits for all others; rethrows the first fault.
   void finish();
 
  private:
   int last_number_ = 0;
-  // std::async's, which wait when they go.
+  // Futures of std::async, whose destructors wait.
   std::vector<std::future<void>> private_ones_;
   std::vector<std::pair<std::filesystem::path, std::future<void>>> numbered_ones_;
 };

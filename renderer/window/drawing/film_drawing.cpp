@@ -8,7 +8,7 @@
 namespace foveola {
 namespace {
 
-/// The view of the same head, wider by so much on each side, without a lens' distortion.
+/// The view of the same head, wider by by_rad on each side, without a lens' distortion.
 Viewport widened(const Viewport& view, double by_rad) {
   constexpr double farthest_rad = radians(85.0);
   const auto side = [&](double tangent) {
@@ -71,7 +71,7 @@ void FilmDrawing::update_card(ShownFrame& frame, FilmMirror& mirror) {
   frame.atlas = &mirror.atlas();
   frame.update = update_for(frame, *film_, mirror);
   if (std::exchange(is_new_, false)) {
-    // The card may still have another film of that size.
+    // The card may still hold another film of that size.
     const IVec2& size = mirror.atlas().size();
     frame.update.insert(frame.update.begin(), {.width = static_cast<std::uint16_t>(size.x),
                                                .height = static_cast<std::uint16_t>(size.y)});

@@ -1,5 +1,4 @@
-// How a film gets into a window: resampled by the graphics card, or by the processor where there is
-// none.
+// Draws a film in a window: resampled by the graphics card or, without one, by the processor.
 #pragma once
 
 #include <memory>
@@ -17,26 +16,26 @@
 
 namespace foveola {
 
-/// The processor where OpenGL itself is computed by it, which Mesa's software drivers say in their
-/// names ("llvmpipe", "softpipe", "SWR"): their shaders take ten times as long as our resampling,
-/// which does again only what changed.
+/// The processor if OpenGL is computed in software, as Mesa's software drivers state in their names
+/// ("llvmpipe", "softpipe", "SWR"). Their shaders take ten times as long as our resampling, which
+/// recomputes only changes.
 FilmDrawer default_drawer(std::string_view graphics);
 
-/// For frames that are drawn so.
+/// A budget for frames with this drawer.
 FrameBudget frame_budget_for(FilmDrawer drawer);
 
-/// Gives frames of one window what they show of one film.
+/// Provides one window's frames with the content of one film.
 class FilmDrawing {
  public:
   /// film and workers must outlive it. film: for the graphics card at most 65535 pixels wide.
   FilmDrawing(const EquirectFilm& film, FilmDrawer drawer, const Workers& workers);
 
-  /// Brings `frame`, whose views and look are set, up to the film as it is now. The frame refers to
-  /// this object until the next call.
+  /// Updates `frame`, whose views and look are set, to the film's current state. The frame refers
+  /// to this object until the next call.
   void bring_up_to_date(ShownFrame& frame);
 
  private:
-  /// One view's resampler, for as long as its size stays.
+  /// One view's resampler, until its size changes.
   struct ProcessorView {
     ViewImage settings;
     std::unique_ptr<DisplayResampler> resampler;
@@ -49,25 +48,25 @@ class FilmDrawing {
   const EquirectFilm* film_;
   const Workers* workers_;
   std::variant<ProcessorViews, FilmMirror> drawer_;
-  bool is_new_ = true;  ///< nothing of this film was drawn yet
+  bool is_new_ = true;  ///< no content of this film has been drawn
 };
 
-/// The window, as its events describe it.
+/// The window's area, by its events.
 struct WindowArea {
   IVec2 framebuffer{0};    ///< pixels
   bool is_hidden = false;  ///< minimised
 
-  /// Whether there is room for views, one for each eye in a headset.
+  /// Whether there is room for all views, one per eye in a headset.
   bool has_room() const { return framebuffer.x >= 2 && framebuffer.y >= 1; }
   bool is_seen() const { return !is_hidden && has_room(); }
 };
 
-/// The head's views in their parts of the window, and nothing else yet. Of a window that is not
-/// seen, nothing is drawn.
+/// A frame with the head's views in their parts of the window, and nothing else. Empty if the
+/// window is not visible.
 ShownFrame head_frame(const WindowArea& window, const ViewGeometry& geometry, const Quat& head,
                       const ViewLook& look);
 
-/// The update of `film` that the graphics card needs before it draws such a frame. mirror: of this
+/// The update of `film` that the graphics card needs before it draws this frame. mirror: of this
 /// film.
 FilmUpdate update_for(const ShownFrame& frame, const EquirectFilm& film, FilmMirror& mirror);
 

@@ -18,8 +18,8 @@ struct MarkedTiles {
   std::vector<bool> rows;
 };
 
-/// The tiles that hold what `viewport` shows and, as cells are read with their neighbours, what
-/// lies less than a tile beside it.
+/// The tiles in `viewport` and, since cells are read with their neighbours, those less than a tile
+/// beside it.
 MarkedTiles tiles_in(const Viewport& viewport, const EquirectFilm& film) {
   const ImageRectangle seen = bounding_rectangle(viewport);
   const int margin = EquirectFilm::tile_size;
@@ -141,7 +141,7 @@ AtlasRectangle FilmMirror::cell(int level, const IVec2& place,
 }
 
 int levels_shown(const Viewport& viewport, const IVec2& view, int film_height) {
-  // The pixel that is seen largest is on the lens' axis or, under some lenses, at the edge.
+  // The largest pixel is on the lens' axis or, under some lenses, at the edge.
   constexpr int steps = 16;
   double largest_sr = viewport.sr_per_area(viewport.lens().axis);
   for (int y = 0; y <= steps; ++y) {

@@ -1,5 +1,5 @@
-// What a copy of the film has to be updated with: the changes that the display shows, and no
-// others; and the levels of its pyramid side by side in one image, as the graphics card keeps them.
+// Computes updates of a film's copy, restricted to visible changes, and the layout of the pyramid's
+// levels in one image, as on the graphics card.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,16 @@
 
 namespace foveola {
 
-/// Level 0 stands at the top left; the others stand in a row below it, in their order.
+/// Level 0 is at the top left; the others are in a row below it, in order.
 class PyramidAtlas {
  public:
   struct Level {
-    IVec2 origin{0};  ///< where its cell (0, 0) lies
+    IVec2 origin{0};  ///< the cell (0, 0)
     IVec2 size{0};    ///< cells
   };
 
   PyramidAtlas() = default;
-  /// The atlas of a film of width x height pixels: as many levels as it has, the last a single
-  /// cell.
+  /// The atlas of a film of width x height pixels, with all its levels; the last is a single cell.
   PyramidAtlas(int width, int height);
 
   const IVec2& size() const { return size_; }
@@ -34,7 +33,7 @@ class PyramidAtlas {
   std::vector<Level> levels_;
 };
 
-/// Gives all cells of a rectangle of the atlas one value.
+/// A rectangle of the atlas to fill with one value.
 struct AtlasRectangle {
   std::uint16_t x = 0;  ///< column of its top left cell
   std::uint16_t y = 0;
@@ -43,24 +42,24 @@ struct AtlasRectangle {
   PremultipliedTexel value;
 };
 
-/// In order: later rectangles lie over earlier ones.
+/// In order: later rectangles overwrite earlier ones.
 using FilmUpdate = std::vector<AtlasRectangle>;
 
-/// Knows how old a copy of a film's pyramid is, tile by tile, and brings it up to date where it is
-/// seen. Tiles out of view stay as they are until they come into it.
+/// Tracks the age of a film pyramid's copy, tile by tile, and updates it where it is visible. Tiles
+/// out of view are left until they come into it.
 class FilmMirror {
  public:
-  /// The copy has no samples at first. film: at most 65535 pixels wide.
+  /// The copy is initially empty. film: at most 65535 pixels wide.
   explicit FilmMirror(const EquirectFilm& film);
 
-  /// What to write into the copy so that all cells of the levels [0, levels) that `viewports` show
-  /// are as those of `film`, which is always the same one.
+  /// The update after which all cells of the levels [0, levels) visible in `viewports` equal those
+  /// of `film`, which is the same in all calls.
   FilmUpdate collect(const EquirectFilm& film, std::span<const Viewport> viewports, int levels);
 
   const PyramidAtlas& atlas() const { return atlas_; }
 
  private:
-  /// What is known of a tile.
+  /// The state of a tile's copy.
   struct Copy {
     FilmRevision revision = 0;
     int levels = 0;  ///< [0, levels) are of that revision
@@ -78,7 +77,7 @@ class FilmMirror {
   int coarse_levels_ = 0;
 };
 
-/// How many levels a view of `view` pixels is read from, two at least.
+/// Number of levels read for a view of `view` pixels, at least two.
 int levels_shown(const Viewport& viewport, const IVec2& view, int film_height);
 
 }  // namespace foveola

@@ -12,7 +12,7 @@ namespace foveola {
 namespace {
 
 const void* offset_in_buffer(std::size_t bytes) {
-  // OpenGL wants it so.
+  // OpenGL's interface requires it.
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 

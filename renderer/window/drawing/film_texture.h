@@ -1,4 +1,4 @@
-// The film on the graphics card: its pyramid in one texture, written where it changed.
+// The film on the graphics card: its pyramid in one texture, updated where it changed.
 #pragma once
 
 #include "renderer/window/drawing/film_mirror.h"
@@ -6,10 +6,10 @@
 
 namespace foveola {
 
-/// Needs a current context in all that it does.
+/// Needs a current context throughout.
 class FilmTexture {
  public:
-  /// All of it is unsampled. Throws Error if the card has no textures of that size.
+  /// Initially unsampled. Throws Error if the card does not support textures of that size.
   explicit FilmTexture(const PyramidAtlas& atlas);
 
   void apply(const FilmUpdate& update);

@@ -1,4 +1,4 @@
-// Draws frames with OpenGL: what of it lives on the graphics card.
+// Draws frames with OpenGL, and owns their objects on the graphics card.
 #pragma once
 
 #include <optional>
@@ -10,39 +10,39 @@
 
 namespace foveola {
 
-/// Needs a current OpenGL 3.3 context in all that it does, always the same one. Draws into the
-/// framebuffer that is bound.
+/// Needs a current OpenGL 3.3 context throughout, always the same. Draws into the bound
+/// framebuffer.
 class FramePainter {
  public:
-  /// All of it, as a window shows it.
+  /// Draws all of it, as in a window.
   void draw(const ShownFrame& frame);
 
-  // The same in parts, for who shows it otherwise.
+  // The same in parts, for other displays.
 
-  /// Brings the graphics card's copy of the film up to date.
+  /// Updates the graphics card's copy of the film.
   void update_film(const ShownFrame& frame);
-  /// What `view` shows of that copy, if the frame shows any of it.
+  /// Draws `view` of that copy, if the frame shows the film.
   void draw_film(const ShownFrame& frame, const ShownView& view);
-  /// Marks and screens, and `panels`, over pictures of `framebuffer` pixels.
+  /// Draws marks, screens and `panels` over pictures of `framebuffer` pixels.
   void draw_over(const ShownFrame& frame, const IVec2& framebuffer,
                  std::span<const ShownView> views, std::span<const TextPanel> panels);
 
  private:
   void draw_films(const ShownFrame& frame);
 
-  std::optional<FilmTexture> film_;  ///< once there is one to draw
+  std::optional<FilmTexture> film_;  ///< from the first one drawn
   ViewRenderer renderer_;
   PictureTexture picture_;
   TextOverlay text_;
 };
 
-/// What is in the framebuffer that is bound, sRGB in [0, 1], top row first.
+/// The content of the bound framebuffer, sRGB in [0, 1], top row first.
 RgbImage read_picture(const IVec2& size);
 
-/// The graphics card and its driver, in their own words.
+/// The graphics card's and its driver's own names.
 std::string graphics_name();
 
-/// Throws Error for a window of more pixels, to either side, than OpenGL draws.
+/// Throws Error if a side of the window exceeds OpenGL's maximum.
 void require_drawable(const IVec2& window_px);
 
 }  // namespace foveola

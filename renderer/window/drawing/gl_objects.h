@@ -1,4 +1,4 @@
-// OpenGL's objects as values that delete themselves. All of it needs a current OpenGL 3.3 context.
+// RAII owners of OpenGL objects. All of it needs a current OpenGL 3.3 context.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace foveola {
 
-/// The name of an object, deleted with it. Remove: what deletes one name.
+/// The name of an object, deleted with it. Remove: deletes one name.
 template <void (*Remove)(GLuint)>
 class GlObject {
  public:
@@ -50,7 +50,7 @@ using GlVertexArray = GlObject<remove_gl_vertex_array>;
 using GlProgram = GlObject<remove_gl_program>;
 using GlShader = GlObject<remove_gl_shader>;
 
-/// A new one. generate: what makes names of its kind, such as glGenTextures.
+/// Creates an object. generate: the function for names of its kind, such as glGenTextures.
 template <typename Object>
 Object make_gl(void (*generate)(GLsizei count, GLuint* names)) {
   GLuint name = 0;
@@ -58,10 +58,10 @@ Object make_gl(void (*generate)(GLsizei count, GLuint* names)) {
   return Object(name);
 }
 
-/// Compiles and links GLSL. Throws Error with the compiler's own words.
+/// Compiles and links GLSL. Throws Error with the compiler's message.
 GlProgram make_gl_program(const std::string& vertex_source, const std::string& fragment_source);
 
-/// Throws Error, naming `where`, if anything went wrong since the last call.
+/// Throws Error at `where` if an OpenGL error occurred since the last call.
 void check_gl(const std::string& where);
 
 }  // namespace foveola

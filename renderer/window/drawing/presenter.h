@@ -1,5 +1,5 @@
-// What a display is given to draw, frame by frame, the displays' interface, and the thread that
-// draws into a window, to which frames are handed over.
+// A display's frames, the displays' interface, and the thread that draws into a window with its
+// handover of frames.
 #pragma once
 
 #include <condition_variable>
@@ -23,60 +23,60 @@
 
 namespace foveola {
 
-/// All that the drawing thread needs for a frame.
+/// Everything that the drawing thread needs for a frame.
 struct ShownFrame {
-  IVec2 framebuffer{0};  ///< pixels; nothing is drawn if it has none
-  /// The film that the graphics card draws, or null: of the same film as before if of its size.
+  IVec2 framebuffer{0};  ///< pixels; if 0, nothing is drawn
+  /// The film for the graphics card, or null: the same film as before if of the same size.
   const PyramidAtlas* atlas = nullptr;
-  FilmUpdate update;             ///< since the frame before
-  std::vector<ShownView> views;  ///< one, or one for each eye
-  double late_turn_rad = 0.0;    ///< the presenter's
-  /// What each view shows of a film that the processor resampled, of as many pixels as its part
-  /// has; empty if the graphics card resamples it.
+  FilmUpdate update;             ///< since the last frame
+  std::vector<ShownView> views;  ///< one, or one per eye
+  double late_turn_rad = 0.0;    ///< of the presenter
+  /// Each view's picture of a film that the processor resampled, of its part's size; empty if the
+  /// graphics card resamples it.
   std::vector<const ByteImage*> pictures;
   ViewLook look;
   ViewOverlays overlays;
   std::vector<TextPanel> panels;
-  /// Over all else: a part of the window that is white, or black.
+  /// Above everything: a white or black part of the window.
   std::optional<WindowPart> patch;
   bool is_patch_lit = false;
   std::optional<ScreenPage> screen;  ///< over the views, or instead of them
-  /// Gets what was drawn, sRGB in [0, 1], top row first.
+  /// Receives the drawn picture, sRGB in [0, 1], top row first.
   std::shared_ptr<std::promise<RgbImage>> picture;
-  /// Whether that is the film alone, without what stands over it.
+  /// Whether the picture is of the film alone, without overlays.
   bool picture_is_bare = false;
 };
 
-/// Asks for the frame's picture; it is there once the frame is drawn, or throws if it never is.
+/// Requests the frame's picture, which is there once the frame is drawn, or throws if it never is.
 std::future<RgbImage> picture_of(ShownFrame& frame);
 
-/// Who resamples the film for a frame.
+/// The processor that resamples the film.
 enum class FilmDrawer {
-  graphics_card,  ///< keeps a copy of the film's pyramid as a texture and resamples that
-  processor       ///< resamples the film itself; OpenGL gets finished pictures
+  graphics_card,  ///< resamples a copy of the film's pyramid in a texture
+  processor       ///< resamples the film itself; OpenGL receives finished pictures
 };
 
-/// A display that takes frames one by one, and draws them in a thread of its own.
+/// A display that takes frames one by one, and draws them in its own thread.
 class Presenter {
  public:
   virtual ~Presenter() = default;
 
-  /// Waits until the frame is drawn, and no longer needs what it refers to; it is shown at the
-  /// next refresh, after the one before. Rethrows what went wrong in the drawing thread.
+  /// Waits until the frame is drawn and no longer needs its references; it is shown at the next
+  /// refresh after the frame before. Rethrows faults of the drawing thread.
   virtual void draw(ShownFrame frame) = 0;
 
-  /// Waits until the frame that was drawn last is shown, and says when that was: its buffers were
-  /// swapped, or it was handed to a headset. Rethrows as draw.
+  /// Waits until the last drawn frame is shown, and returns that time: of the buffer swap, or of
+  /// the handover to a headset. Rethrows as draw.
   virtual Nanoseconds wait_until_shown() = 0;
 
-  /// The graphics card and its driver, in their own words.
+  /// The graphics card's and its driver's own names.
   virtual const std::string& graphics() const = 0;
   virtual FilmDrawer film_drawer() const = 0;
-  /// How far the head may turn until a frame is seen that shows it as it is turned then; 0 where it
-  /// is shown as it was when the frame began.
+  /// Maximum turn of the head until the display of a frame, if the frame is then shown with the new
+  /// orientation; 0 if it is shown with the orientation at its beginning.
   virtual double late_turn_rad() const { return 0.0; }
-  /// What a window of so many pixels, of which it has some, shows of the sphere while it draws
-  /// frames of `shown`: where the mouse points there.
+  /// The geometry of a window of this size (with room) while frames of `shown` are drawn: for the
+  /// mouse.
   virtual ViewGeometry in_window(const ViewGeometry& shown, const IVec2& /*window_px*/) const {
     return shown;
   }
@@ -84,48 +84,48 @@ class Presenter {
 
 class FrameHandover {
  public:
-  // --- The thread that renders. Each rethrows what went wrong in the other one. ---
+  // --- The rendering thread. Each rethrows faults of the other one. ---
 
-  /// Waits until frames are taken.
+  /// Waits until frames are accepted.
   void wait_until_ready();
-  /// Hands a frame over, once the one before was shown, and waits until it is drawn.
+  /// Hands a frame over, once the one before is shown, and waits until it is drawn.
   void draw(ShownFrame frame);
-  /// Waits until that frame was shown, and says when.
+  /// Waits until that frame is shown, and returns the time.
   Nanoseconds wait_until_shown();
 
-  // --- The thread that draws ---
+  // --- The drawing thread ---
 
-  /// Frames are taken from now on.
+  /// Accepts frames from now on.
   void be_ready();
-  /// Waits for a frame; empty if `stop` is requested.
+  /// Waits for a frame; nullopt if `stop` is requested.
   std::optional<ShownFrame> wait_for_frame(const std::stop_token& stop);
-  /// The frame that was handed over, if there is one.
+  /// The frame that was handed over, if any.
   std::optional<ShownFrame> take_frame();
-  /// The frame no longer needs what it refers to.
+  /// Notes that the frame no longer needs its references.
   void note_drawn();
-  /// It was shown at `time`: there may be another.
+  /// Notes that the frame was shown at `time`, so that another may follow.
   void note_shown(Nanoseconds time);
-  /// Nothing is taken any longer.
+  /// Passes the fault on; no frames are accepted any longer.
   void fail(std::exception_ptr fault);
 
  private:
-  /// Waits for `flag`, or for what goes wrong instead and rethrows it.
+  /// Waits for `flag`; rethrows a fault instead.
   void wait_for(const bool& flag, std::unique_lock<std::mutex>& lock);
 
   std::mutex mutex_;
   std::condition_variable_any changed_;
   // Guarded by the mutex:
-  bool is_ready_ = false;            ///< ready for a frame: the one before was shown
-  bool is_drawn_ = false;            ///< the frame that was handed over last
-  std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
-  Nanoseconds shown_{0};             ///< when the last one was
+  bool is_ready_ = false;            ///< ready for a frame: the one before is shown
+  bool is_drawn_ = false;            ///< the last frame handed over
+  std::optional<ShownFrame> frame_;  ///< handed over, not yet taken
+  Nanoseconds shown_{0};             ///< when the last one was shown
   std::exception_ptr fault_;
 };
 
 class WindowPresenter final : public Presenter {
  public:
   /// Takes the window's context. window and clock must outlive it. framebuffer: the window's size
-  /// in pixels. Throws Error if the graphics card cannot draw into such a window.
+  /// in pixels. Throws Error if the graphics card does not support such a window.
   WindowPresenter(Window& window, const IVec2& framebuffer, const Clock& clock);
   ~WindowPresenter() override;
   WindowPresenter(const WindowPresenter&) = delete;
@@ -143,7 +143,7 @@ class WindowPresenter final : public Presenter {
   const Clock* clock_;
   std::string graphics_;
   FrameHandover handover_;
-  std::jthread thread_;  ///< last: it ends before the rest does
+  std::jthread thread_;  ///< last: it ends before the other members
 };
 
 }  // namespace foveola

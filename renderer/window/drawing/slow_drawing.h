@@ -1,4 +1,4 @@
-// A window's timing: the patch that is measured, and drawing that is too slow.
+// A window's timing: its timing patch, and warnings of slow drawing.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace foveola {
 
-/// Why frames cannot be in time, whatever is traced in them.
+/// The reason why frames miss their refresh, however little is traced.
 struct SlowDrawing {
-  Nanoseconds drawing{0};   ///< time to draw a frame, on average
-  Nanoseconds interval{0};  ///< between the display's refreshes
+  Nanoseconds drawing{0};   ///< mean time to draw a frame
+  Nanoseconds interval{0};  ///< the display's refresh interval
   IVec2 framebuffer{0};     ///< the window's size in pixels
-  std::string graphics;     ///< the graphics card and its driver, in their own words
+  std::string graphics;     ///< the graphics card's and its driver's own names
 };
 
-/// One line, without its end: what is slow, what follows and what helps.
+/// One line, without its end: the cause, the consequence and the remedy.
 std::string slow_drawing_line(const SlowDrawing& slow);
 
-/// The same in short, for the window itself.
+/// A short form for the window itself.
 std::string slow_drawing_note(const SlowDrawing& slow);
 
-/// The window's part that it fills, cut off by the window's edges.
+/// The patch's part of the window, clipped by the window's edges.
 WindowPart part_of(const TimingPatch& patch, const IVec2& framebuffer);
 
 }  // namespace foveola

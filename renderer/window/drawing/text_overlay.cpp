@@ -68,7 +68,7 @@ void paint(ImDrawList& list, const ScreenLayout& layout, const ScreenFonts& font
   }
 }
 
-/// From the least density to the greatest.
+/// From the minimum density to the maximum.
 void paint_density_scale(ImDrawList& list, const Vec2& low, const Vec2& size) {
   constexpr int steps = 32;
   const Vec2 step(size.x / steps, size.y);
@@ -98,9 +98,9 @@ void paint(ImDrawList& list, const PlacedPanel& panel, const Vec2& letter_px) {
   }
 }
 
-/// The letters of panels, all of one width, twice as large where pixels are small.
+/// The size of panels' monospaced letters, doubled where pixels are small.
 Vec2 panel_letter_px(const ScreenRect& view) {
-  constexpr float small_pixels_from = 1300.0F;  // in a view so many pixels high
+  constexpr float small_pixels_from = 1300.0F;  // for views this high
   const float scale = view.size().y >= small_pixels_from ? 2.0F : 1.0F;
   const ImVec2 letter = ImGui::CalcTextSize("0");
   return scale * Vec2(letter.x, letter.y);
@@ -111,16 +111,16 @@ ScreenPlace screen_place(const ShownView& view, int framebuffer_height) {
     return screen_place(view.part, framebuffer_height, view.straight_ahead);
   }
   ScreenPlace canvas = screen_place(view.part, framebuffer_height, Vec2(0.5F));
-  // A ground that fills the part, too, of an eye that looks askew at it.
+  // A background that also fills the part of an eye with an oblique view.
   const Vec2 beyond = 0.5F * canvas.view.size();
   canvas.view = {.low = canvas.view.low - beyond, .high = canvas.view.high + beyond};
   return canvas;
 }
 
-/// Moves what was painted from the vertex `first` on to where an eye sees it.
+/// Moves the shapes from the vertex `first` on to their place in an eye's view.
 void move_to_part(ImDrawList& list, int first, const Mat3& part_from_canvas,
                   const ScreenRect& part) {
-  constexpr float nearest = 1e-3F;  // what is beside or behind the eye is far outside its picture
+  constexpr float nearest = 1e-3F;  // points beside or behind the eye go far outside its picture
   for (int i = first; i < list.VtxBuffer.Size; ++i) {
     ImVec2& corner = list.VtxBuffer[i].pos;
     const Vec2 place = (Vec2(corner.x, corner.y) - part.low) / part.size();
@@ -206,7 +206,7 @@ void TextOverlay::make_letters(float text_px, const ScreenPage& screen) {
   }
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  atlas.AddFontDefault();  // the panels'
+  atlas.AddFontDefault();  // the font of panels
   fonts_->add_to(atlas, text_px);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();

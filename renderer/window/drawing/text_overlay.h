@@ -1,4 +1,4 @@
-// What stands over the picture, or instead of it: marks, screens, and panels of text.
+// Draws overlays on the picture: marks, screens, and panels of text.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace foveola {
 
-/// What a frame has over its views, from below to above.
+/// A frame's overlays, from bottom to top.
 struct Overlaid {
   const ViewOverlays* marks = nullptr;  ///< null: none
   const ScreenPage* screen = nullptr;   ///< null: none
   std::span<const TextPanel> panels;
 };
 
-/// Dear ImGui, which is for drawing only: it receives neither keys nor pointer. Needs a current
-/// context in all that it does; there can be one at a time.
+/// Dear ImGui, for drawing only: it receives neither keys nor pointer. Needs a current context
+/// throughout; only one instance at a time.
 class TextOverlay {
  public:
   TextOverlay();
@@ -29,9 +29,9 @@ class TextOverlay {
   TextOverlay(const TextOverlay&) = delete;
   TextOverlay& operator=(const TextOverlay&) = delete;
 
-  /// Draws into each view's part of a window of `framebuffer` pixels. A screen's letters are made
-  /// when their size changes, or when one is new that is not of Europe's, which takes longer than a
-  /// frame. Throws Error if the system lacks them.
+  /// Draws into each view's part of a window of `framebuffer` pixels. Glyphs are rendered when
+  /// their size changes, or for a new character outside Europe's, which takes longer than a frame.
+  /// Throws Error if the system lacks the fonts.
   void draw(const IVec2& framebuffer, std::span<const ShownView> views, const Overlaid& overlaid);
 
  private:
@@ -40,7 +40,7 @@ class TextOverlay {
   void make_letters(float text_px, const ScreenPage& screen);
 
   std::optional<ScreenFonts> fonts_;
-  float text_px_ = 0.0F;  ///< the size that they were made in; 0: not made yet
+  float text_px_ = 0.0F;  ///< the glyphs' size; 0: not yet rendered
 };
 
 }  // namespace foveola

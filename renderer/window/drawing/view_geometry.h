@@ -1,5 +1,5 @@
-// What a display shows of the sphere, by its profile and the size of the window on it, and how wide
-// the preview's window shows the scene.
+// A display's view of the sphere, from its profile and the window's size, and the preview window's
+// zoom.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@
 namespace foveola {
 
 struct ViewGeometry {
-  double horizontal_fov_deg = 0.0;  ///< one view's, without the lens
+  double horizontal_fov_deg = 0.0;  ///< of one view, without the lens
   double vertical_fov_deg = 0.0;
-  RadialLens lens;                                 ///< before the first part
-  Quat turned{1.0F, 0.0F, 0.0F, 0.0F};             ///< how the views are turned in the head
-  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of a view; null: all of it
-  std::vector<WindowPart> parts;  ///< one, or a headset's left eye's and right eye's in a window
+  RadialLens lens;                                 ///< of the first part
+  Quat turned{1.0F, 0.0F, 0.0F, 0.0F};             ///< orientation of the views in the head
+  std::shared_ptr<const SeenPart> seen = nullptr;  ///< of a view; null: the whole view
+  std::vector<WindowPart> parts;  ///< one, or a headset's left and right eye in a window
 
-  /// The first part's.
+  /// Of the first part.
   FieldOfView field_of_view() const {
     return {.horizontal_deg = horizontal_fov_deg,
             .vertical_deg = vertical_fov_deg,
@@ -30,56 +30,54 @@ struct ViewGeometry {
   }
 };
 
-/// A monitor's window shows what a pane of that size would let through at the viewing distance, so
-/// that angles are true; a headset shows its whole view to each eye, however large the window. By
-/// OpenXR it is what holds both eyes' views, in a picture of the size of one.
-/// framebuffer: pixels, at least 2x1.
+/// A monitor's window has the true angles of a pane of its size at the viewing distance. A headset
+/// shows its whole view to each eye, however large the window. By OpenXR it is the view that holds
+/// both eyes' views, in a picture of one eye's size. framebuffer: pixels, at least 2x1.
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer);
 
-/// The same of a monitor's window whose larger side shows so many degrees, in (0, 180), however
-/// large it is and wherever the eye is. A headset's is view_geometry.
+/// The same for a monitor's window whose larger side spans larger_fov_deg, in (0, 180), whatever
+/// its size and the eye's place. A headset's is view_geometry.
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer,
                            double larger_fov_deg);
 
 /// The field of view across the larger side of the first part.
 double larger_fov_deg(const ViewGeometry& geometry);
 
-/// How many times wider a window's view is than its true angles: their widths on a plane at
-/// distance 1, compared.
+/// Ratio of a view's width to its true width, on a plane at distance 1.
 double widening(const ViewGeometry& geometry, const ViewGeometry& true_angles);
 
-/// The views of a head, one for each part.
+/// The views of a head, one per part.
 std::vector<Viewport> viewports_of(const ViewGeometry& geometry, const Quat& head);
 
 /// The direction in the head's axes of a place in the window, in pixels from its top left corner.
 Vec3 direction_below(const ViewGeometry& geometry, const DVec2& place, int framebuffer_height);
 
-/// A headset's views are always as its profile has them.
+/// A window's view with zoom. A headset's views are always its profile's.
 class WindowView {
  public:
-  /// Across the window's larger side, in degrees: what zooming reaches.
+  /// Limits of zooming across the window's larger side, in degrees.
   static constexpr double narrowest_fov_deg = 5.0;
   static constexpr double widest_fov_deg = 120.0;
 
-  /// larger_fov_deg: across the larger side of a monitor's window, in (0, 180); empty: true angles,
-  /// as they are where the eye is at the profile's distance. framebuffer: pixels, at least 2x1.
+  /// larger_fov_deg: across the larger side of a monitor's window, in (0, 180); nullopt: true
+  /// angles for an eye at the profile's distance. framebuffer: pixels, at least 2x1.
   WindowView(const DisplayProfile& display, std::optional<double> larger_fov_deg,
              const IVec2& framebuffer);
 
-  /// Keeps what the larger side shows.
+  /// Keeps the field of view of the larger side.
   void resize(const IVec2& framebuffer);
-  /// Narrows the view so many steps, of a tenth each, or widens it, within the limits.
+  /// Zooms in by this number of steps, of a tenth each, or out if negative, within the limits.
   void zoom(double steps);
-  /// Back to what it began with, or 60 degrees if that was true angles.
+  /// Restores the initial view, or 60 degrees if that had true angles.
   void show_first();
   void show_true_angles();
-  /// Shows true angles for as long as eyes are measured, whatever was chosen.
+  /// Shows true angles while eyes are measured, whatever the choice.
   void measure_eyes(bool measures);
 
   const ViewGeometry& geometry() const { return geometry_; }
-  /// How many times as wide as true angles: see widening().
+  /// Ratio of its width to the true width: see widening().
   double times_true() const { return widening(geometry_, true_angles_); }
-  /// Whether it can be chosen.
+  /// Whether the user can choose it.
   bool is_free() const { return display_.kind == DisplayKind::monitor; }
   /// "view 60.0 x 36.0 degrees, 2.2 times as wide as true".
   std::string in_words() const;

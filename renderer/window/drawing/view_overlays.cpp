@@ -30,17 +30,17 @@ struct Pane {
     const Vec2 place = low + plane * size;
     return {place.x, place.y};
   }
-  /// Empty for a direction that the view does not show.
+  /// nullopt for a direction outside the view.
   std::optional<ImVec2> project(const Vec3& direction) const {
     const std::optional<Vec2> plane = viewport.project(direction);
     return plane ? std::optional(at(*plane)) : std::nullopt;
   }
-  /// The angle that a pixel has in the middle of a view without a lens.
+  /// The angle of a pixel in the centre of a view without a lens.
   float pixel_rad() const { return 2.0F * viewport.half_size().x / size.x; }
 };
 
-/// The directions at an angle from a middle. Turns grow clockwise as the view shows them, as Dear
-/// ImGui wants the outlines of what it fills.
+/// The directions at an angle from a centre. Turns grow clockwise in the view, as Dear ImGui
+/// requires of filled outlines.
 class Circle {
  public:
   Circle(const Vec3& middle, float radius_rad) : frame_(middle), radius_rad_(radius_rad) {}
@@ -56,14 +56,13 @@ class Circle {
   float radius_rad_;
 };
 
-/// What a view shows of a circle: all of it, or arcs from edge to edge.
+/// The visible part of a circle: all of it, or arcs from edge to edge.
 struct ShownCircle {
   std::vector<Points> arcs;
   bool is_whole = false;
 };
 
-/// The last place of the circle that is seen on the way from one turn, which is, to another, which
-/// is not.
+/// The last visible place of the circle between a visible and an invisible turn.
 ImVec2 last_seen(const Circle& circle, const Pane& pane, float seen_rad, float unseen_rad) {
   constexpr int halvings = 12;
   ImVec2 last = *pane.project(circle.direction(seen_rad));
@@ -86,7 +85,7 @@ ShownCircle shown_circle(const Circle& circle, const Pane& pane, int steps) {
   }
   const auto unseen = std::find(places.begin(), places.end(), std::nullopt);
   ShownCircle shown{.is_whole = unseen == places.end()};
-  // An arc that is cut by no edge begins anywhere; others begin after a place that is not seen.
+  // A circle cut by no edge begins anywhere; others begin after an invisible place.
   const auto first = shown.is_whole ? 0 : static_cast<int>(unseen - places.begin());
   bool was_seen = false;
   for (int step = first; step < first + steps; ++step) {
@@ -116,7 +115,7 @@ ShownCircle shown_ring(const Vec3& middle, float radius_rad, const Pane& pane) {
   return shown_circle(Circle(middle, radius_rad), pane, steps);
 }
 
-/// A place as far beyond `end` as asked, on the line from `before`.
+/// A place at this distance beyond `end`, on the line from `before`.
 ImVec2 beyond(const ImVec2& before, const ImVec2& end, float distance_px) {
   const Vec2 along(end.x - before.x, end.y - before.y);
   const float length_px = glm::length(along);
@@ -124,8 +123,7 @@ ImVec2 beyond(const ImVec2& before, const ImVec2& end, float distance_px) {
   return {end.x + step.x, end.y + step.y};
 }
 
-/// An arc goes on beyond the edges that cut it, so that its ends, which are cut square, lie
-/// outside.
+/// An arc is extended beyond the edges that cut it, so that its square ends lie outside.
 void paint_line(ImDrawList& list, const ShownCircle& circle, ImU32 color, float width_px) {
   for (Points arc : circle.arcs) {
     if (!circle.is_whole) {
@@ -156,8 +154,8 @@ void paint_point(ImDrawList& list, const Vec3& direction, const Pane& pane, ImU3
   }
 }
 
-/// Between the middles of four cells colours go over into each other; beyond the outermost middles
-/// they stay.
+/// Colours are interpolated between the centres of four cells, and constant beyond the outermost
+/// ones.
 void paint_densities(ImDrawList& list, const DensityMap& map, const Pane& pane) {
   constexpr float opacity = 0.45F;
   const Vec2 cells(map.width, map.height);
@@ -178,7 +176,7 @@ void paint_densities(ImDrawList& list, const DensityMap& map, const Pane& pane) 
   }
 }
 
-/// How many degrees a ring is from the gaze, above its topmost place.
+/// The ring's eccentricity in degrees, above its topmost place.
 void paint_label(ImDrawList& list, const ShownCircle& ring, float radius_rad, const Pane& pane) {
   constexpr float margin_px = 2.0F;
   if (ring.arcs.empty()) {
@@ -208,7 +206,7 @@ void paint_rings(ImDrawList& list, const ViewOverlays& overlays, const Pane& pan
   }
 }
 
-/// White on black shows on any picture; the highlighted one is distinguished by its width, too.
+/// White on black is visible on any picture; the highlighted one also differs by its width.
 void paint_offer(ImDrawList& list, const OfferRing& offer, const Pane& pane) {
   const float width_px = offer.is_highlighted ? 6.0F : 2.0F;
   const Rgb ink = offer.is_highlighted ? highlight : Rgb(1.0F);
@@ -217,9 +215,9 @@ void paint_offer(ImDrawList& list, const OfferRing& offer, const Pane& pane) {
   paint_line(list, ring, im(ink), width_px);
 }
 
-/// From the view's middle towards a direction that the view does not show, as long as a sixth of
-/// its shorter side: near the middle, since a lens shows little of the edges. What lies exactly
-/// behind is to the right.
+/// From the view's centre towards a direction outside the view, as long as a sixth of its shorter
+/// side: near the centre, since a lens shows little of the edges. A direction exactly behind is to
+/// the right.
 void paint_arrow(ImDrawList& list, const Vec3& direction, const Pane& pane) {
   const Vec3 in_head = glm::inverse(pane.viewport.head()) * direction;
   const Vec2 aside(in_head.x, -in_head.y);
@@ -243,8 +241,8 @@ void paint_arrow(ImDrawList& list, const Vec3& direction, const Pane& pane) {
   draw(im(highlight), 0.0F);
 }
 
-/// A bull's eye draws the gaze to its middle (Thaler et al. 2013, "What is the best fixation
-/// target?"): a disc of 0.6 degrees' diameter, in it one of 0.2; all else is grey meanwhile.
+/// A bull's eye draws the gaze to its centre (Thaler et al. 2013, "What is the best fixation
+/// target?"): a disc of 0.6 degrees' diameter, in it one of 0.2, on grey.
 void paint_target(ImDrawList& list, const Vec3& target, float least_px, const Pane& pane) {
   const float radius_rad = std::max(static_cast<float>(radians(0.3)), least_px * pane.pixel_rad());
   list.AddRectFilled({pane.low.x, pane.low.y}, {pane.high().x, pane.high().y}, im(Rgb(0.5F)));

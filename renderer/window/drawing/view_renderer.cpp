@@ -35,7 +35,7 @@ flat in vec4 cell;
 out vec4 color;
 
 void main() {
-  color = min(cell, vec4(65504.0));  // the largest that 16 bits hold
+  color = min(cell, vec4(65504.0));  // maximum of a half float
 }
 )";
 
@@ -68,7 +68,7 @@ uniform ivec4 level_places[most_levels];  // origin and size, cells
 uniform vec2 film_size;                   // pixels
 uniform bool fill_unsampled;
 uniform float exposure;
-uniform bool is_filmic;  // else the plain curve
+uniform bool is_filmic;  // otherwise the plain curve
 
 uniform vec2 view_origin;  // of the view in the window, pixels from the bottom left
 uniform vec2 view_size;
@@ -106,7 +106,7 @@ float level_for(vec2 offset) {
   return max(0.0, log2(sqrt(sr) * film_size.y / pi));
 }
 
-// A cell of a level; over a pole the same row comes back half an image further.
+// A cell of a level; beyond a pole the same row continues half an image further.
 vec4 cell(ivec4 place, ivec2 at) {
   if (at.y < 0 || at.y >= place.w) {
     at = ivec2(at.x + place.z / 2, at.y < 0 ? -1 - at.y : 2 * place.w - 1 - at.y);

@@ -1,4 +1,4 @@
-// Draws what the display shows of a film, or a finished picture, on the graphics card.
+// Draws a display's view of a film, or a finished picture, on the graphics card.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@
 
 namespace foveola {
 
-/// Fills rectangles of the atlas (AtlasRectangle): four vertices of a strip an instance.
+/// Fill rectangles of the atlas (AtlasRectangle): each instance is a strip of four vertices.
 extern const char* const atlas_vertex_shader;
 extern const char* const atlas_fragment_shader;
 
-/// Shows a part of the film as viewport_image does, as sRGB.
+/// Show a part of the film as viewport_image does, as sRGB.
 extern const char* const view_vertex_shader;
 extern const char* const view_fragment_shader;
 
-/// A finished picture, pixel by pixel. Its vertex shader is the view's.
+/// A finished picture, pixel by pixel, with the view's vertex shader.
 extern const char* const picture_fragment_shader;
 
-/// How the film is shown.
+/// The appearance of the film.
 struct ViewLook {
   double exposure_stops = 0.0;
   bool fill_unsampled = false;  ///< UnsampledPixels::filled
@@ -35,8 +35,8 @@ struct WindowPart {
   IVec2 size{0};
 };
 
-/// Shows the film as viewport_image and display_image do, but for the rounding of 16-bit texels.
-/// Needs a current context in all that it does.
+/// Shows the film as viewport_image and display_image do, up to the rounding of 16-bit texels.
+/// Needs a current context throughout.
 class ViewRenderer {
  public:
   ViewRenderer();
@@ -50,16 +50,15 @@ class ViewRenderer {
 
   GlProgram program_;
   GlVertexArray no_vertices_;
-  std::vector<GLint> level_places_;  ///< kept so that no frame takes new memory
+  std::vector<GLint> level_places_;  ///< kept to avoid allocations per frame
 };
 
-/// Needs a current context in all that it does.
+/// Needs a current context throughout.
 class PictureTexture {
  public:
   PictureTexture();
 
-  /// Fills `part` of the framebuffer with the picture, which has as many pixels, its top row on
-  /// top.
+  /// Fills `part` of the framebuffer with the picture of the same size, its top row on top.
   void draw(const ByteImage& picture, const WindowPart& part);
 
  private:

@@ -21,7 +21,7 @@
 namespace foveola {
 namespace {
 
-/// Hands shake: what goes no farther is a click.
+/// Hands shake: a shorter way is a click.
 constexpr double click_way_px = 4.0;
 
 Drag drag_of(int button, bool holds_alt) {
@@ -72,9 +72,9 @@ bool holds(const std::set<int>& held, int left, int right) {
   return held.contains(left) || held.contains(right);
 }
 
-/// How wide the space is in which the camera stands: twice the median distance seen in the
-/// directions of a cube's sides, edges and corners. At most the scene's diagonal, as where most of
-/// them meet nothing: a room is walked through as a room, whatever lies outside.
+/// Width of the space around the camera: twice the median distance in the directions of a cube's
+/// sides, edges and corners. At most the scene's diagonal, also if most of them hit nothing: a room
+/// is walked through as a room, whatever lies outside.
 double width_around(const CameraSurroundings& surroundings) {
   std::vector<double> distances_m;
   for (const int x : {-1, 0, 1}) {
@@ -210,14 +210,14 @@ bool FreeCamera::steer(Nanoseconds time, const KeyMoved& key) {
   return key.is_down && TurnKeys().follow(key) && !can_turn();
 }
 
-/// In flight letters move the camera, and do nothing else.
+/// In flight letters only move the camera.
 bool FreeCamera::steer(Nanoseconds /*time*/, const CharacterTyped& /*typed*/) const {
   return mouse_.drag() == Drag::fly;
 }
 
 bool FreeCamera::steer(Nanoseconds time, const WheelTurned& wheel) {
   constexpr double step = 1.25;
-  constexpr double max_times = 1000.0;  // as fast or as slow as to begin with
+  constexpr double max_times = 1000.0;  // relative to the initial speed
   if (!holds(modifiers_, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) {
     return false;
   }
@@ -285,7 +285,7 @@ void FreeCamera::look_at(Nanoseconds time, const DVec2& place_px) {
 }
 
 void FreeCamera::orbit(Nanoseconds time, const DVec2& way_px) {
-  constexpr double across_rad = radians(180.0);  // of a drag across the window
+  constexpr double across_rad = radians(180.0);  // for a drag across the window
   const double rad_per_pixel = across_rad / std::max(1, framebuffer_.x);
   stand(time,
         orbited(standing(time), pivot_,

@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// Keeps about the last `most` of a list that grows at its end.
+/// Keeps about the last `most` items of a list that grows at its end.
 template <typename Item>
 void forget_old(std::vector<Item>& list, std::size_t most) {
   if (list.size() >= 2 * most) {
@@ -36,7 +36,7 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
 }
 
 LivePreviewReport LivePreview::run(const std::stop_token& stop) {
-  // Events that came while waiting for the refresh are answered before the frame looks at the head.
+  // Events during the wait for the refresh are handled before the frame polls the head.
   const auto wait_and_answer = [this](Nanoseconds time) {
     std::this_thread::sleep_until(std::chrono::steady_clock::time_point(time));
     answer_events();
@@ -85,7 +85,7 @@ void LivePreview::tell_of_warnings() {
   }
 }
 
-/// What was rendered elsewhere holds no longer.
+/// The film of another place is invalid.
 void LivePreview::move_camera() {
   parts_.camera->walk_until(parts_.clock->now());
   if (parts_.camera->position() != parts_.preview->settings().render.viewpoint) {
@@ -96,7 +96,7 @@ void LivePreview::move_camera() {
   }
 }
 
-/// View, method, gaze and exposure stay.
+/// View, method, gaze and exposure are kept.
 void LivePreview::follow_change() {
   std::optional<SceneChange> change =
       settings_.take_change ? settings_.take_change() : std::nullopt;
@@ -162,7 +162,7 @@ void LivePreview::print(const std::string& line) const {
 void LivePreview::draw(const Preview& preview) {
   go_on_checking(preview);
   ViewLook look = choices_.look;
-  // What is seen for a moment only has few samples: dots would say little.
+  // A moving view has few samples: isolated dots would show little.
   look.fill_unsampled = look.fill_unsampled || parts_.camera->is_moving();
   ShownFrame frame = head_frame(area_, view_.geometry(), preview.viewport().head(), look);
   frame.late_turn_rad = parts_.presenter->late_turn_rad();
@@ -187,7 +187,7 @@ void LivePreview::take_picture(ShownFrame& frame) {
   wants_picture_ = false;
 }
 
-/// At true angles, which a tracker is judged by.
+/// At true angles, in which a tracker is judged.
 void LivePreview::begin_check() {
   view_.measure_eyes(true);
   show_view();
@@ -222,7 +222,7 @@ std::optional<Nanoseconds> LivePreview::wait_until_shown() {
   if (!report_.first_shown) {
     report_.first_shown = shown - start_;
   }
-  // What is not drawn waits for no refresh.
+  // A hidden window does not wait for refreshes.
   return area_.is_seen() ? std::optional(shown) : std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// The preview in a window: frames at the display's pace, and what keys do to them.
+// The preview in a window: frames at the display's pace, and the effects of keys.
 #pragma once
 
 #include <cstdint>
@@ -29,66 +29,65 @@
 
 namespace foveola {
 
-/// What became of a change of the scene's files.
+/// The result of a change of the scene's files.
 struct SceneChange {
-  const PathTracer* tracer = nullptr;  ///< of the new scene; null: the old one stays
+  const PathTracer* tracer = nullptr;  ///< of the new scene; null: the old one is kept
   std::shared_ptr<const void> owner;   ///< keeps the tracer and the surroundings alive
-  CameraSurroundings surroundings;     ///< those of the new scene
-  std::vector<std::string> remarks;    ///< on the new scene, or why the old one stays
+  CameraSurroundings surroundings;     ///< of the new scene
+  std::vector<std::string> remarks;    ///< on the new scene, or why the old one is kept
   std::vector<std::string> warnings;   ///< on the new scene
-  bool has_studio_light = false;       ///< whether only that lights it
+  bool has_studio_light = false;       ///< whether it is the only light
   Nanoseconds changed{0};              ///< when the files were complete
 };
 
 /// A change that was shown, or refused.
 struct ShownChange {
   bool is_refused = false;
-  Nanoseconds after{0};  ///< from the change to the first frame that shows it, or says so
+  Nanoseconds after{0};  ///< from the change to the first frame that reflects it
 };
 
 struct LivePreviewSettings {
   DisplayProfile display;
   TrackerProfile tracker;
-  PreviewChoices choices;  ///< the choices to begin with
+  PreviewChoices choices;  ///< the initial choices
   std::uint32_t seed = 0;
-  IVec2 framebuffer{0};  ///< the picture's size, in pixels: the window's, or that for one eye
-  IVec2 window_px{0};    ///< the window's
-  /// The field of view to begin with across the larger side of a monitor's window; empty: true
-  /// angles.
+  IVec2 framebuffer{0};  ///< the picture's size, in pixels: of the window, or for one eye
+  IVec2 window_px{0};    ///< the window's size
+  /// Initial field of view across the larger side of a monitor's window; nullopt: true angles.
   std::optional<double> larger_fov_deg;
-  std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
+  std::optional<std::uint64_t> frames;  ///< number of frames; default: until the user ends it
   bool keeps_last_picture = false;      ///< whether the last frame's picture is kept
-  bool corrects_gaze = false;           ///< whether the gaze is corrected by what each check finds
-  CalibrationTiming gaze_check;         ///< timing of such a check
+  bool corrects_gaze = false;           ///< whether checks correct the gaze
+  CalibrationTiming gaze_check;         ///< timing of checks
   std::vector<std::string> warnings;    ///< on the scene: counted at first, and shown by a key
-  bool has_studio_light = false;        ///< whether only that lights it; named at first
+  bool has_studio_light = false;        ///< whether it is the only light; reported at first
   /// Called with each line that the user should read at once; may be empty.
   std::function<void(const std::string& line)> notify;
-  /// Asked before each frame for what became of the last change of the scene; may be empty.
+  /// Called before each frame for the result of the scene's last change; may be empty.
   std::function<std::optional<SceneChange>()> take_change;
-  /// Whether a changed scene is being loaded, so that the processor is needed there; may be empty.
+  /// Whether a changed scene is loading, which needs the processor; may be empty.
   std::function<bool()> is_loading;
 };
 
-/// What happened in a live preview.
+/// The events of a live preview.
 struct LivePreviewReport {
   std::vector<LiveFrame> frames;  ///< at least the last max_frames of them
   std::uint64_t frame_count = 0;
   std::uint64_t late_frames = 0;
-  std::vector<std::string> methods;  ///< as they were rendered, one for each start
-  IVec2 framebuffer{0};              ///< the window's size in the end, in pixels
+  std::vector<std::string> methods;  ///< as rendered, one per start
+  IVec2 framebuffer{0};              ///< the final size of the window, in pixels
   std::string graphics;              ///< the graphics card and its driver
-  double refresh_rate_hz = 0.0;      ///< the display's: measured, or else its profile's
+  double refresh_rate_hz = 0.0;      ///< of the display: measured, or else from its profile
   bool is_refresh_measured = false;
-  int threads = 0;                             ///< threads that traced
-  std::optional<Nanoseconds> first_shown;      ///< the first picture, after the scene was loaded
-  std::vector<GazeCheck> gaze_checks;          ///< in the order they were made
-  std::vector<std::string> lost_monitors;      ///< names, in the order they were lost
-  std::vector<ShownChange> changes;            ///< of the scene, in their order
-  std::vector<HeadsetChange> headset_changes;  ///< in their order
-  std::optional<SlowDrawing> slow_drawing;     ///< when it was first found too slow; else none
+  int threads = 0;                             ///< number of tracing threads
+  std::optional<Nanoseconds> first_shown;      ///< the first picture, since the scene was loaded
+  std::vector<GazeCheck> gaze_checks;          ///< in order
+  std::vector<std::string> lost_monitors;      ///< names, in order of their loss
+  std::vector<ShownChange> changes;            ///< of the scene, in order
+  std::vector<HeadsetChange> headset_changes;  ///< in order
+  std::optional<SlowDrawing> slow_drawing;     ///< from its first detection; otherwise empty
   std::optional<RgbImage> last_picture;        ///< sRGB in [0, 1]
-  /// The last view as options that show it again: --camera, --head, and a monitor's --fov.
+  /// Options that show the last view again: --camera, --head, and a monitor's --fov.
   std::string last_view;
   static constexpr std::size_t max_frames = 1 << 16;
 };
@@ -96,13 +95,13 @@ struct LivePreviewReport {
 /// Runs in one thread, beside the one that passes on the window's events and the one that draws.
 class LivePreview {
  public:
-  /// What it works with, all of which must outlive it.
+  /// Its parts, all of which must outlive it.
   struct Parts {
     Preview* preview;
     Steering* steering;
     FreeCamera* camera;
     CorrectedEyeTracker* eye;
-    /// The same as the preview sees it if its view may be wider than it is seen; null: it knows.
+    /// The preview's eye tracker if its view may be widened; null otherwise.
     WidenedEyeTracker* widened_eye;
     Window* window;
     WindowEvents* events;
@@ -113,10 +112,10 @@ class LivePreview {
 
   LivePreview(const LivePreviewSettings& settings, const Parts& parts);
 
-  /// Keeps alive what is shown first, until a change takes its place.
+  /// Keeps the first scene alive until a change replaces it.
   void own(std::shared_ptr<const void> scene) { scene_ = std::move(scene); }
 
-  /// Until the user closes the window, the frames are done, or `stop` is requested.
+  /// Runs until the user closes the window, the frames are done, or `stop` is requested.
   LivePreviewReport run(const std::stop_token& stop);
 
  private:
@@ -154,15 +153,15 @@ class LivePreview {
   Parts parts_;
   PreviewChoices choices_;
   WindowArea area_;
-  WindowResized window_;  ///< its size as long as it had room
+  WindowResized window_;  ///< its size while it had room
   WindowView view_;
   Nanoseconds start_;
   FilmDrawing drawing_;
   LivePreviewReport report_;
   TrackerCheck check_;
   PreviewMessages messages_;
-  std::shared_ptr<const void> scene_;     ///< keeps what is shown alive
-  std::optional<SceneChange> not_shown_;  ///< what the next frame shows first
+  std::shared_ptr<const void> scene_;     ///< keeps the shown scene alive
+  std::optional<SceneChange> not_shown_;  ///< first shown by the next frame
   bool is_done_ = false;
   bool wants_picture_ = false;
   std::optional<std::future<RgbImage>> last_picture_;

@@ -15,7 +15,7 @@ void LivePreview::answer_events() {
     }
   }
   move_camera();
-  // Methods that follow the pointer follow it as the view of the last frame has it.
+  // Methods that follow the pointer use it in the last frame's view.
   if (const std::optional<Vec3> pointer = parts_.steering->pointer()) {
     parts_.preview->point_at(glm::normalize(parts_.preview->viewport().head() * *pointer));
   }
@@ -52,7 +52,7 @@ void LivePreview::answer(HeadsetChange change) {
   tell(words_for(change), MessageStay::long_enough);
 }
 
-/// What a headset shows does not depend on the window that shows it too.
+/// A headset's content does not depend on the window that mirrors it.
 void LivePreview::follow_size(const WindowResized& size) {
   if (!is_in_headset()) {
     area_.framebuffer = size.framebuffer;
@@ -124,7 +124,7 @@ void LivePreview::act(PreviewAction action) {
   }
 }
 
-/// About the pointer: what lies below it stays there.
+/// About the pointer: the content below it stays there.
 void LivePreview::zoom(double steps) {
   if (!view_.is_free() || check_.goes_on()) {
     return;

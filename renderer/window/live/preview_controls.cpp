@@ -47,7 +47,7 @@ constexpr std::array letters = {
     LetterMeaning{'?', PreviewAction::show_help, "this help, as F1"},
 };
 
-/// What is no letter.
+/// Keys other than letters.
 constexpr std::array other_help = {
     std::string_view("Arrows, left drag, gamepad: look around"),
     std::string_view("Click: look there, pick it, and say what it is"),

@@ -1,4 +1,4 @@
-// The keys of the live preview: what each does, and what follows from it.
+// The keys of the live preview and their effects.
 #pragma once
 
 #include <cstdint>
@@ -41,22 +41,22 @@ enum class PreviewAction {
   close
 };
 
-/// What a key means, if anything. Letters go by the keyboard's layout, other keys by their place.
+/// The action of a key, if any. Letters follow the keyboard's layout, other keys their place.
 std::optional<PreviewAction> action_of(const CharacterTyped& typed);
 std::optional<PreviewAction> action_of(const KeyMoved& key);
 
-/// What every key and the mouse do: two letters a line.
+/// Help on every key and the mouse, two letters per line.
 std::vector<std::string> help_lines();
 
-/// What the user has chosen so far.
+/// The user's choices.
 struct PreviewChoices {
-  std::vector<std::string> methods;  ///< at least one, to go through
-  std::size_t method = 0;            ///< index of the present method
-  /// The share of samples that follow the first part of the method "hybrid", fv; the rest is od's.
+  std::vector<std::string> methods;  ///< to cycle through, at least one
+  std::size_t method = 0;            ///< index of the current method
+  /// Share of samples of the first part, fv, of the method "hybrid"; the rest is od's.
   double hybrid_share = 0.9;
   bool gaze_is_frozen = false;
   ViewLook look;
-  /// Whether samples are cut so that few bright ones leave no specks: see largest_radiance.
+  /// Whether samples are clamped to remove bright specks: see largest_radiance.
   bool cuts_fireflies = false;
   bool shows_gaze = false;
   bool shows_rings = false;
@@ -68,19 +68,19 @@ struct PreviewChoices {
   bool shows_help = false;
 };
 
-/// What is rendered: "hybrid" stands for a mixture with the chosen shares.
+/// The method to render: "hybrid" becomes a mixture with the chosen shares.
 std::string method_text(const PreviewChoices& choices);
 
-/// What samples are cut at: four times what is white at the present exposure, or infinity.
+/// Upper bound of samples: four times white at the current exposure, or infinity.
 float largest_radiance(const PreviewChoices& choices);
 
-/// Follows an action. Returns whether what was rendered so far no longer holds.
+/// Applies an action. Returns whether the film must be restarted.
 bool follow(PreviewAction action, PreviewChoices& choices);
 
-/// The keys that turn the head, as they are held: each of -1, 0 and 1.
+/// The held keys that turn the head: each of -1, 0 and 1.
 class TurnKeys {
  public:
-  /// Whether `key` is one of them.
+  /// Returns whether `key` is one of them.
   bool follow(const KeyMoved& key);
   int right() const { return right_ - left_; }
   int up() const { return up_ - down_; }

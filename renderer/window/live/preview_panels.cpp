@@ -70,7 +70,7 @@ std::vector<std::string> warning_lines(std::span<const std::string> warnings) {
   return lines;
 }
 
-/// Where the published model of acuity begins to fall, and round numbers beyond.
+/// The knee of the published acuity model, and round numbers beyond.
 constexpr std::array acuity_rings_deg = {reddy_knee_deg, 10.0, 20.0, 40.0};
 
 }  // namespace

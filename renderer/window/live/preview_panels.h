@@ -1,5 +1,5 @@
-// The live preview's panels of text over the picture, what it tells its user for a while, and what
-// its user has chosen to see over the film.
+// The live preview's panels of text over the picture, temporary messages, and chosen overlays on
+// the film.
 #pragma once
 
 #include <optional>
@@ -20,27 +20,27 @@
 
 namespace foveola {
 
-/// How long a message stays, chosen by judgement.
+/// Duration of a message, chosen by judgement.
 enum class MessageStay {
-  briefly,      ///< 4 s: what a key did
-  long_enough,  ///< 15 s: what the user did not ask for
-  until_key     ///< until the next key: what the user waits for, and may not look at just then
+  briefly,      ///< 4 s: the effect of a key
+  long_enough,  ///< 15 s: news that the user did not ask for
+  until_key     ///< until the next key: results that the user waits for, perhaps looking away
 };
 
 class PreviewMessages {
  public:
   void tell(Nanoseconds now, std::string text, MessageStay stay = MessageStay::briefly);
 
-  /// A key was pressed: what waits for one goes.
+  /// Removes the messages that wait for a key, after one was pressed.
   void answer_key();
 
-  /// Those that still stay at `now`, the oldest first; at most the newest four.
+  /// The messages still shown at `now`, the oldest first; at most the newest four.
   std::vector<std::string> lines(Nanoseconds now) const;
 
  private:
   struct Message {
     std::string text;
-    std::optional<Nanoseconds> end;  ///< empty: the next key
+    std::optional<Nanoseconds> end;  ///< empty: until the next key
   };
   std::vector<Message> messages_;
 };
@@ -49,7 +49,7 @@ class PreviewMessages {
 std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
                                           const std::string& method);
 
-/// How well the tracker saw the eye look at targets.
+/// The measured quality of a gaze check.
 std::string gaze_quality_line(const GazeQuality& quality);
 
 /// The correction as formulas of the azimuth a and the elevation e, in degrees.
@@ -61,28 +61,28 @@ std::vector<std::string> latency_lines(std::span<const LiveFrame> frames,
                                        const TrackerProfile& tracker,
                                        const DisplayProfile& display);
 
-/// The scale below the colours of a density map, and what it means by the last second's frames.
+/// The scale below a density map's colours, and its meaning for the last second's frames.
 std::vector<std::string> density_lines(std::span<const LiveFrame> frames);
 
-/// What is shown, and how.
+/// The current view.
 struct ShownNow {
   std::string view;                          ///< WindowView::in_words
-  std::optional<double> horizontal_fov_deg;  ///< empty where it cannot be chosen
+  std::optional<double> horizontal_fov_deg;  ///< nullopt if it cannot be chosen
   DVec3 camera{0.0};                         ///< in the file's coordinates
   AzimuthElevation head;                     ///< world
   double speed_m_per_s = 0.0;                ///< of moving the camera
   double exposure_stops = 0.0;
   ToneCurve curve = ToneCurve::plain;
-  float largest_radiance = 0.0F;  ///< that samples are cut at; infinite: they are not
+  float largest_radiance = 0.0F;  ///< upper bound of samples; infinite: none
 };
 std::vector<std::string> view_lines(const ShownNow& shown);
 
-/// The options of render and preview that show the same: --camera, --head and --fov.
+/// The options of render and preview for the same view: --camera, --head and --fov.
 std::string view_options(const ShownNow& shown);
 
-/// What panels tell of.
+/// The content of panels.
 struct PanelContents {
-  std::vector<std::string> notes;         ///< what the user should read now
+  std::vector<std::string> notes;         ///< for the user to read now
   std::span<const std::string> warnings;  ///< on the scene
   std::span<const LiveFrame> frames;
   const TrackerProfile& tracker;
@@ -90,10 +90,10 @@ struct PanelContents {
   ShownNow shown;
 };
 
-/// Those that were chosen, the most important ones first: they have room before others.
+/// The chosen panels, the most important first: they get room before others.
 std::vector<TextPanel> preview_panels(const PreviewChoices& choices, const PanelContents& contents);
 
-/// As of the preview's last frame.
+/// For the preview's last frame.
 ViewOverlays preview_overlays(const PreviewChoices& choices, const Preview& preview);
 
 }  // namespace foveola

@@ -3,7 +3,7 @@
 namespace foveola {
 namespace {
 
-/// How fast a held key turns the head.
+/// Turning speed of the head by a held key.
 constexpr double key_speed_rad_per_s = radians(60.0);
 
 }  // namespace

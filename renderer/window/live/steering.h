@@ -1,4 +1,4 @@
-// Turns the head and points the gaze as keys, mouse and gamepad say.
+// Turns the head and points the gaze by keys, mouse and gamepad.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,23 @@
 
 namespace foveola {
 
-/// How a drag by so many pixels, right and down, turns the head: the picture follows the pointer,
-/// as a sheet of paper does, and a drag across the first part turns by its field of view.
+/// The head's turn for a drag of this length, right and down: the picture follows the pointer like
+/// a sheet of paper, and a drag across the first part turns by its field of view.
 Turn turn_of_drag(const ViewGeometry& geometry, const DVec2& way_px);
 
 class Steering {
  public:
-  /// pointer_gaze: the tracker that follows the pointer; null if there is none. Both must outlive
-  /// it.
+  /// pointer_gaze: the tracker that follows the pointer, or null. Both must outlive it.
   Steering(SteeredHeadTracker& head, PointerEyeTracker* pointer_gaze)
       : head_(&head), pointer_gaze_(pointer_gaze) {}
 
-  /// How large the window is, and what it shows from now on.
+  /// Sets the window's size and view.
   void show(const ViewGeometry& geometry, const IVec2& framebuffer, double pixels_per_unit);
 
-  /// Events that steer nothing are left alone.
+  /// Ignores events that steer nothing.
   void follow(const WindowEvent& event);
 
-  /// Where the pointer is, in the head's axes; empty outside of the window.
+  /// The pointer in the head's axes; nullopt outside the window.
   std::optional<Vec3> pointer() const;
 
  private:

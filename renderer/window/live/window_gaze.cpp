@@ -51,7 +51,7 @@ void WidenedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) 
     return;
   }
   std::for_each(arrived.begin() + before, arrived.end(), [this](GazeSample& sample) {
-    // What lies behind is on no screen.
+    // Directions behind are on no screen.
     if (sample.valid && sample.direction.z < 0.0F) {
       const DVec3 seen(sample.direction);
       sample.direction = Vec3(glm::normalize(DVec3(times_ * seen.x, times_ * seen.y, seen.z)));

@@ -1,5 +1,5 @@
-// Gaze in a window: on a part of the watched monitor, or in a wider or narrower view; and a check
-// of the eye tracker by dots to look at, one after the other.
+// Gaze in a window: on a part of the observed monitor, or in a widened view; and a check of the eye
+// tracker by successive targets.
 #pragma once
 
 #include <functional>
@@ -19,37 +19,37 @@
 
 namespace foveola {
 
-/// Goes on from begin() until every dot was looked at or given up, or until it is ended.
+/// Runs from begin() until every target was looked at or given up, or until end().
 class TrackerCheck {
  public:
-  /// The dots are spread over the view that `geometry` has now. One that goes on begins anew.
+  /// Spreads the targets over the current view of `geometry`. Restarts a running check.
   void begin(const ViewGeometry& geometry, const CalibrationTiming& timing, Nanoseconds now);
   void end() { routine_.reset(); }
   bool goes_on() const { return routine_.has_value(); }
 
-  /// Takes what arrived until `now`. Returns what was seen of each dot when the last one is done
-  /// with, and ends then.
+  /// Adds the samples that arrived until `now`. After the last target, returns all targets' samples
+  /// and ends.
   std::optional<std::vector<WatchedTarget>> update(Nanoseconds now,
                                                    std::span<const GazeSample> arrived);
 
-  /// The dot in the view of a head of this orientation, on grey; while it goes on.
+  /// The current target in the view of a head of this orientation, on grey. Only while it runs.
   ViewOverlays overlays(const Quat& head) const;
-  /// What to do; while it goes on.
+  /// Instructions. Only while it runs.
   TextPanel panel() const;
 
  private:
   std::optional<CalibrationRoutine> routine_;
 };
 
-/// A tracker sees which place of a screen the eye looks at, as an angle from its middle. Where the
-/// view has other angles than the eye, this turns them into the view's.
+/// Converts gaze in a widened view. A tracker measures the gazed place of a screen as an angle from
+/// its centre; this gives the angle in a view with other angles.
 class WidenedEyeTracker final : public EyeTracker {
  public:
   /// source: must outlive it.
   explicit WidenedEyeTracker(EyeTracker& source) : source_(&source) {}
 
-  /// Directions are so many times farther from straight ahead on a plane before the eye, from the
-  /// next poll on; > 0. At 1 samples stay as they are, to the bit.
+  /// Scales directions by this factor (> 0) from straight ahead, on a plane before the eye, from
+  /// the next poll. At 1 samples stay unchanged, to the bit.
   void widen(double times) { times_ = times; }
 
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
@@ -60,17 +60,17 @@ class WidenedEyeTracker final : public EyeTracker {
   double times_ = 1.0;
 };
 
-/// A tracker tells which place of a monitor the eye looks at, as an angle at its middle by a
-/// profile. This turns it into the angle at the window's middle, by the pixels that the monitor
-/// really has.
+/// Converts gaze on a monitor to gaze in a window on it. A tracker measures the gazed place as an
+/// angle at the monitor's centre by a profile; this gives the angle at the window's centre, by the
+/// monitor's actual pixels.
 class PlacedEyeTracker final : public EyeTracker {
  public:
-  /// display: a monitor's profile. place: where the window is, asked at each poll; what it refers
-  /// to must outlive the tracker.
+  /// display: a monitor's profile. place: returns the window's place at each poll; its references
+  /// must outlive the tracker.
   PlacedEyeTracker(std::unique_ptr<EyeTracker> source, const DisplayProfile& display,
                    std::function<std::optional<WindowPlace>()> place);
 
-  /// While it is not known where the window is, samples are invalid.
+  /// Samples are invalid while the window's place is unknown.
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
   std::string status() const override;
 

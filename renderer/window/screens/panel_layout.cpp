@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// A panel's place as parts of what is left of a view once the panel is in it.
+/// A panel's position, as a share of the view's free space.
 Vec2 anchor(PanelPlace place) {
   switch (place) {
     case PanelPlace::top_right:
@@ -34,12 +34,12 @@ bool overlap(const ScreenRect& a, const ScreenRect& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// Panels that are placed already, and where more can be.
+/// The placed panels, and places for more.
 class Places {
  public:
   Places(const ScreenRect& view, const Vec2& letter_px) : view_(view), letter_px_(letter_px) {}
 
-  /// Lines that are broken to what the view has room for.
+  /// Lines broken to the view's width.
   std::vector<std::string> broken(const std::vector<std::string>& lines) const {
     const float room_px = view_.size().x - 2.0F * (panel_margin_px + panel_padding_px);
     const float width_px = std::max(room_px, letter_px_.x);
@@ -48,7 +48,7 @@ class Places {
     };
     std::vector<std::string> rows;
     for (const std::string& line : lines) {
-      // Columns stand in lines that fit; breaking takes spaces away.
+      // Columns fit their lines; breaking would remove spaces.
       const auto parts = width_of(line) <= width_px ? std::vector<std::string>{line}
                                                     : wrap_to_width(line, width_px, width_of);
       rows.insert(rows.end(), parts.begin(), parts.end());
@@ -65,7 +65,7 @@ class Places {
     return letter_px_ * Vec2(columns, rows) + 2.0F * panel_padding_px;
   }
 
-  /// The free rectangle of a size that is nearest to a place, below it or, at the bottom, above.
+  /// The free rectangle of a size nearest to a place, below it or, at the bottom, above.
   std::optional<ScreenRect> free_at(PanelPlace place, const Vec2& size) const {
     const Vec2 room = view_.size() - 2.0F * panel_margin_px - size;
     if (room.x < 0.0F || room.y < 0.0F) {
@@ -92,7 +92,7 @@ class Places {
     return std::nullopt;
   }
 
-  /// Where a panel is first free, from its own place on.
+  /// The first free place of a panel, beginning at its own.
   std::optional<ScreenRect> free_for(PanelPlace wanted, const Vec2& size) const {
     constexpr std::array corners = {PanelPlace::top_left, PanelPlace::top_right,
                                     PanelPlace::bottom_left, PanelPlace::bottom_right};

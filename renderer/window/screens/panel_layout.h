@@ -1,4 +1,4 @@
-// Where the panels of text over a picture stand: beside each other, however small the window is.
+// Lays out panels of text over a picture: side by side, in a window of any size.
 #pragma once
 
 #include <span>
@@ -9,20 +9,20 @@
 
 namespace foveola {
 
-/// `upper` lies between the targets in the middle and in the corners of a check of the tracker.
+/// `upper` lies between the central and the corner targets of a tracker check.
 enum class PanelPlace { top_left, top_right, bottom_left, bottom_right, upper, middle };
 
 struct TextPanel {
   PanelPlace place = PanelPlace::top_left;
   std::vector<std::string> lines;
-  bool has_density_scale = false;  ///< whether the colours of densities stand above the lines
+  bool has_density_scale = false;  ///< whether the density colours are above the lines
 };
 
-/// A panel as it is drawn.
+/// A panel ready to draw.
 struct PlacedPanel {
   ScreenRect rect;
-  std::vector<std::string> lines;  ///< one a row of text, from the top
-  bool has_density_scale = false;  ///< the first row, below which the lines follow
+  std::vector<std::string> lines;  ///< one per row of text, from the top
+  bool has_density_scale = false;  ///< in the first row, above the lines
 };
 
 /// Space between a panel and the window's edges, or another panel.
@@ -30,10 +30,9 @@ inline constexpr float panel_margin_px = 8.0F;
 /// Space between a panel's edge and its text.
 inline constexpr float panel_padding_px = 6.0F;
 
-/// Places panels in `view`, the first ones first. One stands beside those before it in its corner,
-/// or in another corner if it has no room there; if it fits nowhere, its last lines are left out,
-/// and so is all of it where there is no room for a line. Nothing overlaps. Long lines are broken.
-/// letter_px: width and height of every letter.
+/// Places panels in `view` in order. A panel is placed beside earlier ones in its corner, or in
+/// another corner if that lacks room. If it fits nowhere, its last lines are left out, or all of
+/// it. Nothing overlaps. Long lines are broken. letter_px: width and height of every letter.
 std::vector<PlacedPanel> lay_out(std::span<const TextPanel> panels, const ScreenRect& view,
                                  const Vec2& letter_px);
 

@@ -60,7 +60,7 @@ class LineFiller {
     return count_characters(line) <= max_line_characters && (*width_of_)(line) <= width_px_;
   }
 
-  /// The piece has one character at least, even where there is no room for any.
+  /// At least one character, even without room for any.
   std::size_t bytes_that_fit(std::string_view word) const {
     std::size_t characters = 1;
     while (fits(word.substr(0, bytes_of_first(word, characters + 1)))) {
@@ -77,7 +77,7 @@ class LineFiller {
 
 float face_scale(TextFace face) { return face == TextFace::title ? title_scale : 1.0F; }
 
-/// How much of what is left beside a line stands before it.
+/// Share of a line's free space before it.
 float share_before(Align align) {
   switch (align) {
     case Align::center:

@@ -1,5 +1,4 @@
-// Text broken into lines that fit, and a column that is filled from its top: what screens are laid
-// out with.
+// Line breaking, and a column filled from its top: the building blocks of screens.
 #pragma once
 
 #include <functional>
@@ -12,16 +11,16 @@
 
 namespace foveola {
 
-/// Lines longer than this are hard to find the way back from (Bringhurst, "The Elements of
+/// Maximum length of a line, so that readers find its successor (Bringhurst, "The Elements of
 /// Typographic Style", 2.1.2: 45 to 75 characters).
 inline constexpr std::size_t max_line_characters = 70;
 
-/// Pixels that a line of text takes.
+/// Width of a line of text in pixels.
 using LineWidth = std::function<float(std::string_view line)>;
 
-/// Breaks UTF-8 at its spaces, and at its line breaks, into lines of at most `width_px` and
-/// max_line_characters; a word that is longer is broken within, and a letter that is wider stands
-/// in a line by itself. At least one line.
+/// Breaks UTF-8 at its spaces and line breaks into lines of at most `width_px` and
+/// max_line_characters. Longer words are broken within, and a wider letter has a line to itself. At
+/// least one line.
 std::vector<std::string> wrap_to_width(std::string_view text, float width_px,
                                        const LineWidth& width_of);
 
@@ -36,21 +35,21 @@ class ScreenColumn {
   ScreenColumn(float left_px, float width_px, float text_px, const TextWidth& width_of)
       : left_px_(left_px), width_px_(width_px), text_px_(text_px), width_of_(&width_of) {}
 
-  // --- What it is filled with, from its bottom on ---
+  // --- Appending at its bottom ---
 
   void leave(float lines) { y_px_ += lines * text_px_; }
   /// Over the whole width, wrapped.
   void write(std::string_view text, TextFace face, Ink ink);
-  /// Wrapped between left_px and right_px, which are measured from the column's left.
+  /// Wrapped between left_px and right_px, relative to the column's left.
   void write_between(float left_px, float right_px, std::string_view text, Align align, Ink ink);
 
-  // --- What stands anywhere in it: in pixels from its top left ---
+  // --- Placing anywhere, in pixels from its top left ---
 
   void put_line(const Vec2& low_px, std::string_view line, TextFace face, Ink ink);
   void put_shape(PlacedShape::Kind kind, const Vec2& low_px, const Vec2& size_px, Ink ink,
                  float outline_px = 0.0F);
   void put_frame(const Vec2& low_px, const Vec2& size_px, Ink ink, float outline_px);
-  /// What is to be kept in view.
+  /// The region to keep in view.
   void put_focus(const Vec2& low_px, const Vec2& size_px);
 
   float bottom_px() const { return y_px_; }
@@ -60,7 +59,7 @@ class ScreenColumn {
   float line_width_px(std::string_view line) const { return (*width_of_)(TextFace::body, line); }
   LineWidth line_width(TextFace face) const;
 
-  // --- What it was filled with, its top at y 0 ---
+  // --- Its content, with its top at y 0 ---
 
   const ScreenLayout& layout() const { return layout_; }
   const std::optional<ScreenRect>& focus() const { return focus_; }
@@ -77,7 +76,7 @@ class ScreenColumn {
   std::optional<ScreenRect> focus_;
 };
 
-/// The distance from one line of running text to the next, in heights of a line.
+/// Distance between lines of running text, in heights of a line.
 inline constexpr float line_spacing = 1.3F;
 
 }  // namespace foveola

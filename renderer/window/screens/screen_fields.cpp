@@ -42,7 +42,7 @@ struct WordRoom {
   float width_px() const { return right_px - left_px; }
 };
 
-/// Points of a scale side by side: those from `first` on, as far as there are, `most` at most.
+/// Points of a scale side by side: those from `first` on, at most `most`.
 class PointRow {
  public:
   PointRow(const ScreenColumn& column, const ScreenField& field, std::size_t first,
@@ -58,7 +58,7 @@ class PointRow {
     box_width_px_ = std::min(wanted_px, cell_px_ - 0.15F * text_px_);
   }
 
-  /// Whether no box and no word needs more room than it has.
+  /// Whether every box and every word has enough room.
   bool fits(const ScreenColumn& column) const {
     const LineWidth width_of = column.line_width(TextFace::body);
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -106,8 +106,8 @@ class PointRow {
     column.set_bottom_px(bottom_px);
   }
 
-  /// The space of a point's words: half of the way to the next words on each side. Below the first
-  /// and the last point they begin or end with the point where that gives them more room.
+  /// The space of a point's words: half of the way to the next words on each side. At the first and
+  /// the last point they are aligned with the point if that gives them more room.
   WordRoom room_of(std::size_t i) const {
     const float gap_px = 0.5F * between_words * text_px_;
     const float left_px = border_px(i, -1) + gap_px;
@@ -124,7 +124,7 @@ class PointRow {
     return {middle_px(i) - half_px, middle_px(i) + half_px, Align::center};
   }
 
-  /// The end of a point's words to one side: the row's own, or in the middle to the next words.
+  /// The end of a point's words to one side: the row's own, or halfway to the next words.
   float border_px(std::size_t i, int side) const {
     const auto count = static_cast<std::ptrdiff_t>(points_.size());
     for (auto k = static_cast<std::ptrdiff_t>(i) + side; k >= 0 && k < count; k += side) {
@@ -142,7 +142,7 @@ class PointRow {
   float box_width_px_ = 0.0F;
 };
 
-/// The points in as few rows as they fit in; none if they fit in none. A short scale is not broken.
+/// The points in the fewest rows that fit; empty if none do. A short scale is not broken.
 std::vector<PointRow> point_rows(const ScreenColumn& column, const ScreenField& field) {
   constexpr std::size_t longest_short_scale = 7;
   const std::size_t points = field.labels.size();
@@ -199,7 +199,7 @@ void put_caret(ScreenColumn& column, const Vec2& low) {
   column.put_shape(Kind::box, low, {0.08F * text_px, text_px}, Ink::focus);
 }
 
-/// The end of a typed line that fits, as while it is typed.
+/// The end of a typed line that fits, as during typing.
 std::string end_that_fits(const ScreenColumn& column, std::string line, float room_px) {
   while (column.line_width_px(line) > room_px) {
     line.erase(0, bytes_of_first(line, 1));
@@ -219,7 +219,7 @@ void add_typed_line(ScreenColumn& column, const ScreenField& field) {
   column.leave(box_height);
 }
 
-/// The last lines of what was typed.
+/// The last lines of typed text.
 void add_typed_text(ScreenColumn& column, const ScreenField& field) {
   constexpr std::size_t shown_lines = 5;
   const float text_px = column.text_px();
@@ -265,8 +265,7 @@ bool is_typed(const ScreenField& field) {
   return field.kind == ScreenField::Kind::line || field.kind == ScreenField::Kind::text;
 }
 
-/// Around the answer: thick and with an arrow where the keys go to, thin where something could be
-/// typed.
+/// Around the answer: thick and with an arrow if it has the focus, thin if it accepts typing.
 void put_frame(ScreenColumn& column, const ScreenField& field, float top_px) {
   const float text_px = column.text_px();
   const float padding_px = is_typed(field) ? 0.0F : frame_padding * text_px;

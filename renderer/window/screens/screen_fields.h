@@ -1,12 +1,12 @@
-// How a screen's questions look.
+// Lays out a screen's questions.
 #pragma once
 
 #include "renderer/window/screens/screen_column.h"
 
 namespace foveola {
 
-/// The question, what it is answered with, and what is wrong with that. A scale's points stand in a
-/// row if their words have room there, else one below the other.
+/// Adds the question, its answers and its fault. A scale's points are in a row if their words fit,
+/// otherwise one below the other.
 void add_field(ScreenColumn& column, const ScreenField& field);
 
 }  // namespace foveola

@@ -22,7 +22,7 @@ using CharSet = std::unique_ptr<FcCharSet, decltype(&FcCharSetDestroy)>;
 using FontSet = std::unique_ptr<FcFontSet, decltype(&FcFontSetDestroy)>;
 using Config = std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)>;
 
-constexpr char32_t last_drawable = 0xFFFF;  // Dear ImGui as Debian builds it
+constexpr char32_t last_drawable = 0xFFFF;  // limit of Dear ImGui in Debian's build
 
 Characters covered_by(const FcPattern& font, const Characters& wanted) {
   FcCharSet* has = nullptr;
@@ -37,7 +37,7 @@ Characters covered_by(const FcPattern& font, const Characters& wanted) {
   return covered;
 }
 
-/// Whether Dear ImGui can read it: outlines of one colour.
+/// Whether Dear ImGui supports the font: outlines of one colour.
 bool is_drawable(const FcPattern& font) {
   FcChar8* format = nullptr;
   FcBool has_outlines = FcFalse;
@@ -51,7 +51,7 @@ bool is_drawable(const FcPattern& font) {
   return has_outlines == FcTrue && has_color == FcFalse && (name == "TrueType" || name == "CFF");
 }
 
-/// All fonts, those that fit best first: upright, regular, without serifs, with these characters.
+/// All fonts, the best matches first: upright, regular, sans serif, with these characters.
 FontSet sorted_fonts(FcConfig& config, const Characters& wanted) {
   const CharSet characters(FcCharSetCreate(), &FcCharSetDestroy);
   for (const char32_t character : wanted) {
@@ -76,7 +76,7 @@ LetterFont letter_font(const FcPattern& font, Characters characters) {
           .characters = std::move(characters)};
 }
 
-/// First and last characters, and a zero at the end, as Dear ImGui asks.
+/// First and last characters, and a zero at the end, as Dear ImGui requires.
 constexpr std::array<ImWchar, 19> known_letters = {
     0x0020, 0x024F,  // Latin
     0x0370, 0x03FF,  // Greek
@@ -86,7 +86,7 @@ constexpr std::array<ImWchar, 19> known_letters = {
     0x20A0, 0x20BF,  // currencies
     0x2190, 0x21FF,  // arrows
     0x2212, 0x2215,  // minus and others
-    0xFFFD, 0xFFFD,  // stands for what is not here
+    0xFFFD, 0xFFFD,  // replacement of missing characters
     0,
 };
 
@@ -249,7 +249,7 @@ Characters characters_of(std::string_view text) {
     const int bytes = FcUtf8ToUcs4(reinterpret_cast<const FcChar8*>(text.data()), &character,
                                    static_cast<int>(text.size()));
     if (bytes <= 0) {
-      break;  // no UTF-8; whoever read it has said so
+      break;  // not UTF-8; reported by its reader
     }
     if (character >= first_printable) {
       characters.insert(character);

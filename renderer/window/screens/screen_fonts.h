@@ -1,4 +1,4 @@
-// The letters of screens, as large as a window asks for.
+// The fonts of screens, at a window's size.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ namespace foveola {
 /// Unicode code points.
 using Characters = std::set<char32_t>;
 
-/// All of a text in UTF-8 but line breaks and other controls.
+/// All characters of a text in UTF-8, except line breaks and other controls.
 Characters characters_of(std::string_view text);
 
-/// Those that the font file at `path` has and screens can draw, which is none beyond U+FFFF; empty
+/// The wanted characters that the font file at `path` has and screens can draw, up to U+FFFF; empty
 /// if it cannot be read.
 Characters characters_in_font(const std::filesystem::path& path, const Characters& wanted);
 
@@ -33,31 +33,30 @@ struct LetterFont {
   Characters characters;
 };
 
-/// Fonts that have the wanted characters, by fontconfig, each character in one of them: in as few
-/// fonts as its first choice allows. What no font has is in none of them.
+/// Fonts with the wanted characters, by fontconfig: each character in one font, in as few fonts as
+/// its first choice allows. Characters without any font are left out.
 std::vector<LetterFont> fonts_for(const Characters& wanted);
 
-/// Where Debian keeps DejaVu Sans.
+/// Debian's folder of DejaVu Sans.
 inline constexpr const char* dejavu_folder = "/usr/share/fonts/truetype/dejavu";
 
-/// The characters of a text that no installed font has, or that screens cannot draw.
+/// The characters of a text without an installed font, or that screens cannot draw.
 Characters characters_without_font(std::string_view text);
 
-/// All that is written on a page.
+/// All characters on a page.
 Characters characters_of(const ScreenPage& page);
 
-/// DejaVu Sans: Latin, Greek, Cyrillic, punctuation and arrows, and what else is asked for of it
-/// and of other installed fonts. Other characters are shown as a question mark.
+/// DejaVu Sans: Latin, Greek, Cyrillic, punctuation and arrows, and requested characters from it
+/// and other installed fonts. Other characters are shown as a question mark.
 class ScreenFonts {
  public:
-  /// Reads its files, by default where Debian keeps them. Throws Error if they are not there.
+  /// Reads the font files, by default from Debian's folder. Throws Error if they do not exist.
   explicit ScreenFonts(const std::filesystem::path& folder = dejavu_folder);
 
-  /// Sees to it that the next atlas has these characters, if any font has them. Returns whether
-  /// any of them is new.
+  /// Includes these characters in the next atlas, if a font has them. Returns whether any is new.
   bool add_characters(const Characters& characters);
 
-  /// Adds both faces to `atlas`, which must not outlive this, and is to be built before characters
+  /// Adds both faces to `atlas`, which must not outlive this, and must be built before characters
   /// are added. text_px: a line's height.
   void add_to(ImFontAtlas& atlas, float text_px);
 
@@ -69,7 +68,7 @@ class ScreenFonts {
   float width_px(TextFace face, std::string_view line) const;
 
  private:
-  /// What another font than DejaVu Sans adds. An atlas refers to it where it is.
+  /// A font besides DejaVu Sans. An atlas refers to it in place.
   struct OtherFont {
     LetterFont font;
     std::string file;
@@ -81,7 +80,7 @@ class ScreenFonts {
   std::filesystem::path folder_;
   std::string body_file_;
   std::string title_file_;
-  Characters asked_for_;                   ///< beyond those that every atlas has
+  Characters asked_for_;                   ///< beyond those of every atlas
   std::vector<std::uint16_t> own_ranges_;  ///< the ranges of DejaVu Sans
   std::list<OtherFont> others_;
   ImFont* body_ = nullptr;

@@ -17,11 +17,11 @@ constexpr float progress_height = 0.3F;
 constexpr float above_content = 2.7F;
 constexpr float above_keys = 1.2F;
 constexpr float band_padding = 0.8F;
-/// Half width of the free middle of a page, in heights of the page: words over a picture leave it
+/// Half width of the free centre of a page, in heights of the page: words over a picture leave it
 /// free.
 constexpr float free_middle = 0.08F;
 
-/// The rectangle of `size` around `middle`, moved as far as it takes to lie in `whole`.
+/// The rectangle of `size` around `middle`, moved as little as needed to lie in `whole`.
 ScreenRect rect_within(const ScreenRect& whole, const Vec2& middle, const Vec2& size) {
   const Vec2 low = glm::clamp(middle - 0.5F * size, whole.low, whole.high - size);
   return {.low = low, .high = low + size};
@@ -54,7 +54,7 @@ void add_content(ScreenColumn& column, const ScreenPage& screen) {
   }
 }
 
-/// Top and bottom of what is shown.
+/// Top and bottom of the visible part.
 struct Span {
   float top_px = 0.0F;
   float bottom_px = 0.0F;
@@ -65,7 +65,7 @@ struct Span {
   }
 };
 
-/// Where the content's top stands, so that what has the focus is in `room`.
+/// The content's top, such that the focus is in `room`.
 float content_top_px(const ScreenColumn& content, const Span& room, float slack) {
   const float room_px = room.bottom_px - room.top_px;
   const float too_much_px = content.bottom_px() - room_px;
@@ -91,7 +91,7 @@ ScreenLayout moved(ScreenLayout layout, float down_px) {
   return layout;
 }
 
-/// What stands alone: lines, and shapes but for frames.
+/// Indivisible parts: lines, and shapes except frames.
 std::vector<ScreenRect> things_of(const ScreenLayout& layout) {
   std::vector<ScreenRect> things;
   for (const PlacedText& text : layout.texts) {
@@ -105,8 +105,8 @@ std::vector<ScreenRect> things_of(const ScreenLayout& layout) {
   return things;
 }
 
-/// Narrows `span` so that its ends cut no thing. What stands beside a thing that is left out is
-/// left out with it.
+/// Narrows `span` so that its ends cut no thing. Things beside one that is left out are left out
+/// with it.
 Span span_between_things(Span span, const std::vector<ScreenRect>& things) {
   const auto crosses = [](const ScreenRect& rect, float y_px) {
     return rect.low.y < y_px - 1.0F && rect.high.y > y_px + 1.0F;
@@ -132,7 +132,7 @@ void add(ScreenLayout& layout, const ScreenLayout& more) {
   layout.texts.insert(layout.texts.end(), more.texts.begin(), more.texts.end());
 }
 
-/// Adds what lies in `span`, and the parts of frames that do.
+/// Adds the things in `span`, and the frames' parts in it.
 void add_shown(ScreenLayout& layout, const ScreenLayout& more, const Span& span) {
   for (const PlacedText& text : more.texts) {
     if (span.holds(text.rect)) {
@@ -150,7 +150,7 @@ void add_shown(ScreenLayout& layout, const ScreenLayout& more, const Span& span)
   }
 }
 
-/// Shows that there is more: a triangle in the middle of the page, around y_px.
+/// Indicates more content: a triangle in the middle of the page, around y_px.
 void add_more_mark(ScreenLayout& layout, PlacedShape::Kind kind, const ScreenPlace& place,
                    float y_px) {
   const Vec2 size = text_height_px(place) * Vec2(0.8F, 0.5F);
@@ -160,14 +160,14 @@ void add_more_mark(ScreenLayout& layout, PlacedShape::Kind kind, const ScreenPla
                            .rect = {.low = middle - 0.5F * size, .high = middle + 0.5F * size}});
 }
 
-/// slack: how much of what is left free stands above the content.
+/// slack: share of the free space above the content.
 void add_scrolled(ScreenLayout& layout, const ScreenColumn& content, const ScreenPlace& place,
                   const Span& room, float slack) {
   const float text_px = content.text_px();
   const ScreenLayout all = moved(content.layout(), content_top_px(content, room, slack));
   const std::vector<ScreenRect> things = things_of(all);
   const Span shown = span_between_things(room, things);
-  // Frames reach a little over what they stand around.
+  // Frames extend a little beyond their content.
   add_shown(layout, all, {shown.top_px - 0.4F * text_px, shown.bottom_px + 0.4F * text_px});
   const auto is_any = [&](auto is_outside) {
     return std::any_of(things.begin(), things.end(), is_outside);
@@ -205,7 +205,7 @@ ScreenLayout lay_out_page(const ScreenPage& screen, const ScreenPlace& place,
   add(layout, moved(keys.layout(), keys_px));
   ScreenColumn content = empty;
   add_content(content, screen);
-  // Forms stand still from question to question; what is only read stands where the eye rests.
+  // Forms keep their place from question to question; text alone is placed where the eye rests.
   const float slack = screen.fields.empty() ? 0.4F : 0.0F;
   add_scrolled(layout, content, place,
                {place.page.low.y + above_content * text_px, keys_px - above_keys * text_px}, slack);
@@ -223,8 +223,8 @@ ScreenColumn band_content(const ScreenPage& screen, const ScreenPlace& place,
   return content;
 }
 
-/// Words that would reach up to the middle, where people look, stand above and below it: in the
-/// upper part the title and the first paragraphs, as few as will do.
+/// Words that would reach the centre, where people look, are split above and below it: in the upper
+/// part the title and the first paragraphs, as few as possible.
 struct BandParts {
   ScreenPage upper;
   ScreenPage lower;

@@ -1,4 +1,4 @@
-// Where everything of a screen stands: lines of text and plain shapes, in pixels of the window.
+// Lays out a screen: lines of text and plain shapes, in pixels of the window.
 #pragma once
 
 #include <functional>
@@ -23,24 +23,24 @@ struct ScreenRect {
 
 enum class TextFace { body, title };
 
-/// A title's height over that of other text.
+/// Ratio of a title's height to other text's.
 inline constexpr float title_scale = 1.35F;
 
-/// Pixels that a line of text takes.
+/// Width of a line of text in pixels.
 using TextWidth = std::function<float(TextFace face, std::string_view line)>;
 
 enum class Ink {
   ground,  ///< the screen's background
   text,
-  quiet,    ///< text that is always there
-  focus,    ///< what the keys act on
-  fault,    ///< what is wrong
+  quiet,    ///< constant text
+  focus,    ///< the focus of keys
+  fault,    ///< a fault
   chosen,   ///< behind ground-coloured text
-  outline,  ///< outline of what can be chosen or filled in
+  outline,  ///< outline of choices and fields
 };
 
-/// sRGB in [0, 1]. Text has at least 7 times the contrast of what lies below it, outlines 3 times
-/// (WCAG 2.1, 1.4.6 and 1.4.11).
+/// sRGB in [0, 1]. Text has at least 7 times the contrast of its background, outlines 3 times (WCAG
+/// 2.1, 1.4.6 and 1.4.11).
 Vec3 color_of(Ink ink);
 
 struct PlacedText {
@@ -55,36 +55,36 @@ struct PlacedShape {
   Kind kind = Kind::box;
   Ink ink = Ink::outline;
   ScreenRect rect;
-  float outline_px = 0.0F;  ///< the width of its outline; filled if 0
-  bool is_frame = false;    ///< stands around others, and may do so around a part of them
+  float outline_px = 0.0F;  ///< width of the outline; filled if 0
+  bool is_frame = false;    ///< surrounds others, and may do so partly
 };
 
 struct ScreenLayout {
-  std::vector<PlacedShape> shapes;  ///< in the order in which they are drawn, before all texts
+  std::vector<PlacedShape> shapes;  ///< in drawing order, before all texts
   std::vector<PlacedText> texts;
 };
 
-/// Where a screen may stand in a view.
+/// The areas of a screen in a view.
 struct ScreenPlace {
   ScreenRect view;  ///< filled by a screen that covers the picture
-  ScreenRect page;  ///< all that is to be read lies in it
+  ScreenRect page;  ///< contains everything to be read
 };
 
-/// A monitor's view is read as a whole. In a headset the page is the middle half of the view,
-/// around `straight_ahead` (in units of the view, (0, 0) its top left): with a field of view of 100
-/// degrees, 31 to each side, since lenses are sharp only in the middle and eyes turn no further
+/// A monitor's page is the whole view. In a headset it is the middle half of the view, around
+/// `straight_ahead` (in units of the view, (0, 0) its top left): with a field of view of 100
+/// degrees, 31 to each side, since lenses are sharp only in the centre and eyes turn no further
 /// without the head.
 ScreenPlace screen_place(const WindowPart& part, int framebuffer_height,
                          const std::optional<Vec2>& straight_ahead);
 
 /// The height of a line of text, in whole pixels: a 28th of the page's height, or a 27th of its
-/// width. On a monitor of 24 inches (16:9) in full screen, 60 cm away, DejaVu's x is then 0.48
-/// degrees high, and in a headset's views of 1280x1440 pixels and 100 degrees 1.2. Reading is
-/// fluent from 0.2 degrees on (Legge & Bigelow 2011, "Does print size matter for reading?").
+/// width. DejaVu's x is then 0.48 degrees high on a monitor of 24 inches (16:9) in full screen, 60
+/// cm away, and 1.2 in a headset's views of 1280x1440 pixels and 100 degrees. Reading is fluent
+/// from 0.2 degrees (Legge & Bigelow 2011, "Does print size matter for reading?").
 float text_height_px(const ScreenPlace& place);
 
-/// Nothing overlaps, and no line is cut: those that a page has no room for are left out, with a
-/// mark above or below, and what has the focus is kept in.
+/// Nothing overlaps, and no line is cut: excess lines are left out, with a mark above or below, and
+/// the focus is kept in view.
 ScreenLayout lay_out(const ScreenPage& screen, const ScreenPlace& place, const TextWidth& width_of);
 
 }  // namespace foveola
