@@ -11,7 +11,7 @@
 namespace foveola::study {
 namespace {
 
-/// What a protocol's text says of itself and of the consent.
+/// Name and consent of a protocol, from its text.
 struct ShownProtocol {
   std::string name;
   std::string title;
@@ -27,8 +27,8 @@ ShownProtocol shown_protocol(const std::string& text) {
           .sha256 = sha256(std::string_view(text))};
 }
 
-/// shown: the study's protocol and the amendments up to the consent. Older records do not say which
-/// text was agreed to: the last one stands in them.
+/// shown: the study's protocol and the amendments up to the consent. Older records do not name the
+/// text that was agreed to; the last one is taken for them.
 std::string part_of(const std::vector<ShownProtocol>& shown, const ConsentGiven& consent) {
   const auto agreed_to =
       std::find_if(shown.rbegin(), shown.rend(), [&](const ShownProtocol& protocol) {

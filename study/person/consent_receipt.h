@@ -1,4 +1,4 @@
-// What a participant takes along: what they consented to, when, and how to take it back.
+// Writes a participant's receipt: the texts they consented to, when, and how to withdraw the data.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace foveola::study {
 
-/// As plain text, with each consent of a session's log and the text that was agreed to; empty if
-/// there is none. It has the participant's code and no name. begun_with: the text of the protocol
-/// that the study was begun with. Throws Error if a protocol's text is not TOML.
+/// Returns plain text with each consent of a session's log and the text that was agreed to; empty
+/// if the log has no consent. It has the participant's code and no name. begun_with: the text of
+/// the protocol that the study was begun with. Throws Error if a protocol's text is not TOML.
 std::optional<std::string> consent_receipt(const std::string& begun_with,
                                            const std::string& participant,
                                            const std::vector<LoggedEvent>& events);

@@ -1,4 +1,4 @@
-// What the participant's next key is for, as the experimenter reads it.
+// Describes the participant's next key for the experimenter.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace foveola::study {
 
-/// The keys that the participant's page names, in the protocol's words; "[Space] outline" where the
-/// picture is marked. now: session clock.
+/// Returns the keys that the participant's page names, in the protocol's words; "[Space] outline"
+/// where the picture is marked. now: session clock.
 std::string words_for_next_key(const PromptState& prompt, const SessionContext& context,
                                Nanoseconds now);
 

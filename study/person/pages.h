@@ -1,4 +1,4 @@
-// Which page the participant sees.
+// Selects the page that the participant sees.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,8 @@
 
 namespace foveola::study {
 
-/// Over the picture, or instead of it; empty: the picture alone. now: session clock.
+/// Returns the page over the picture, or in place of it; empty: the picture alone. now: session
+/// clock.
 std::optional<ScreenPage> page_of(const PromptState& prompt, const SessionContext& context,
                                   Nanoseconds now);
 

@@ -41,8 +41,8 @@ fs::path copy_if_asked(const StudyStore& store, const RunSettings& settings) {
     return copy;
   } catch (const std::exception& fault) {
     print_text(stderr, "foveola: warning: {}\n",
-               printable(fmt::format("{}: got no copy of {} ({}); make one with foveola study "
-                                     "backup --to once that is mended",
+               printable(fmt::format("{}: no copy of {} was written ({}); mend that, then "
+                                     "run foveola study backup --to",
                                      settings.backup_folder->string(), settings.database.string(),
                                      fault.what())));
     return {};
@@ -57,7 +57,7 @@ fs::path back_up(const StudyStore& store, const RunSettings& settings) {
   } catch (const std::exception& fault) {
     throw Error(fmt::format("all that {} did is in {}, but its backup failed", settings.participant,
                             settings.database.string()),
-                fault.what(), "make one with foveola study backup once that is mended");
+                fault.what(), "mend that, then run foveola study backup");
   }
   return backup;
 }

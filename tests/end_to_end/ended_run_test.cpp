@@ -114,9 +114,9 @@ TEST_F(StudyRun, TakesNobodysEyeForAPersons) {
   const std::string recorded = participant_.folder().write(
       "former.toml", tracker_profile("recorded", 120) + "recording = \"gaze.csv\"\n");
   expect_one_line(participant_.run_besides("P2", {"--tracker", simulated}), 1,
-                  "is of a simulated eye; name the tracker that is there");
+                  "is simulated; name the connected tracker");
   expect_one_line(participant_.run_besides("P2", {"--tracker", recorded}), 1,
-                  "is of a recorded eye; name the tracker that is there");
+                  "is recorded; name the connected tracker");
 }
 
 TEST_F(StudyRun, SaysWhatIsWrong) {

@@ -133,7 +133,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.begin({"--resume", "--tracker", profile});
   EXPECT_THAT(
       participant_.program().said(),
-      HasSubstr("Now comes ready to start, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
+      HasSubstr("Next: ready to start, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
                 "questionnaire debrief"));
   const std::vector<KeyPress> second = time_trial();
   rate("5");
