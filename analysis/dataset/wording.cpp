@@ -118,7 +118,7 @@ std::string censored_times_in_words(const Dataset& set) {
   return counts.empty() ? ""
                         : fmt::format(
                               "Right-censored times are left out ({}), which favours the "
-                              "method whose time ran out.",
+                              "method with the censored times.",
                               listed(counts));
 }
 

@@ -1,4 +1,5 @@
-// What a reader of an analysis has to know first: its file, its data, its planned comparisons.
+// Lists warnings that readers of an analysis need first: about its file, data and planned
+// comparisons.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace foveola::analysis {
 
-/// A sentence for each; `output` has its tables, comparisons, checks and verification.
+/// Returns a sentence per warning. `output` has its tables, comparisons, checks and verification.
 std::vector<std::string> warnings_about(const AnalysisOutput& output);
 
 }  // namespace foveola::analysis

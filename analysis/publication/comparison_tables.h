@@ -1,4 +1,4 @@
-// The tests as tables: a row for each comparison, omnibus test and order effect.
+// Tabulates the tests: a row per comparison, omnibus test and order effect.
 #pragma once
 
 #include "analysis/dataset/comparisons.h"
@@ -8,9 +8,9 @@
 namespace foveola::analysis {
 
 Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons);
-/// models: what R fitted; without rows if it did not.
+/// models: the models fitted by R; no rows if R did not run.
 Table models_table(const StudyTables& tables, const Comparisons& comparisons);
-/// model_versions: of R and its packages.
+/// model_versions: versions of R and its packages.
 Table model_versions_table(const StudyTables& tables, const Comparisons& comparisons);
 Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons);
 Table order_effects_table(const StudyTables& tables, const Comparisons& comparisons);

@@ -14,8 +14,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// The curve as points of (time, share without a mark), from `start` on; of thousands of steps only
-/// so many as can be seen.
+/// Returns the curve as points of (time, share without a mark), from `start` on. Thousands of steps
+/// are thinned to the visible ones.
 std::string curve_data(const SurvivalCurve& curve, std::size_t method, double start) {
   std::string data = fmt::format("$method{} << END\n{} 1\n", method, start);
   constexpr std::size_t max_steps = 1000;
@@ -27,7 +27,7 @@ std::string curve_data(const SurvivalCurve& curve, std::size_t method, double st
   return data + "END\n";
 }
 
-/// The points of the curve at which trials were right-censored.
+/// Returns the points of the curve at which trials were right-censored.
 std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
   std::string data = fmt::format("$censored{} << END\n", method);
   for (const SurvivalStep& step : curve.steps) {
@@ -44,24 +44,28 @@ Table time_to_mark_table(const StudyTables& tables) {
   const ColumnsOf<S> columns = {
       {"mark", "", "Id of the mark", &S::mark},
       {"method", "", "Id of the method", &S::method},
-      {"trials", "", "Trials with a time or a right-censored one",
+      {"trials", "", "Number of trials with a time, measured or right-censored",
        path(&S::curve, &SurvivalCurve::n)},
-      {"reached", "", "Trials in which the mark was reached",
+      {"reached", "", "Number of trials in which the mark was reached",
        path(&S::curve, &SurvivalCurve::events)},
-      {"right_censored", "", "Trials in which a time-out came first",
+      {"right_censored", "", "Number of trials in which a time-out came first",
        path(&S::curve, &SurvivalCurve::censored)},
-      {"median_s", "s", "Median time by Kaplan and Meier; empty if half were never reached",
+      {"median_s", "s",
+       "Kaplan-Meier median time; empty if more than half of the trials have no mark",
        path(median, &SurvivalMedian::value)},
-      {"median_ci95_low_s", "s", "Lower end of its 95 % interval, trials taken as independent",
+      {"median_ci95_low_s", "s",
+       "Lower 95 % confidence limit of median_s, trials taken as independent",
        path(median, &SurvivalMedian::low)},
-      {"median_ci95_high_s", "s", "Upper end; empty if there is none",
+      {"median_ci95_high_s", "s", "Upper 95 % confidence limit of median_s; empty if there is none",
        path(median, &SurvivalMedian::high)},
-      {"restricted_mean_s", "s", "Mean of the times, each cut off at horizon_s",
+      {"restricted_mean_s", "s", "Restricted mean of the times, each at most horizon_s",
        path(&S::restricted, &RestrictedMean::mean)},
-      {"restricted_mean_se_s", "s", "Its standard error, trials taken as independent",
+      {"restricted_mean_se_s", "s",
+       "Standard error of restricted_mean_s, trials taken as independent",
        path(&S::restricted, &RestrictedMean::standard_error)},
       {"horizon_s", "s",
-       "Earliest right-censored time of any method, or else the longest time of the mark",
+       "Horizon of the restricted means: minimum right-censored time of any method, or the maximum "
+       "time if none is",
        path(&S::restricted, &RestrictedMean::horizon)},
       kind_of_all<S>(tables)};
   return tabulate("time_to_mark", "mark and method", columns, tables.survival);
@@ -70,10 +74,11 @@ Table time_to_mark_table(const StudyTables& tables) {
 PrintedTable printed_time_to_mark(const Table& time_to_mark) {
   return print_rows(
       {.id = "time-to-mark",
-       .title = "Time to each mark, with trials in which it was never reached.",
-       .note = "Kaplan and Meier’s estimate over trials; restricted means are of times cut off at "
-               "the horizon. They describe these trials: intervals take them as independent, which "
-               "those of one participant are not."},
+       .title = "Time to each mark, including right-censored trials.",
+       .note =
+           "Kaplan and Meier’s estimate over trials; restricted means count times up to "
+           "the horizon. They describe these trials: intervals treat trials as independent, but "
+           "those of one participant are dependent."},
       with_method_labels(time_to_mark), "",
       {{"Mark, method", "{mark}, {method}"},
        {"trials", "{trials}"},

@@ -1,4 +1,4 @@
-// Times to marks with those that were never reached: as a table, as people read it, as a figure.
+// Presents times to marks including right-censored ones: as a table, in print, as a figure.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,14 @@ namespace foveola::analysis {
 /// time_to_mark: for every mark and method.
 Table time_to_mark_table(const StudyTables& tables);
 
-/// That table, as people read it.
+/// That table, formatted for readers.
 PrintedTable printed_time_to_mark(const Table& time_to_mark);
 
-/// time_to_MARK: the share of trials without the mark by time, a Kaplan-Meier curve for each
-/// method; `mark` is an index of the set's measures. Empty without times. Throws Error if gnuplot
-/// is missing.
+/// time_to_MARK: Kaplan-Meier curves, the share of trials without the mark by time for each method.
+/// `mark`: index of the set's measures. Empty without times. Throws Error if gnuplot is missing.
 std::optional<Figure> survival_figure(const StudyTables& tables, std::size_t mark);
 
-/// The name of that figure.
+/// Returns the file name of that figure, without extension.
 std::string survival_figure_name(const Measure& mark);
 
 }  // namespace foveola::analysis

@@ -23,7 +23,7 @@ struct TimeScale {
   std::size_t first_method = 0;  ///< The methods from this one on are drawn.
 };
 
-/// The rows of a figure in which each method has one, and where its participants' points are.
+/// Rows of a figure with one row per method, and the places of its participants' points.
 struct MethodRows {
   const StudyTables& tables;
   TimeScale scale;
@@ -36,13 +36,13 @@ struct MethodRows {
   const MethodTimes& times(std::size_t group, std::size_t row) const {
     return tables.method_times_of(marks[group], scale.first_method + row);
   }
-  /// Above the participants' points, which would hide it.
+  /// Places estimates above the participants' points, which would hide them.
   double estimate_y(std::size_t group, std::size_t row) const {
     return rows.y(group, row) - (has_points ? 0.32 : 0.0);
   }
 };
 
-/// Of every mark the points of all methods, which are of the same participants.
+/// Returns, for every mark, the points of all methods, which are of the same participants.
 std::vector<JoinedPoints> participant_points(const MethodRows& drawn) {
   constexpr double below_estimate = 0.08;
   std::vector<JoinedPoints> groups(drawn.marks.size());
@@ -76,7 +76,7 @@ std::string estimate_data(const MethodRows& drawn) {
   return data;
 }
 
-/// The lines below the points below the estimates.
+/// Plots the lines below the points, and these below the estimates.
 std::string method_rows_plot(const MethodRows& drawn) {
   std::vector<std::string> layers;
   if (drawn.has_points) {

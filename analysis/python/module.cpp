@@ -44,7 +44,7 @@ out, listed in `dropped`, and warned of.)";
 constexpr const char* read_study_text = R"(Read a study's file as data frames of pandas.
 
 file: a study's .sqlite. It is verified first, and never changed.
-unverified: read it even if it is not what was written.
+unverified: read it even if it fails its verification.
 withdrawn: with the data of sessions that participants withdrew from.
 
 Returns a dictionary of data frames: "trials" (a row for each trial's last timing), "answers" (of

@@ -169,7 +169,7 @@ void run_verify(const RecordArguments& arguments) {
     print_text("{}", verification_table(found));
   }
   if (!found.faults.empty()) {
-    throw Error(arguments.database, "is not what was written: see the faults above", damage_remedy);
+    throw Error(arguments.database, "failed its verification: see the faults above", damage_remedy);
   }
 }
 

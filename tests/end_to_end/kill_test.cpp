@@ -294,9 +294,9 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
   // The kill may have fallen into a session, and into an attempt, which is then timed again: that
   // alone is told of.
   for (Tables& of_study : tables) {
-    const std::size_t erased = std::erase_if(
-        of_study.at("data_quality.csv"),
-        [](const CsvRow& row) { return row.front() == "Sessions that were cut off"; });
+    const std::size_t erased =
+        std::erase_if(of_study.at("data_quality.csv"),
+                      [](const CsvRow& row) { return row.front() == "Interrupted sessions"; });
     EXPECT_EQ(erased, 1U);
   }
   const std::vector<CsvRow> again = tables[0].at("trials_timed_again.csv");

@@ -128,7 +128,7 @@ TEST_F(StudyFile, VerifyNamesTheChunkInWhichAByteWasFlipped) {
               HasSubstr("P002: trial 0, attempt 1: frame_chunk from 0 on is missing or not what"
                         " was written\n"));
   EXPECT_EQ(std::count(verified.errors.begin(), verified.errors.end(), '\n'), 1);
-  EXPECT_THAT(verified.errors, HasSubstr("north.sqlite: is not what was written"));
+  EXPECT_THAT(verified.errors, HasSubstr("north.sqlite: failed its verification"));
 }
 
 TEST_F(StudyFile, BackupIsTheStudyOnceMore) {
