@@ -108,7 +108,7 @@ TEST_F(CutOffRun, ADiskThatIsFullAtTheEndCostsNothingButTheBackup) {
   EXPECT_EQ(participant_.program().wait_for_end(), 1);
   EXPECT_THAT(participant_.program().said(),
               AllOf(HasSubstr("all that P1 did is in "), HasSubstr("but its backup failed: "),
-                    HasSubstr("make one with foveola study backup")));
+                    HasSubstr("mend that, then run foveola study backup")));
   disk.make_room();
   participant_.expect_no_fault();
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("completed"));

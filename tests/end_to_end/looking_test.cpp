@@ -65,7 +65,7 @@ TEST_F(Looking, OneThatAProtocolWantsAgainIsTimedAgainTwiceAtMost) {
     turn_away();
     start_and_mark(1);
     participant_.program().wait_for("out of view");
-    participant_.program().wait_for("timed again");
+    participant_.program().wait_for("retimed");
   }
   EXPECT_EQ(participant_.wait_for_page(), "ready");
   turn_away();
