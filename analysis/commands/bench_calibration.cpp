@@ -31,14 +31,13 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-/// What a study on one machine says.
+/// Results of a study on one machine.
 struct TriedSpeed {
   std::vector<ComparedNumber> numbers;
   std::size_t baseline_trials_out_of_time = 0;
 };
 
-/// Predicted studies of the same people on machines of several speeds, each of which is simulated
-/// once.
+/// Predicted studies of the same people on machines of several speeds, each simulated once.
 class TriedSpeeds {
  public:
   TriedSpeeds(const study::SimulatedBenchArguments& arguments, const SceneFinderBeside& find_scene,
@@ -68,7 +67,7 @@ class TriedSpeeds {
     arguments.simulation.predicted = true;
     study::simulate_study(arguments, file, find_scene_, stop_);
     if (stop_.stop_requested()) {
-      throw Error("calibration", "stopped before it was finished", "the same command goes on");
+      throw Error("calibration", "was stopped before its end", "repeat the command to continue");
     }
     const study::StudyRecords records = study::read_study(file);
     TriedSpeed tried;
@@ -79,7 +78,7 @@ class TriedSpeeds {
     return tried;
   }
 
-  /// Whether, in a trial with the baseline, a mark's time is only a lower bound.
+  /// Returns whether a mark's time, in a trial with the baseline, is right-censored.
   static bool ran_out(const study::StudyRecords& records, std::size_t row) {
     const study::TrialRow& trial = records.trials[row];
     bool ran_out = false;
@@ -96,7 +95,7 @@ class TriedSpeeds {
   std::map<double, TriedSpeed> tried_;
 };
 
-/// A speed, and which cells it was fitted to.
+/// A speed, and the cells that it was fitted to.
 struct NamedSpeed {
   std::string cells;
   MachineSpeed speed;
@@ -105,7 +104,7 @@ struct NamedSpeed {
 std::string text_of(const NamedSpeed& named) {
   const MachineSpeed& speed = named.speed;
   return fmt::format(
-      "{:<14}{:>10.0f} samples a second{}\n", named.cells, speed.samples_per_second,
+      "{:<14}{:>10.0f} samples per second{}\n", named.cells, speed.samples_per_second,
       speed.interval ? fmt::format(" [{:.0f}, {:.0f}]", speed.interval->low, speed.interval->high)
                      : "");
 }
@@ -126,22 +125,24 @@ std::string text_of(const std::vector<ComparedNumber>& cells) {
 Table speeds_table(const std::vector<NamedSpeed>& speeds) {
   using S = NamedSpeed;
   const auto interval = path(&S::speed, &MachineSpeed::interval);
-  const ColumnsOf<S> columns = {
-      {"name", "", "The cells that it was fitted to", &S::cells},
-      {"value", "", "Samples a second", path(&S::speed, &MachineSpeed::samples_per_second)},
-      {"low", "", "Lower end of the 95 % interval over scenes", path(interval, &Interval::low)},
-      {"high", "", "Its upper end", path(interval, &Interval::high)}};
+  const ColumnsOf<S> columns = {{"name", "", "Cells that the speed was fitted to", &S::cells},
+                                {"value", "", "Fitted speed in samples per second",
+                                 path(&S::speed, &MachineSpeed::samples_per_second)},
+                                {"low", "", "Lower 95 % confidence limit of value, over scenes",
+                                 path(interval, &Interval::low)},
+                                {"high", "", "Upper 95 % confidence limit of value, over scenes",
+                                 path(interval, &Interval::high)}};
   return tabulate("samples_per_second", "fit", columns, speeds);
 }
 
 Table cells_table(const std::vector<ComparedNumber>& cells) {
   using N = ComparedNumber;
   const ColumnsOf<N> columns = {
-      {"scene", "", "The published scene", &N::row},
-      {"own_scene", "", "The scene that stands for it", &N::own_row},
+      {"scene", "", "Name of the published scene", &N::row},
+      {"own_scene", "", "Name of the study's scene in its place", &N::own_row},
       {"mark", "", "Id of the mark", &N::mark},
-      {"published_s", "s", "The published mean", path(&N::published, &Estimate::value)},
-      {"simulated_s", "s", "The simulated mean", path(&N::study, &Estimate::value)}};
+      {"published_s", "s", "Published mean", path(&N::published, &Estimate::value)},
+      {"simulated_s", "s", "Simulated mean", path(&N::study, &Estimate::value)}};
   return tabulate("cells", "published time with OD", columns, cells);
 }
 
@@ -177,20 +178,18 @@ void run(const study::SimulatedBenchArguments& arguments, const SceneFinderBesid
     return;
   }
   print_text(
-      "{} predicted participants. The machine with which OD takes as long as published, in the "
-      "geometric mean of Table 2's cells; in brackets, 95 % over scenes:\n",
+      "{} predicted participants. Machine speeds at which OD takes as long as published, in the "
+      "geometric mean of Table 2's cells; in brackets, 95 % confidence intervals over scenes:\n",
       arguments.simulation.participants);
   for (const NamedSpeed& named : fitted) {
     print_text("  {}", text_of(named));
   }
-  print_text("OD, which was fitted, with {:.0f} samples a second:\n{}", speed, text_of(cells));
+  print_text("OD, which was fitted, with {:.0f} samples per second:\n{}", speed, text_of(cells));
   if (tried.baseline_trials_out_of_time > 0) {
-    print_text(
-        "In {} trials with OD a mark was not made in time; these times are not in the means.\n",
-        tried.baseline_trials_out_of_time);
+    print_text("In {} trials with OD a time is right-censored; these times are not in the means.\n",
+               tried.baseline_trials_out_of_time);
   }
-  print_text("The same study beside the published one; of VP and FV nothing was fitted:\n{}",
-             report);
+  print_text("The same study beside the published one; VP and FV were not fitted:\n{}", report);
 }
 
 }  // namespace
@@ -201,13 +200,13 @@ void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
   const auto arguments = std::make_shared<study::SimulatedBenchArguments>();
   CLI::App* command = study::add_command(
       bench, "calibration",
-      "Find the machine's speed with which OD takes as long as in the published study",
+      "Find the machine's speed at which OD takes as long as in the published study",
       "calibration koskela2018 --participants 200 --scale 36 -o calibration");
   study::add_simulated_studies(
       command, *arguments,
-      "A folder for the studies that are tried, each named by its samples a second, and for the "
-      "last one's comparison with the published study; made if its parent exists. Studies that are "
-      "there already are resumed");
+      "A folder for the simulated studies, each named by its samples per second, and for the "
+      "last one's comparison with the published study; made if its parent exists. Existing studies "
+      "are resumed");
   command->add_option("--people", arguments->simulation.people, "As in study simulate")
       ->capture_default_str();
   command->add_option("--scale", arguments->simulation.scale, "As in study simulate");

@@ -41,7 +41,7 @@ const char* name_of(BenchMove move) {
   return "no";
 }
 
-/// The figures that would be beyond their own 95 % intervals by chance.
+/// Returns the expected number of figures beyond their own 95 % confidence intervals by chance.
 double expected_by_chance(const BenchComparison& comparison) {
   return 0.05 * static_cast<double>(comparison.count(BenchFigureKind::with_interval));
 }
@@ -49,18 +49,19 @@ double expected_by_chance(const BenchComparison& comparison) {
 Table ratios_table(const BenchComparison& comparison) {
   using R = BenchRatio;
   const ColumnsOf<R> columns = {
-      {"name", "", "Where the figure stands", &R::figure},
+      {"name", "", "Place of the figure", &R::figure},
       {"before", "", "The figure of the first run", &R::before},
       {"after", "", "The figure of the second run", &R::after},
       {"value", "", "after / before", &R::ratio},
-      {"low", "", "Lower end of its own 95 % interval", path(&R::interval, &Interval::low)},
-      {"high", "", "Its upper end", path(&R::interval, &Interval::high)},
-      {"low_together", "", "Lower end of the interval that holds for all figures together",
+      {"low", "", "Lower 95 % confidence limit of value", path(&R::interval, &Interval::low)},
+      {"high", "", "Upper 95 % confidence limit of value", path(&R::interval, &Interval::high)},
+      {"low_together", "", "Lower limit of value, 95 % for all figures simultaneously",
        path(&R::together, &Interval::low)},
-      {"high_together", "", "Its upper end", path(&R::together, &Interval::high)},
-      {"exact", "", "Whether the figure is the same to the last bit on one machine",
+      {"high_together", "", "Upper limit of value, 95 % for all figures simultaneously",
+       path(&R::together, &Interval::high)},
+      {"exact", "", "Whether the figure is bit-identical on one machine",
        [](const R& row) { return row.kind == BenchFigureKind::exact; }},
-      {"moved", "", "By which interval it moved, or no",
+      {"moved", "", "Interval beyond which the figure moved, or no",
        [](const R& row) { return name_of(row.move); }}};
   return tabulate("ratios", "figure of both runs", columns, comparison.ratios);
 }
@@ -93,7 +94,7 @@ std::string ratio_text(const BenchRatio& row, const std::optional<Interval>& int
       interval ? fmt::format(" ({:.3f} to {:.3f})", interval->low, interval->high) : "");
 }
 
-/// Exact figures with all their digits: they may differ in the last.
+/// Prints exact figures with all digits: they may differ in the last.
 void print_rows(const std::vector<BenchRatio>& rows, BenchMove move) {
   std::size_t width = 0;
   for (const BenchRatio& row : rows) {
@@ -114,13 +115,14 @@ std::string moved_heading(BenchMove move, const BenchComparison& comparison, std
   switch (move) {
     case BenchMove::together:
       return fmt::format(
-          "Moved: {} of {} figures with intervals, by intervals that hold for all together with "
+          "Moved: {} of {} figures with intervals, by simultaneous intervals with "
           "95 % ({:.3f} % each)",
           moved, intervals, 100.0 * comparison.level_of_each);
     case BenchMove::alone:
       return fmt::format(
-          "Beyond their own 95 % intervals only: {}; of {} figures that did not move, about {:.2g} "
-          "would be so by chance",
+          "Beyond their own 95 % confidence intervals only: {}; of {} figures that did not move, "
+          "about {:.2g} "
+          "are expected by chance",
           moved, intervals, expected_by_chance(comparison));
     case BenchMove::exactly:
       return fmt::format("Exact figures that differ: {} of {}", moved,
@@ -170,9 +172,11 @@ void add_bench_compare(CLI::App& bench) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = bench.add_subcommand(
       "compare", "Compare two runs of a benchmark: what moved beyond its interval");
-  command->add_option("BEFORE", arguments->before, "What a bench command printed with --json")
+  command->add_option("BEFORE", arguments->before, "The --json output of a bench command")
       ->required();
-  command->add_option("AFTER", arguments->after, "What the same command printed at another time")
+  command
+      ->add_option("AFTER", arguments->after,
+                   "The --json output of the same command at another time")
       ->required();
   command->add_flag("--all", arguments->all, "Print all figures, not only those that moved");
   command->add_flag("--json", arguments->json, "Print the ratios as JSON");

@@ -52,7 +52,7 @@ struct ConvergenceArguments {
   bool json = false;
 };
 
-/// The limit of `--quick`, for all scenes together: references and crops fill the two minutes.
+/// Time limit of `--quick`, for all scenes together: references and crops fill the two minutes.
 constexpr double quick_limit_s = 100.0;
 
 ConvergencePlan quick_plan() {
@@ -114,7 +114,7 @@ void write_results(const ConvergenceArguments& arguments, const nlohmann::ordere
   for (const TextFile& file : files) {
     write_file(folder / file.name, file.content);
   }
-  // What gnuplot needs comes last: without it, hours of measurement are kept.
+  // Figures come last, so that a missing gnuplot does not lose hours of measurement.
   for (const Figure& figure : draw_convergence(results.measurements)) {
     write_file(folder / (figure.name + ".svg"), figure.svg);
   }
@@ -130,8 +130,8 @@ void measure(const ConvergenceArguments& arguments, const SceneFinder& find_scen
   const ConvergenceRun run = run_of(arguments, find_scene);
   const MeasuredGazes results = measure_all(run, stop);
   if (results.measurements.empty()) {
-    throw Error(arguments.output.string(), "is not written: no repetition was finished",
-                "let it run longer, or try --quick");
+    throw Error(arguments.output.string(), "was not written: no repetition was finished",
+                "allow more time, or try --quick");
   }
   nlohmann::ordered_json facts = bench_facts();
   facts["threads"] = Workers(run.threads).threads();
@@ -160,7 +160,7 @@ void run_references(const ConvergenceArguments& arguments, const SceneFinder& fi
   }
 }
 
-/// Throws UsageError for options that only measuring has.
+/// Throws UsageError for options of measuring only.
 void require_pooling_alone(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
@@ -209,20 +209,19 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
           "the first, the baseline")
       ->capture_default_str();
   command
-      ->add_option(
-          "--options", arguments->options,
-          "What to change of the first method, each in a configuration of its own: "
-          "independent (random numbers instead of low-discrepancy sequences), clamp "
-          "(samples are cut at a radiance of 10), adaptive (sampling as render's "
-          "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
-          "drawn by their power alone), no-learning (nothing learned of which lights reach "
-          "where), uniform-lights (each light as likely as any other), "
-          "area-lights (points uniform in the area of near triangles too), cosine-sky "
-          "(directions to the environment by the surface's cosine alone), no-mis (light "
-          "samples alone, without multiple importance sampling), no-roulette (dim paths are "
-          "not ended), plain-paths (what a plain path tracer of 2017 would do: independent and "
-          "the last five together), plain-paths-mis (the same but for no-mis), "
-          "plain-paths-mis-clamp (and light samples cut at 3); or none")
+      ->add_option("--options", arguments->options,
+                   "Changes of the first method, each in a configuration of its own: "
+                   "independent (random numbers instead of low-discrepancy sequences), clamp "
+                   "(samples are clamped to a radiance of 10), adaptive (sampling as with render "
+                   "--adaptive 0.01), no-fast-path (the general path only), no-hierarchy (lights "
+                   "drawn by power only), no-learning (without learning which lights reach "
+                   "where), uniform-lights (equal probability of all lights), "
+                   "area-lights (points uniform in the area of near triangles too), cosine-sky "
+                   "(directions to the environment by the surface's cosine only), no-mis (light "
+                   "samples only, without multiple importance sampling), no-roulette (no Russian "
+                   "roulette), plain-paths (a plain path tracer of 2017: independent and "
+                   "the last five together), plain-paths-mis (the same except no-mis), "
+                   "plain-paths-mis-clamp (and light samples clamped to 3); or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
@@ -243,19 +242,21 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                                "(default: {}; quick: {})",
                                ConvergencePlan{}.view_size, quick_plan().view_size))
       ->check(CLI::Range(16, 8192));
-  command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
+  command
+      ->add_option("--max-depth", arguments->max_depth,
+                   "The maximum number of surface vertices of a path")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
+                   "Renders of each method with different seeds (default: 4; quick: 3 to 8)")
       ->check(CLI::Range(2U, max_repetitions));
   command
       ->add_option("--seed", arguments->seed,
                    "Seed of the renders: runs with different seeds can be pooled by --from")
       ->check(CLI::Range(0U, max_seed))
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->add_flag("--quick", arguments->quick,
@@ -263,7 +264,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   CLI::Option* const references =
       command
           ->add_flag("--references", arguments->references,
-                     "Only render what the cache of references lacks of those that these options "
+                     "Only render those references for these options that the cache "
                      "need")
           ->excludes(output);
   command
@@ -271,7 +272,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                    "With --references, the Kth of N parts of them, as K/N")
       ->needs(references);
   command->add_option("--from", arguments->from,
-                      "Pool the runs in these folders, which differ in scenes or --seed alone, "
+                      "Pool the runs in these folders, which differ only in scenes or --seed, "
                       "instead of measuring");
   command->add_flag("--json", arguments->json, "Print the tables as JSON");
   command->footer("Example: foveola bench convergence arcade church -o convergence --quick");

@@ -24,7 +24,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// A line on standard output; its name takes `width` letters.
+/// Prints a line on standard output; its name takes `width` letters.
 void print_figure(const CoverageFigure& figure, std::size_t width) {
   const std::string required =
       figure.required
@@ -37,11 +37,11 @@ void print_figure(const CoverageFigure& figure, std::size_t width) {
              figure.studies, required, mean);
 }
 
-/// All figures as lines on standard output, below one that says what the studies are.
+/// Prints all figures as lines on standard output, after a description of the studies.
 void print_table(const CoverageSettings& settings, const std::vector<CoverageFigure>& figures) {
   print_text(
       "Studies of {} simulated participants whose times are drawn from a model; in brackets, "
-      "95 % intervals of the shares\n",
+      "95 % confidence intervals of the shares\n",
       settings.participants);
   std::size_t width = 0;
   for (const CoverageFigure& figure : figures) {
@@ -52,7 +52,7 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
   }
 }
 
-/// One object on standard output: what is in `about`, then the figures.
+/// Prints one object on standard output: the members of `about`, then the figures.
 void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageFigure>& figures) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const CoverageFigure& figure : figures) {
@@ -76,7 +76,7 @@ void print_json(const nlohmann::ordered_json& about, const std::vector<CoverageF
   print_text("{}\n", json.dump(2));
 }
 
-/// Throws Error for the first figure that lies outside its required range.
+/// Throws Error for the first figure outside of its required range.
 void require_all(const std::vector<CoverageFigure>& figures) {
   for (const CoverageFigure& figure : figures) {
     if (!figure.is_met()) {
@@ -91,7 +91,7 @@ void require_all(const std::vector<CoverageFigure>& figures) {
 
 struct StatisticsArguments {
   CoverageSettings settings;
-  std::optional<std::size_t> studies;  ///< empty: the default, which differs with R
+  std::optional<std::size_t> studies;  ///< empty: the default, which depends on --r
   bool by_r = false;
   std::string only;
   bool json = false;
@@ -103,7 +103,7 @@ void run_without_r(const StatisticsArguments& arguments, const std::stop_token& 
   std::vector<CoverageFigure> figures;
   {
     Progress progress("Studies with injected effects");
-    // Adds the figures of one kind, which take the time from begin to end.
+    // Adds the figures of one kind, whose progress runs from begin to end.
     const auto measure = [&](const auto& measure_coverage, double begin, double end) {
       std::ranges::move(
           measure_coverage(
@@ -133,13 +133,13 @@ std::vector<ModelCell> cells_of(const std::string& only) {
   std::erase_if(cells,
                 [&](const ModelCell& cell) { return cell.name.find(only) == cell.name.npos; });
   if (cells.empty()) {
-    throw UsageError("--only", fmt::format("no cell has \"{}\" in its name", only),
+    throw UsageError("--only", fmt::format("\"{}\" is not in the name of any cell", only),
                      "use Tobit, crossed, ordinal or equivalence");
   }
   return cells;
 }
 
-/// Prints the figures of each cell as soon as there are any: R takes its time.
+/// Prints the figures of each cell at once, since R is slow.
 void run_by_r(const StatisticsArguments& arguments, const std::stop_token& stop) {
   ModelCoverageSettings settings{.seed = arguments.settings.seed,
                                  .threads = arguments.settings.threads};
@@ -153,7 +153,8 @@ void run_by_r(const StatisticsArguments& arguments, const std::stop_token& stop)
     print_text(stderr, "This takes about {}.\n",
                human_duration(expected_seconds(cells, settings, fit_studies)));
     print_text(
-        "Studies with models by R, {} of nineteen cells; in brackets, 95 % intervals of the "
+        "Studies with models by R, {} of nineteen cells; in brackets, 95 % confidence intervals of "
+        "the "
         "shares.\n",
         cells.size());
     std::fflush(stdout);
@@ -199,12 +200,12 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
   command->add_option("--resamples", settings.resamples, "Resamples of each bootstrap interval")
       ->check(CLI::Range(99, 99'999))
       ->capture_default_str();
-  command->add_option("--threads", settings.threads, "Threads to use; 0 takes every core")
+  command->add_option("--threads", settings.threads, "Number of threads; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   CLI::Option* by_r = command->add_flag(
       "--r", arguments->by_r,
-      "Instead, how often the models that R fits are right, in nineteen cells: Tobit, crossed with "
+      "Instead, measure the coverage of R's models in nineteen cells: Tobit, crossed with "
       "gaps, ordinal, equivalence; needs R, and half an hour of one core");
   command
       ->add_option("--only", arguments->only,

@@ -21,15 +21,15 @@ using json = nlohmann::ordered_json;
 
 Table measures(const Dataset& set) {
   const ColumnsOf<Measure> columns = {
-      {"id", "", "Its id", &Measure::id},
+      {"id", "", "Id of the measure", &Measure::id},
       {"kind", "", "time, response or rating", &Measure::kind},
-      {"unit", "", "Its unit", &Measure::unit},
-      {"text", "", "Its question", path(&Measure::question, &study::Question::text)},
-      {"scale", "", "Its scale in words", study::scale_in_words}};
+      {"unit", "", "Unit of the measure", &Measure::unit},
+      {"text", "", "Question of the measure", path(&Measure::question, &study::Question::text)},
+      {"scale", "", "Scale of the measure in words", study::scale_in_words}};
   return tabulate("measures", "measure", columns, set.measures);
 }
 
-/// Those of trials, answers and participants are in their files only.
+/// Returns tables as JSON. Those of trials, answers and participants are in their files only.
 json tables_of(const AnalysisOutput& output) {
   json tables = json::object();
   for (const Table& table : output.results) {
@@ -48,10 +48,11 @@ struct AnalyzeArguments {
   PowerArguments power;
 };
 
-/// The arguments of planning, with those that it shares with an analysis.
+/// Returns the arguments of planning, including those shared with an analysis.
 PowerArguments power_arguments(const AnalyzeArguments& arguments) {
   if (!arguments.folder.empty()) {
-    throw UsageError("--output", "has no use with --power, which writes nothing", "leave it out");
+    throw UsageError("--output", "cannot be combined with --power, which writes no files",
+                     "remove one of them");
   }
   PowerArguments power = arguments.power;
   power.pilot = arguments.database;
@@ -66,7 +67,7 @@ void run_analyze(const AnalyzeArguments& arguments, const std::stop_token& stop)
     return;
   }
   if (arguments.database.empty() || arguments.folder.empty()) {
-    throw UsageError(arguments.database.empty() ? "STUDY" : "--output", "is missing",
+    throw UsageError(arguments.database.empty() ? "STUDY" : "--output", "is required",
                      "see foveola analyze --help");
   }
   const AnalysisOutput output =
@@ -90,24 +91,24 @@ void add_analysis_commands(CLI::App& app, std::stop_token stop) {
   CLI::App* command =
       app.add_subcommand("analyze", "Write tables, figures and a report of a study");
   command->add_option("STUDY", arguments->database,
-                      "The study's .sqlite file, as study run and study simulate write it");
+                      "The SQLite file of a study, written by study run or study simulate");
   command->add_option("-o,--output", arguments->folder,
                       "The folder to write the results to; made if its parent exists");
   command->add_flag("--json", arguments->json,
                     "Print the paths of the results and the main numbers as JSON");
   command->add_flag("--bids", arguments->options.bids,
-                    "Also write the behavioural data and the gaze in the BIDS layout, a folder for "
-                    "each participant");
+                    "Also write the behavioural data and the gaze in the BIDS layout, a folder per "
+                    "participant");
   command->add_flag("--r", arguments->options.r,
                     "Fit mixed, ordinal and Tobit models by R, and take the primary analyses from "
                     "them; seconds for times, up to a minute for each rating");
   command->add_flag("--unverified", arguments->options.unverified,
-                    "Analyse a file even if it was changed or damaged since it was written; the "
-                    "report then says what is wrong with it");
+                    "Analyse a file even if it fails its verification; the "
+                    "report then lists the faults");
   command->add_flag("--withdrawn", arguments->options.withdrawn,
                     "Also write the trials and answers of participants who withdrew to "
                     "trials_long.csv and answers_long.csv, with the status withdrawn; no result "
-                    "uses them. Only where the participants agreed to that");
+                    "uses them. Only with the consent of these participants");
   add_power_options(*command, arguments->power);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"

@@ -1,4 +1,4 @@
-// The analysis's commands: `foveola analyze`, its benchmarks and the manual page's text.
+// Adds the analysis's commands: `foveola analyze`, its benchmarks and the manual page's text.
 #pragma once
 
 #include <stop_token>
@@ -24,7 +24,7 @@ void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
 /// Adds `compare` to the command `bench`.
 void add_bench_compare(CLI::App& bench);
 
-/// Adds `convergence` to the command `bench`. When stopped it writes what was measured so far.
+/// Adds `convergence` to the command `bench`. When stopped it writes the finished measurements.
 void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                            const std::stop_token& stop);
 
@@ -35,11 +35,11 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop);
 /// Adds `replicate` to `app`; see add_renderer_commands. It throws Error if a claim does not hold.
 void add_replicate(CLI::App& app, const std::stop_token& stop);
 
-/// The paths, the warnings and the main numbers as an indented JSON object. What does not exist is
-/// null; invalid UTF-8 in texts is replaced.
+/// Returns the paths, the warnings and the main numbers as an indented JSON object. Missing values
+/// are null; invalid UTF-8 in texts is replaced.
 std::string analysis_json(const AnalysisOutput& output);
 
-/// Description, exit status, environment, files and related programs.
+/// Returns description, exit status, environment, files and related programs.
 ManualText manual_text();
 
 }  // namespace foveola::analysis

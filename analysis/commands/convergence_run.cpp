@@ -19,7 +19,7 @@ namespace {
 
 std::filesystem::path reference_cache() { return cache_folder() / "references"; }
 
-/// A scene that is loaded to be measured.
+/// A loaded scene to be measured.
 struct LoadedSubject {
   LoadedScene loaded;
   Subject subject;
@@ -30,14 +30,14 @@ struct LoadedSubject {
   }
 };
 
-/// Turned into [-pi, pi], as directions have their azimuths.
+/// Returns the gaze, wrapped to [-pi, pi] like azimuths of directions.
 AzimuthElevation gaze_of(const LoadedScene& loaded, int gaze, int gazes) {
   const double turn_rad = 2.0 * std::numbers::pi * gaze / gazes;
   return azimuth_elevation(
       direction_from({.azimuth_rad = loaded.camera.heading.azimuth_rad + turn_rad}));
 }
 
-/// Measures gaze after gaze, and shares out the time that is left.
+/// Measures one gaze after the other, and divides the remaining time among them.
 class WholeMeasurement {
  public:
   WholeMeasurement(const ConvergenceRun& run, std::stop_token stop)
@@ -80,7 +80,7 @@ class WholeMeasurement {
         results_.exposure_stops.push_back(subject.loaded.source.exposure_stops.value_or(0.0));
       }
     } catch (const Error&) {
-      // A reference that was stopped takes nothing from what was measured before.
+      // A stopped reference does not affect the earlier measurements.
       if (!stop_.stop_requested()) {
         throw;
       }
@@ -88,7 +88,7 @@ class WholeMeasurement {
     --gazes_left_;
   }
 
-  /// The time that the repetitions of the next gaze may take; 0: no limit.
+  /// Returns the time limit of the next gaze's repetitions; 0: none.
   double limit_s() const {
     constexpr double least_s = 1.0;
     if (run_.limit_s <= 0.0) {

@@ -1,4 +1,4 @@
-// Measures convergence gaze after gaze in scene after scene, or renders the references alone.
+// Measures convergence at several gazes in several scenes, or renders the references alone.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,23 @@ struct ConvergenceRun {
   ConvergencePlan plan;
   std::vector<SceneSource> scenes;
   int gazes = 1;         ///< around the horizon, the first ahead of the scene's camera
-  int threads = 0;       ///< 0: one for each core
-  double limit_s = 0.0;  ///< of everything; 0: none
+  int threads = 0;       ///< 0: one per core
+  double limit_s = 0.0;  ///< total time limit; 0: none
 };
 
 struct MeasuredGazes {
   std::vector<GazeMeasurement> measurements;
-  std::vector<RgbImage> crops;  ///< one strip for each measurement
+  std::vector<RgbImage> crops;  ///< one strip per measurement
   std::vector<double> exposure_stops;
 };
 
-/// Everything, and of the time that is left each gaze's share; what was finished when stopped.
-/// Throws Error for a scene that cannot be loaded, and as reference_image unless stopped.
+/// Measures all gazes, each for its share of the remaining time. When stopped, returns the finished
+/// measurements. Throws Error for a scene that cannot be loaded, and as reference_image unless
+/// stopped.
 MeasuredGazes measure_all(const ConvergenceRun& run, const std::stop_token& stop);
 
-/// Renders what the cache lacks of the shard's halves of references. Returns how many halves the
-/// shard has. Throws Error as measure_all, and if stopped.
+/// Renders the shard's halves of references that the cache lacks. Returns the number of the shard's
+/// halves. Throws Error as measure_all, and if stopped.
 std::int64_t render_references(const ConvergenceRun& run, const Shard& shard,
                                const std::stop_token& stop);
 

@@ -30,7 +30,7 @@ ExpectedEffect effect_of(const PowerSettings& settings) {
   }
   if (!(settings.spread > 1.0)) {
     throw Error("--spread", fmt::format("{:g} is not a factor above 1", settings.spread),
-                "give the factor by which participants' own ratios differ, above 1");
+                "give the geometric standard deviation of participants' ratios, above 1");
   }
   return effect_of_ratio(settings.ratio_percent, settings.spread);
 }
@@ -38,7 +38,7 @@ ExpectedEffect effect_of(const PowerSettings& settings) {
 constexpr std::size_t default_studies = 2000;
 constexpr std::size_t default_studies_by_r = 200;
 
-/// These options are of a protocol, not of a single comparison.
+/// Refuses options of a protocol's study for a single comparison.
 void refuse_expectations(const PowerArguments& arguments) {
   const Expectations& expectations = arguments.expectations;
   const std::pair<const char*, bool> given[] = {
@@ -51,7 +51,7 @@ void refuse_expectations(const PowerArguments& arguments) {
       {"--scenes", expectations.scenes.has_value()}};
   for (const auto& [option, is_given] : given) {
     if (is_given) {
-      throw UsageError(option, "is about the study of a protocol",
+      throw UsageError(option, "is an option of a protocol's study",
                        "add --protocol NAME, or a pilot's file");
     }
   }
@@ -87,7 +87,7 @@ StudyPowerReport report_of(const PowerArguments& arguments) {
       .from_pilot = pilot.has_value()};
 }
 
-/// The one number of participants that R's models are fitted for.
+/// Returns the single number of participants for R's models.
 std::size_t participants_for_r(const PowerArguments& arguments, const StudyPowerReport& report) {
   const std::optional<int>& planned = report.expected.protocol.analysis.participants;
   if (!arguments.one_comparison.participants && !planned) {
@@ -98,7 +98,7 @@ std::size_t participants_for_r(const PowerArguments& arguments, const StudyPower
       static_cast<std::size_t>(planned.value_or(0)));
 }
 
-/// Seconds that R takes for some studies.
+/// Returns R's expected time in seconds for some studies.
 double seconds_by_r(const StudyPowerReport& report, std::size_t participants, std::size_t studies) {
   std::vector<study::StudyRecords> drawn;
   for (std::size_t i = 0; i < studies; ++i) {
@@ -114,7 +114,7 @@ double seconds_by_r(const StudyPowerReport& report, std::size_t participants, st
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// How long R will take, from the times of one study and of nine.
+/// Estimates R's time from those of one study and of nine.
 double expected_seconds(const StudyPowerReport& report, std::size_t participants) {
   const double of_one = seconds_by_r(report, participants, 1);
   const double each = std::max(0.0, (seconds_by_r(report, participants, 9) - of_one) / 8.0);
@@ -186,32 +186,33 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
       add("--alpha", one.alpha, "Significance level of the two-sided test without a protocol")
           ->check(CLI::Range(1e-6, 0.5))
           ->capture_default_str();
-  add("--protocol", arguments.protocol, "The protocol that is planned")->excludes(alpha);
+  add("--protocol", arguments.protocol, "The protocol of the planned study")->excludes(alpha);
   add("--ratio", expectations.ratio_percent,
       "Expected time with every other method, in per cent of that with the baseline")
       ->capture_default_str();
   add("--effect", arguments.effects,
-      "What is expected of one measure, MEASURE:METHOD:VALUE, more than once if need be: of a mark "
-      "per cent of the baseline's time (material:fv:25), of a rating points above the baseline's "
+      "The expectation of one measure, MEASURE:METHOD:VALUE; may be repeated: for a mark "
+      "per cent of the baseline's time (material:fv:25), for a rating points above the baseline's "
       "(comfort:fv:1)");
   add("--seconds", expectations.baseline_s,
-      "Expected times with the baseline, mark by mark: 10,30; each that is not given takes twice "
-      "the one before (default 10)")
+      "Expected times with the baseline, by mark: 10,30; each missing time is twice "
+      "the previous one (default 10)")
       ->delimiter(',');
   add("--spread", arguments.spread,
       fmt::format(
-          "Factor, from 1, by which participants' own ratios vary: two thirds lie within it "
-          "(default {:.3g}; without a protocol {:g}, with what differs from trial to trial)",
+          "Geometric standard deviation of participants' ratios, from 1: two thirds lie within it "
+          "(default {:.3g}; without a protocol {:g}, including variation between trials)",
           std::exp(usual.participants_gain), one.spread));
   add("--scene-spread", expectations.scenes_factor,
-      fmt::format("Factor by which scenes' own ratios vary (default {:.3g})",
+      fmt::format("Geometric standard deviation of scenes' ratios (default {:.3g})",
                   std::exp(usual.scenes_gain)));
   add("--trial-spread", expectations.trials_factor,
-      fmt::format("Factor by which single times vary (default {:.3g})", std::exp(usual.trials)));
+      fmt::format("Geometric standard deviation of single times (default {:.3g})",
+                  std::exp(usual.trials)));
   add("--mark-variation", expectations.mark_variation,
       fmt::format(
-          "Coefficient of variation of the logarithm of a mark's time over that of the mark "
-          "before: the larger, the less the marks of a trial depend on each other "
+          "Coefficient of variation of the logarithm of a mark's time over that of the previous "
+          "mark: the larger, the less the marks of a trial depend on each other "
           "(default {:g})",
           ExpectedStudy().later_marks_variation))
       ->check(CLI::Range(0.0, 10.0));
@@ -220,25 +221,26 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
       ->check(CLI::Range(0.0, 0.95));
   add("--scenes", expectations.scenes, "Number of scenes, if not the protocol's")
       ->check(CLI::Range(1, 1000));
-  add("--target", one.power, "Power to reach")
+  add("--target", one.power, "Target power")
       ->check(CLI::Range(0.06, 0.9999))
       ->capture_default_str();
   add("--participants", one.participants,
-      "Report the power with this many participants, instead of how many are needed")
+      "Report the power with this many participants, instead of the required number")
       ->check(CLI::Range(2, 1'000'000));
   add("--most-participants", arguments.most_participants,
-      "No more participants are tried with a protocol")
+      "Maximum number of participants to try with a protocol")
       ->check(CLI::Range(4, 4096))
       ->capture_default_str();
   add("--studies", arguments.studies,
-      "Studies to simulate (default 10000; with a protocol 2000 for each number of participants)")
+      "Studies to simulate (default 10000; with a protocol 2000 per number of participants)")
       ->check(CLI::Range(1, 10'000'000));
   add("--seed", one.seed, "Seed of the simulation")->capture_default_str();
 }
 
 void run_power(const PowerArguments& arguments, const std::stop_token& stop) {
   if (!arguments.pilot.empty() && !arguments.protocol.empty()) {
-    throw UsageError("--protocol", "a pilot has its own protocol", "leave one of them out");
+    throw UsageError("--protocol", "cannot be combined with a pilot, which has its own protocol",
+                     "remove one of them");
   }
   if (arguments.pilot.empty() && arguments.protocol.empty()) {
     plan_one_comparison(arguments);

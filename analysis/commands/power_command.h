@@ -1,4 +1,4 @@
-// `foveola analyze --power`: planning a study instead of analysing one.
+// Plans a study: `foveola analyze --power`.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ namespace foveola::analysis {
 
 struct PowerSettings {
   double ratio_percent = 50.0;  ///< Expected time, in per cent of the baseline's; not 100.
-  double spread = 2.0;          ///< Factor by which participants' own ratios vary, above 1.
+  double spread = 2.0;          ///< Geometric standard deviation of participants' ratios, above 1.
   double alpha = 0.05;          ///< Significance level of the two-sided test.
-  double power = 0.9;           ///< The power to reach.
+  double power = 0.9;           ///< Target power.
   std::optional<std::size_t> participants;  ///< If given, their power is computed instead.
   std::size_t studies = 10'000;             ///< The number of simulated studies.
   std::uint64_t seed = 1;
 };
 
-/// The result: participants, power by formula and by simulation.
+/// Planned participants, with their power by formula and by simulation.
 struct PowerPlan {
   std::size_t participants = 0;
   double power = 0.0;
@@ -37,10 +37,10 @@ struct PowerPlan {
 /// Throws Error if a million participants are too few, or for a ratio of 100 % or a spread of 1.
 PowerPlan plan_power(const PowerSettings& settings);
 
-/// Several lines for the terminal, ended by a line break.
+/// Returns lines for the terminal, ended by a line break.
 std::string power_text(const PowerSettings& settings, const PowerPlan& plan);
 
-/// A JSON object, indented.
+/// Returns an indented JSON object.
 std::string power_json(const PowerSettings& settings, const PowerPlan& plan);
 
 struct PowerArguments {

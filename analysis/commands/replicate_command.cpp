@@ -52,14 +52,14 @@ struct ReplicateArguments {
   bool json = false;
 };
 
-/// The results of stages, each of which is kept in a folder.
+/// The results of stages, each in a folder of its own.
 struct StageResults {
   fs::path folder;
   const Claims& claims;
   std::stop_token stop;
   std::map<std::string, ResultJson> made{};  ///< by stage; without "result" if it failed
 
-  /// Takes the results in this folder or another one like it. Throws Error for those of another
+  /// Takes earlier results from this folder or another one. Throws Error for results of another
   /// version or of other claims.
   void take_kept(const fs::path& from) {
     for (const ClaimStage& stage : claims.stages) {
@@ -72,20 +72,20 @@ struct StageResults {
           kept["version"] != program_facts()["version"] ||
           kept["claims_sha256"] != ResultJson(claims.sha256)) {
         throw Error(file.string(), "was made by another version, or for other claims",
-                    "name another folder");
+                    "choose another folder");
       }
       keep(stage, kept);
     }
   }
 
-  /// Makes those of the stages' that are not there, until it is stopped.
+  /// Makes the stages' missing results, until it is stopped.
   void make(std::vector<const ClaimStage*> stages) {
     std::erase_if(stages, [&](const ClaimStage* stage) { return made.contains(stage->id); });
     double minutes = 0.0;
     for (const ClaimStage* stage : stages) {
       minutes += stage->minutes;
     }
-    Progress progress("Making claims again");
+    Progress progress("Reproducing claims");
     double minutes_done = 0.0;
     for (const ClaimStage* stage : stages) {
       make(*stage, [&](double so_far) {
@@ -140,7 +140,7 @@ struct StageResults {
     keep(stage, facts);
   }
 
-  /// This program's; {dir} at the beginning of a word is the stage's folder.
+  /// Returns a command of this program; {dir} at the beginning of a word is the stage's folder.
   Command command(const std::string& run, const fs::path& own_folder) const {
     Command command{.words = {own_program().string()}, .stop = stop};
     std::istringstream words(run);
@@ -152,12 +152,12 @@ struct StageResults {
   }
 };
 
-/// What was made beside what is claimed.
+/// The reproduced values beside the claims.
 struct Replication {
   /// Tables by their titles, each a list of rows.
   ResultJson page = {{"Claims", ResultJson::array()}, {"Stages", ResultJson::array()}};
-  std::vector<NewValues> made;                  ///< of the claims all of whose numbers were made
-  std::map<std::string, std::size_t> verdicts;  ///< the number of numbers with each
+  std::vector<NewValues> made;                  ///< of the claims whose numbers were all reproduced
+  std::map<std::string, std::size_t> verdicts;  ///< number of numbers per verdict
 
   /// result: null if the stage was not run.
   void add_stage(const ClaimStage& stage, ResultJson result) {
@@ -229,7 +229,7 @@ std::string page_html(const ResultJson& page) {
   return html + "</main>\n</body>\n</html>\n";
 }
 
-/// The stages to make, by --quick and --only.
+/// Returns the stages to run, by --quick and --only.
 std::vector<const ClaimStage*> chosen_stages(const ReplicateArguments& arguments,
                                              const Claims& claims) {
   std::set<std::string> wanted(arguments.only.begin(), arguments.only.end());
@@ -248,7 +248,7 @@ std::vector<const ClaimStage*> chosen_stages(const ReplicateArguments& arguments
     }
   }
   if (!wanted.empty()) {
-    throw Error("--only", fmt::format("no claim is called '{}'", *wanted.begin()),
+    throw Error("--only", fmt::format("'{}' is not the id of a stage or claim", *wanted.begin()),
                 did_you_mean(*wanted.begin(), known, "see " + claims.file.string()));
   }
   return chosen;
@@ -293,7 +293,8 @@ void run(const ReplicateArguments& arguments, const std::stop_token& stop) {
   if (stop.stop_requested()) {
     print_text(stderr, "Stopped. To continue, repeat the command.\n");
   } else if (wrong > 0) {
-    throw Error(page.string(), fmt::format("has {} claims that do not hold", wrong), "read it");
+    throw Error(page.string(), fmt::format("has {} claims that do not hold", wrong),
+                "read this page");
   }
 }
 
@@ -301,19 +302,22 @@ void run(const ReplicateArguments& arguments, const std::stop_token& stop) {
 
 void add_replicate(CLI::App& app, const std::stop_token& stop) {
   const auto arguments = std::make_shared<ReplicateArguments>();
-  CLI::App* command = app.add_subcommand(
-      "replicate", "Make the figures that the documents state again, and compare them");
+  CLI::App* command =
+      app.add_subcommand("replicate", "Reproduce the figures of the documents, and compare them");
   command
       ->add_option("DIR", arguments->folder,
-                   "The folder for results and a page of them; made if its parent exists. Results "
-                   "that are there are not made again")
+                   "The folder for results and a page of them; made if its parent exists. Existing "
+                   "results are kept")
       ->required();
-  command->add_flag("--quick", arguments->quick, "Only what takes a quarter of an hour in all");
-  command->add_option("--only", arguments->only, "Only the stages with these ids, or such claims");
-  command->add_option("--from", arguments->from,
-                      "Make nothing, but take what these folders have, as of other machines");
+  command->add_flag("--quick", arguments->quick,
+                    "Only stages that take a quarter of an hour in all");
+  command->add_option("--only", arguments->only,
+                      "Only the stages with these ids, or with claims of these ids");
+  command->add_option(
+      "--from", arguments->from,
+      "Run nothing; use the results in these folders, such as those of other machines");
   command->add_flag("--write", arguments->write,
-                    "Write what was made into the documents and into the file of claims");
+                    "Write the reproduced values into the documents and the file of claims");
   command->add_option("--claims", arguments->claims,
                       "The file of claims (default: the clone's data/claims.toml)");
   command->add_flag("--json", arguments->json, "Print the page's tables as JSON");

@@ -16,7 +16,7 @@ std::string name_of(const study::PlannedComparison& planned) {
   return fmt::format("{}, {}/{}", planned.measure, planned.method, planned.baseline);
 }
 
-/// "10 s with od; vp 50 %, fv 25 % of that".
+/// Returns "10 s with od; vp 50 %, fv 25 % of that".
 std::string times_in_words(const ExpectedStudy& expected, std::size_t mark) {
   const ExpectedTimes& times = expected.times[mark];
   const std::vector<std::string>& methods = expected.protocol.methods;
@@ -44,7 +44,7 @@ std::string spread_in_words(const ExpectedSpread& spread) {
       std::exp(spread.participants_gain), std::exp(spread.scenes_gain), std::exp(spread.trials));
 }
 
-/// How the marks of a trial depend on each other.
+/// Describes how the marks of a trial depend on each other.
 std::string dependence_in_words(const ExpectedStudy& expected) {
   std::vector<std::string> pairs;
   const auto& marks = expected.protocol.marks;
@@ -85,7 +85,7 @@ std::string share_text(std::size_t hits, const StudyPower& power) {
                      100.0 * share.interval.high);
 }
 
-/// Not every number that was tried on the way to the fewest participants.
+/// Leaves out sizes that were tried only to find the minimum number of participants.
 bool is_shown(const StudyPower& point, const StudyPowerReport& report) {
   constexpr std::size_t step = 4;
   const study::AnalysisPlan& plan = report.expected.protocol.analysis;
@@ -139,14 +139,14 @@ std::string min_text(const StudyPowerReport& report, std::optional<std::size_t> 
 std::string all_fewest_text(const StudyPowerReport& report) {
   const auto& planned = report.expected.protocol.analysis.primary;
   std::string text =
-      fmt::format("Fewest participants for a power of {:g} %\n", 100.0 * report.target);
+      fmt::format("Minimum number of participants for a power of {:g} %\n", 100.0 * report.target);
   for (std::size_t i = 0; i < planned.size(); ++i) {
     text += min_text(report, i, name_of(planned[i]));
   }
   return text + min_text(report, std::nullopt, "all together");
 }
 
-/// Of the largest number of participants.
+/// Returns the result of the maximum number of participants.
 const StudyPower& largest(const StudyPowerReport& report) { return report.curve.back(); }
 
 std::string censoring_text(const StudyPowerReport& report) {
@@ -164,7 +164,7 @@ std::string censoring_text(const StudyPowerReport& report) {
   return parts.empty() ? "" : line("timed out", fmt::format("{}", fmt::join(parts, "; ")));
 }
 
-/// Which analyses the P-values are of.
+/// Describes the analyses of the P-values.
 std::string analyses_text(const StudyPowerReport& report) {
   std::string text;
   const auto& planned = report.expected.protocol.analysis.primary;
@@ -178,7 +178,7 @@ std::string analyses_text(const StudyPowerReport& report) {
     const std::string stand_in =
         power.stand_ins == 0
             ? ""
-            : fmt::format(" (in {:.1f} % in place of what is planned, which R fits: --r)",
+            : fmt::format(" (in {:.1f} % in place of the planned one, which R fits: --r)",
                           100.0 * share_of(power.stand_ins, largest(report)).value);
     text += line(i == 0 ? "analyses" : "",
                  fmt::format("{}: {}{}", name_of(planned[i]), fmt::join(kinds, ", "), stand_in));
@@ -186,14 +186,15 @@ std::string analyses_text(const StudyPowerReport& report) {
   return text;
 }
 
-/// Where more participants hardly help.
+/// Notes that more participants hardly help, if so.
 std::string scenes_text(const StudyPowerReport& report) {
   const study::AnalysisPlan& plan = report.expected.protocol.analysis;
   if (plan.scenes == study::SceneEffects::fixed ||
       fewest_participants(report.curve, std::nullopt, report.target)) {
     return "";
   }
-  return "With random scenes their number limits the power, however many take part: try more with "
+  return "With random scenes their number limits the power, whatever the number of participants: "
+         "try more with "
          "--scenes.\n";
 }
 
@@ -268,7 +269,7 @@ std::string expectations_text(const StudyPowerReport& report) {
   const ExpectedStudy& expected = report.expected;
   const study::Protocol& protocol = expected.protocol;
   std::string text =
-      fmt::format("Power of {} by simulation, {} studies for each number of participants\n",
+      fmt::format("Power of {} by simulation, {} studies per number of participants\n",
                   protocol.name, report.studies);
   text += line("design", fmt::format("{} scenes ({}), {} methods", protocol.scenes.size(),
                                      name_of(protocol.analysis.scenes), protocol.methods.size()));
@@ -289,13 +290,14 @@ std::string expectations_text(const StudyPowerReport& report) {
   }
   text += line("withdrawals", fmt::format("{:.3g} %", 100.0 * expected.withdrawals));
   return text + (report.from_pilot
-                     ? "What was not stated is what the pilot shows, but for effects.\n"
+                     ? "Unstated expectations are estimates from the pilot, except effects.\n"
                      : "");
 }
 
 std::string study_power_text(const StudyPowerReport& report) {
-  const std::string text = "\nPower in per cent, with the 95 % interval of the simulation\n" +
-                           curve_text(report) + censoring_text(report) + analyses_text(report);
+  const std::string text =
+      "\nPower in per cent, with the 95 % confidence interval of the simulation\n" +
+      curve_text(report) + censoring_text(report) + analyses_text(report);
   return report.curve.size() > 1 ? text + all_fewest_text(report) + scenes_text(report) : text;
 }
 

@@ -1,4 +1,4 @@
-// `foveola analyze --power` of a protocol: what is printed of its simulated studies.
+// Prints the power of a protocol's simulated studies for `foveola analyze --power`.
 #pragma once
 
 #include <string>
@@ -9,23 +9,24 @@
 
 namespace foveola::analysis {
 
-/// What was expected and simulated.
+/// The expectations and the simulated studies.
 struct StudyPowerReport {
   ExpectedStudy expected;
-  double target = 0.9;  ///< The power to reach.
+  double target = 0.9;  ///< Target power.
   std::size_t studies = 0;
   std::uint64_t seed = 1;
-  bool from_pilot = false;  ///< Whether what is not stated was taken from a pilot.
+  bool from_pilot = false;  ///< Whether unstated expectations were taken from a pilot.
   std::vector<StudyPower> curve;
 };
 
-/// What is expected, as lines for the terminal: before the simulation begins.
+/// Returns the expectations as lines for the terminal, to print before the simulation.
 std::string expectations_text(const StudyPowerReport& report);
 
-/// The power by numbers of participants and the fewest that reach the target, as lines.
+/// Returns the power by numbers of participants, and the minimum numbers that reach the target, as
+/// lines.
 std::string study_power_text(const StudyPowerReport& report);
 
-/// All of it as a JSON object, indented.
+/// Returns everything as an indented JSON object.
 std::string study_power_json(const StudyPowerReport& report);
 
 }  // namespace foveola::analysis

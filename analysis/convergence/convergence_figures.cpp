@@ -22,15 +22,15 @@ constexpr std::array kinds = {
     FigureKind{"sphere", Metric::mse, "rmse-sphere", "RMSE over the sphere"},
     FigureKind{"viewport", Metric::flip, "flip-viewport", "FLIP in the viewport"}};
 
-/// Colours that people with colour-vision deficiencies distinguish too (Okabe and Ito 2008, "Color
+/// Colours that are distinct with colour-vision deficiencies too (Okabe and Ito 2008, "Color
 /// Universal Design").
 constexpr std::array line_colors = {"#000000", "#0072b2", "#d55e00", "#009e73",
                                     "#cc79a7", "#e69f00", "#56b4e9"};
-/// Symbols that people who see no colours distinguish: gnuplot's disc, square, triangles, diamond
-/// and their outlines.
+/// Symbols that are distinct without colours: gnuplot's disc, square, triangles, diamond and their
+/// outlines.
 constexpr std::array point_types = {7, 5, 9, 11, 13, 6, 4};
 
-/// What is drawn of an error: mean squared errors as their roots.
+/// Returns the drawn value of an error: the root of mean squared errors.
 double drawn(Metric metric, double error) {
   return metric == Metric::mse ? std::sqrt(error) : error;
 }
@@ -40,7 +40,7 @@ struct Line {
   ErrorCurve curve;
 };
 
-/// None where the region was not measured.
+/// Returns no lines if the region was not measured.
 std::vector<Line> lines_of(const GazeMeasurement& measurement, const FigureKind& kind) {
   const auto region = std::ranges::find(measurement.regions, kind.region);
   if (region == measurement.regions.end()) {
@@ -71,7 +71,7 @@ std::string data_of(const std::vector<Line>& lines, Metric metric) {
   return data;
 }
 
-/// "fv, slope -0.53".
+/// Returns "fv, slope -0.53".
 std::string title_of(const Line& line, Metric metric, Axis axis) {
   const std::optional<double> slope = log_log_slope(line.curve, axis);
   const double root = metric == Metric::mse ? 0.5 : 1.0;

@@ -1,4 +1,4 @@
-// Errors over samples and over seconds, as SVG drawn by gnuplot.
+// Draws errors over samples and over seconds as SVG, by gnuplot.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace foveola::analysis {
 
-/// For each measurement RMSE within 5 degrees, in the viewport and over the sphere, and FLIP in the
-/// viewport, each over samples and beside that over seconds; logarithmic, with slopes. Only what
-/// has points. Names are `error-N-...`, N the measurement's number from 1. Throws Error if
-/// gnuplot is missing.
+/// Draws, for each measurement, RMSE within 5 degrees, in the viewport and over the sphere, and
+/// FLIP in the viewport, each over samples and over seconds; logarithmic, with slopes. Figures
+/// without points are left out. Names are `error-N-...`, N the measurement's number from 1. Throws
+/// Error if gnuplot is missing.
 std::vector<Figure> draw_convergence(const std::vector<GazeMeasurement>& measurements);
 
 }  // namespace foveola::analysis

@@ -16,7 +16,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// Adds the columns of an estimate and of the ends of its interval.
+/// Adds the columns of an estimate and of its confidence limits.
 template <typename Item>
 void add_estimate(const std::string& name, const std::string& description,
                   std::optional<Estimate> Item::* estimate, ColumnsOf<Item>& columns) {
@@ -29,21 +29,23 @@ void add_estimate(const std::string& name, const std::string& description,
 
 template <typename Item>
 ColumnsOf<Item> columns_of_gaze() {
-  return {{"scene", "", "The scene", &Item::scene},
+  return {{"scene", "", "Name of the scene", &Item::scene},
           {"gaze_deg", "deg", "Azimuth and elevation of the gaze", &Item::gaze},
-          {"configuration", "", "The configuration", &Item::configuration}};
+          {"configuration", "", "Name of the configuration", &Item::configuration}};
 }
 
 ColumnsOf<SpeedUp> speed_up_columns() {
   ColumnsOf<SpeedUp> columns = columns_of_gaze<SpeedUp>();
-  columns.push_back({"region", "", "Where the error is measured", &SpeedUp::region});
-  columns.push_back({"metric", "", "The measure of the error", &SpeedUp::metric});
-  columns.push_back({"level", "", "At the error of all samples, or of a quarter", &SpeedUp::level});
-  add_estimate("samples", "The baseline's samples over this one's, at equal error",
-               &SpeedUp::samples, columns);
-  add_estimate("time", "The speed-up in seconds", &SpeedUp::time, columns);
+  columns.push_back({"region", "", "Region of the error", &SpeedUp::region});
+  columns.push_back({"metric", "", "Metric of the error", &SpeedUp::metric});
   columns.push_back(
-      {"predicted", "", "The speed-up predicted by density alone", &SpeedUp::predicted});
+      {"level", "", "Reference error: that of all samples, or of a quarter", &SpeedUp::level});
+  add_estimate("samples", "The baseline's samples over this configuration's, at equal error",
+               &SpeedUp::samples, columns);
+  add_estimate("time", "The baseline's time over this configuration's, at equal error",
+               &SpeedUp::time, columns);
+  columns.push_back({"predicted", "", "Speed-up in mean squared error predicted by density alone",
+                     &SpeedUp::predicted});
   return columns;
 }
 
@@ -62,21 +64,22 @@ Table overall_table(const ConvergenceTables& tables) {
 
 Table costs_table(const ConvergenceTables& tables) {
   ColumnsOf<PathCost> columns = columns_of_gaze<PathCost>();
-  add_estimate("ns_per_path", "Nanoseconds, all threads together", &PathCost::ns_per_path, columns);
-  add_estimate("ratio", "Relative to the baseline's", &PathCost::ratio, columns);
+  add_estimate("ns_per_path", "Nanoseconds per path, with all threads", &PathCost::ns_per_path,
+               columns);
+  add_estimate("ratio", "ns_per_path over the baseline's", &PathCost::ratio, columns);
   return tabulate("costs", "scene, gaze and configuration", columns, tables.costs);
 }
 
 Table convergence_table(const ConvergenceTables& tables) {
   using C = Convergence;
   ColumnsOf<C> columns = columns_of_gaze<C>();
-  columns.push_back({"region", "", "Where the error is measured", &C::region});
+  columns.push_back({"region", "", "Region of the error", &C::region});
   add_estimate("slope_in_samples", "Slope of log RMSE over log samples", &C::slope_in_samples,
                columns);
-  add_estimate("slope_in_time", "The same over log seconds", &C::slope_in_time, columns);
-  add_estimate("efficiency", "1 / (mean squared error x seconds) at the end", &C::efficiency,
-               columns);
-  add_estimate("efficiency_ratio", "Relative to the baseline's", &C::efficiency_ratio, columns);
+  add_estimate("slope_in_time", "Slope of log RMSE over log seconds", &C::slope_in_time, columns);
+  add_estimate("efficiency", "1 / (mean squared error x seconds) at the render's end",
+               &C::efficiency, columns);
+  add_estimate("efficiency_ratio", "efficiency over the baseline's", &C::efficiency_ratio, columns);
   return tabulate("convergence", "scene, gaze, configuration and region", columns,
                   tables.convergence);
 }
@@ -120,27 +123,31 @@ Table points_table(const std::vector<GazeMeasurement>& measurements) {
   ColumnsOf<P> columns = columns_of_gaze<P>();
   const ColumnsOf<P> others = {
       {"seed", "", "Seed of the render", path(&P::log, &RenderLog::seed)},
-      {"region", "", "Where the error is measured", &P::region},
-      {"samples", "", "Samples up to here", path(&P::checkpoint, &Checkpoint::samples)},
-      {"seconds", "s", "Time up to here", path(&P::checkpoint, &Checkpoint::seconds)},
-      {"samples_per_pixel", "", "Mean over the region", path(error, &E::samples_per_pixel, finite)},
+      {"region", "", "Region of the error", &P::region},
+      {"samples", "", "Number of samples up to the checkpoint",
+       path(&P::checkpoint, &Checkpoint::samples)},
+      {"seconds", "s", "Time up to the checkpoint", path(&P::checkpoint, &Checkpoint::seconds)},
+      {"samples_per_pixel", "", "Mean number of samples per pixel of the region",
+       path(error, &E::samples_per_pixel, finite)},
       {"mse", "", "Mean squared error", path(error, &E::mse, finite)},
-      {"rmse", "", "Its root",
+      {"rmse", "", "Root of the mean squared error",
        path(
            error, &E::mse, [](double mse) { return std::sqrt(mse); }, finite)},
       {"relative_mse", "", "Relative mean squared error", path(error, &E::relative_mse, finite)},
       {"flip", "", "FLIP", path(&P::score, &Score::flip, finite)},
-      {"pixels", "", "Pixels of the region", path(error, &E::pixels)},
-      {"empty_pixels", "", "Those without a sample", path(error, &E::empty)},
-      {"empty_share", "", "Their share", path(error, &E::empty_share, finite)},
-      {"non_finite_pixels", "", "Those that are not finite", path(error, &E::non_finite)},
-      {"non_finite_samples_of_render", "", "Samples of the render that were left out",
+      {"pixels", "", "Number of pixels of the region", path(error, &E::pixels)},
+      {"empty_pixels", "", "Number of pixels without a sample", path(error, &E::empty)},
+      {"empty_share", "", "Share of the region without a sample",
+       path(error, &E::empty_share, finite)},
+      {"non_finite_pixels", "", "Number of pixels that are not finite",
+       path(error, &E::non_finite)},
+      {"non_finite_samples_of_render", "", "Number of samples of the render that were left out",
        path(&P::log, &RenderLog::dropped)}};
   columns.insert(columns.end(), others.begin(), others.end());
   return tabulate("points", "region at a checkpoint of a render", columns, points_of(measurements));
 }
 
-/// The rows with each estimate, NAME, NAME_low and NAME_high, as an object, or null.
+/// Returns the rows with each estimate, NAME, NAME_low and NAME_high, as an object, or null.
 json rows_json(const Table& table) {
   json rows = json_of(table);
   for (json& row : rows) {

@@ -1,4 +1,4 @@
-// A measurement of convergence as CSV, as JSON and in words.
+// Writes measurements of convergence as CSV, as JSON and as text.
 #pragma once
 
 #include <string>
@@ -11,22 +11,22 @@
 
 namespace foveola::analysis {
 
-/// points.csv (every checkpoint), speed_ups.csv, costs.csv, convergence.csv, overall.csv. What does
-/// not exist is an empty field.
+/// Returns points.csv (every checkpoint), speed_ups.csv, costs.csv, convergence.csv and
+/// overall.csv. Missing values are empty fields.
 std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measurements,
                                       const ConvergenceTables& tables);
 
-/// The baseline, the plan, and what the crops show.
+/// Returns the baseline, the plan, and the content of the crops.
 nlohmann::ordered_json plan_facts(const ConvergencePlan& plan);
 
-/// The tables as a JSON object that begins with `facts`: of the program, the machine and the plan.
-/// Every estimate is {"value", "low", "high"}, or null.
+/// Returns the tables as a JSON object that begins with `facts`: of the program, the machine and
+/// the plan. Every estimate is {"value", "low", "high"}, or null.
 std::string convergence_json(nlohmann::ordered_json facts,
                              const std::vector<GazeMeasurement>& measurements,
                              const ConvergenceTables& tables);
 
-/// The summary for the terminal: speed-ups in mean squared error at equal error, by region, with
-/// costs.
+/// Returns the summary for the terminal: speed-ups in mean squared error at equal error, by region,
+/// with costs.
 std::string convergence_summary(const ConvergenceTables& tables);
 
 }  // namespace foveola::analysis

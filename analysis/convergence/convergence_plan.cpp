@@ -19,7 +19,7 @@ const OptionRow& find_option(const std::string& name) {
     for (const OptionRow& row : rows) {
       names.push_back(row.name);
     }
-    throw UsageError("--options", fmt::format("there is no option '{}'", name),
+    throw UsageError("--options", fmt::format("'{}' is not an option", name),
                      fmt::format("choose from: {}", fmt::join(names, ", ")));
   }
   return *found;
@@ -30,8 +30,7 @@ bool is_setting(std::string_view text) {
   return mark != std::string_view::npos && text[mark] == '=';
 }
 
-/// What a plain path tracer of 2017 would do, if light samples and scattered rays are weighed
-/// against each other.
+/// Changes a configuration to a plain path tracer of 2017, with multiple importance sampling.
 void make_plain_with_mis(Configuration& configuration) {
   configuration.numbers = RandomNumbers::independent;
   configuration.light_sampling = {.selection = LightSelection::uniform,
@@ -40,7 +39,7 @@ void make_plain_with_mis(Configuration& configuration) {
   configuration.vertices_before_roulette = no_roulette;
 }
 
-/// What a plain path tracer of 2017 would do, without multiple importance sampling.
+/// Changes a configuration to a plain path tracer of 2017, without multiple importance sampling.
 void make_plain(Configuration& configuration) {
   make_plain_with_mis(configuration);
   configuration.light_samples_alone = true;
@@ -153,15 +152,16 @@ std::vector<Configuration> make_configurations(const std::vector<std::string>& m
   for (auto one = configurations.begin(); one != configurations.end(); ++one) {
     if (std::any_of(configurations.begin(), one,
                     [&](const auto& o) { return o.name == one->name; })) {
-      throw UsageError("--methods", fmt::format("'{}' comes twice", one->name), "name each once");
+      throw UsageError("--methods", fmt::format("'{}' is repeated", one->name),
+                       "name each method once");
     }
   }
   return configurations;
 }
 
 std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan) {
-  // With 59 times the baseline's density, FV needs a 237th of all samples for what the baseline has
-  // with a quarter. More halvings would make renders of batches that are too small to be efficient.
+  // With 59 times the baseline's density, FV needs a 237th of all samples for the error of the
+  // baseline with a quarter. More halvings would give inefficiently small batches.
   constexpr int halvings = 8;
   const std::uint64_t last = static_cast<std::uint64_t>(plan.samples_per_pixel) *
                              static_cast<std::uint64_t>(plan.size.x) *

@@ -1,4 +1,4 @@
-// What a measurement of convergence compares, and how long it takes.
+// Plans a measurement of convergence: its configurations, options and effort.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@
 
 namespace foveola::analysis {
 
-/// Something that is compared: a method as shipped, or with one option changed.
+/// A compared configuration: a method as shipped, or with one option changed.
 struct Configuration {
   std::string name;    ///< for tables: "fv", or "od, independent numbers"
   std::string method;  ///< as make_view_sampler reads it
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
-  /// Each channel of a sample is cut to this: less noise, and a bias that counts as error.
+  /// Maximum of each channel of a sample: less noise, and a bias that counts as error.
   float largest_radiance = std::numeric_limits<float>::infinity();
-  /// VisibleNoise::contrast of adaptive sampling, with low-discrepancy numbers only: samples of
-  /// pixels that are done go to others nearby, or are left out though they count as taken.
+  /// VisibleNoise::contrast of adaptive sampling, with low-discrepancy numbers only. Samples of
+  /// finished pixels go to others nearby, or are left out but counted.
   std::optional<double> adaptive_contrast;
-  /// What each light sample gives to a path is cut to this, as the display shows it: white is 1.
+  /// Maximum contribution of each light sample to a path, in units of display white.
   float largest_light_sample = std::numeric_limits<float>::infinity();
   int vertices_before_roulette = default_vertices_before_roulette;  ///< see TraceSettings
   bool light_samples_alone = false;                                 ///< see TraceSettings
@@ -33,27 +33,26 @@ struct Configuration {
   LightSampling light_sampling;
 };
 
-/// A row of the quality-speed options: what it is called and what it changes of a configuration.
+/// A quality-speed option: its name, and its change to a configuration.
 struct OptionRow {
-  std::string name;    ///< what it is called on the command line
-  std::string suffix;  ///< behind the method's name in tables
+  std::string name;    ///< name on the command line
+  std::string suffix;  ///< suffix of the method's name in tables
   void (*apply)(Configuration& configuration);
 };
 
 /// All options that can be measured.
 const std::vector<OptionRow>& option_rows();
 
-/// The methods of "od,vp,fv:acuity=guenter,cutoff=60": a comma begins another method unless what
-/// follows it is a KEY=VALUE of the one before, or it stands in double quotes.
+/// Splits "od,vp,fv:acuity=guenter,cutoff=60" into methods. A comma begins another method unless
+/// KEY=VALUE of the previous one follows, or it is within double quotes.
 std::vector<std::string> split_methods(std::string_view text);
 
-/// The methods as shipped, the first of which is the baseline, and then the baseline with each of
-/// the options. Throws Error for an option that does not exist, a method that makes no sense or
-/// that comes twice.
+/// Returns the methods as shipped, the first of which is the baseline, then the baseline with each
+/// of the options. Throws Error for an unknown option, and for an invalid or repeated method.
 std::vector<Configuration> make_configurations(const std::vector<std::string>& methods,
                                                const std::vector<std::string>& options);
 
-/// Of a plan. Plans with different seeds have no repetition in common.
+/// Maximum number of repetitions of a plan. Plans with different seeds share no repetition.
 inline constexpr std::uint32_t max_repetitions = 1000;
 inline constexpr std::uint32_t max_seed = 1'000'000;
 
@@ -61,43 +60,44 @@ struct ConvergencePlan {
   std::vector<Configuration> configurations;
   IVec2 size{1024, 512};       ///< film size in pixels
   int samples_per_pixel = 32;  ///< samples of every render, on average over the film; at least 16
-  int least_repetitions = 4;   ///< renders of each configuration, each with another seed
+  int least_repetitions =
+      4;  ///< minimum number of renders of each configuration, each with another seed
   int most_repetitions = 4;
-  std::uint32_t seed = 0;  ///< what the repetitions' seeds are made from
+  std::uint32_t seed = 0;  ///< source of the repetitions' seeds
   /// The viewport's field of view, both ways; the head points at the gaze.
   double fov_deg = FieldOfView{}.horizontal_deg;
   int view_size = default_view_size.x;  ///< pixels of the display along each side
   int max_depth = TraceSettings{}.max_depth;
   int reference_samples_per_pixel = 64;  ///< uniform samples of each of the two halves
   int reference_foveated_per_pixel =
-      8;  ///< further samples, foveated around the gaze, for each pixel of the film
-  double crop_seconds = 1.0;  ///< rendering time of the crops that stand side by side
+      8;  ///< additional foveated samples around the gaze, per pixel of the film
+  double crop_seconds = 1.0;  ///< rendering time of the crops
   double crop_fov_deg = 30.0;
-  int crop_size = 320;  ///< pixels of a crop along each side
+  int crop_size = 320;  ///< side of a crop in pixels
 };
 
-/// The numbers of samples after which errors are measured, each twice the one before.
+/// Returns the sample counts at which errors are measured, each twice the previous one.
 std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
 
-/// A scene that is measured.
+/// A scene to be measured.
 struct Subject {
-  /// A tracer of the scene that draws lights in another way than the loaded scene's.
+  /// A tracer with another light sampling than the loaded scene's.
   struct OtherTracer {
     LightSampling light_sampling;
     PathTracer tracer;
   };
 
   const LoadedScene& loaded;
-  std::string key;  ///< reference_image()'s scene_key: all that the radiance depends on
+  std::string key;  ///< reference_image()'s scene_key: everything that the radiance depends on
   std::vector<OtherTracer> other_tracers = {};
 
-  /// Builds what tracer_for() lacks for these configurations.
+  /// Builds the tracers for these configurations that are missing.
   void add_tracers_for(const std::vector<Configuration>& configurations, const Workers& workers);
-  /// Null if there is none.
+  /// Returns null if there is none.
   const PathTracer* tracer_for(const LightSampling& light_sampling) const;
 };
 
-/// "azimuth,elevation" in degrees: how a gaze is called in tables.
+/// Returns "azimuth,elevation" in degrees: the gaze's name in tables.
 std::string gaze_name(const AzimuthElevation& gaze);
 
 }  // namespace foveola::analysis

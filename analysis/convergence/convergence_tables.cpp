@@ -9,26 +9,26 @@
 namespace foveola::analysis {
 namespace {
 
-/// The position of the configuration that the others are compared with.
+/// Position of the configuration that the others are compared with.
 constexpr std::size_t baseline_configuration = 0;
 
 using Repetitions = std::span<const std::size_t>;
 
-/// The point of a curve where all of a render's samples are taken, or a quarter; empty if no error
-/// can be compared there.
+/// Returns the point of a curve with all of a render's samples, or a quarter; empty if its error
+/// cannot be compared.
 std::optional<CurvePoint> point_of(Level level, const ErrorCurve& curve,
                                    const GazeMeasurement& measurement) {
   constexpr double quarter = 0.25;
   const auto all_samples = static_cast<double>(
       measurement.repetitions.front()[baseline_configuration].checkpoints.back().samples);
   const double wanted = all_samples * (level == Level::all ? 1.0 : quarter);
-  // Checkpoints are whole samples.
+  // Checkpoints are at whole samples.
   const auto found = std::ranges::find_if(
       curve, [wanted](const CurvePoint& point) { return std::abs(point.samples - wanted) <= 1.0; });
   return found != curve.end() ? std::optional(*found) : std::nullopt;
 }
 
-/// How far the slower curve had come over how far the faster one had, at the same error.
+/// Returns the slower curve's position over the faster one's, at the same error.
 std::optional<double> speed_up(const ErrorCurve& method, const ErrorCurve& base,
                                const GazeMeasurement& measurement, Level level, Axis axis) {
   const std::optional<CurvePoint> method_end = point_of(level, method, measurement);
@@ -115,7 +115,7 @@ std::optional<Estimate> slope(const GazeMeasurement& measurement, const CurveSou
   });
 }
 
-/// Empty where the last error cannot be compared.
+/// Empty if the last error cannot be compared.
 std::optional<double> efficiency(const GazeMeasurement& measurement, std::size_t configuration,
                                  std::size_t region, Repetitions kept) {
   const ErrorCurve curve = mean_curve(
@@ -152,7 +152,7 @@ Convergence convergence_of(const GazeMeasurement& measurement, std::size_t confi
 
 using Kind = std::vector<const SpeedUp*>;
 
-/// The geometric mean of what all rows of a kind have, empty unless every one of them has it; of a
+/// Returns the geometric mean over all rows of a kind, empty unless every one has an estimate; of a
 /// single row its own estimate.
 std::optional<Estimate> over_all(const Kind& rows, std::optional<Estimate> SpeedUp::* estimate) {
   if (rows.size() == 1) {

@@ -1,4 +1,4 @@
-// What a measurement of convergence comes to: speed-ups, costs, slopes and efficiencies.
+// Derives results of a measurement of convergence: speed-ups, costs, slopes and efficiencies.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace foveola::analysis {
 
-/// At which error a method is compared with the baseline: at the lowest that both reach with all of
-/// their samples, or with a quarter of them, which should give the same.
+/// The error at which a method is compared with the baseline: the minimum that both reach with all
+/// of their samples, or with a quarter of them, which should give the same.
 enum class Level { all, quarter };
 inline constexpr std::array levels = {Level::all, Level::quarter};
 std::string_view name_of(Level level);
 
-/// Intervals are over repetitions, by the jackknife; empty is what was not reached.
+/// Intervals are over repetitions, by the jackknife. Empty: the error was not reached.
 struct SpeedUp {
   std::string scene;
   std::string gaze;
@@ -31,12 +31,12 @@ struct SpeedUp {
                                     ///< error at equal samples
 };
 
-/// What a path costs, over a render's whole length.
+/// Cost of a path, over a render's whole length.
 struct PathCost {
   std::string scene;
   std::string gaze;
   std::string configuration;
-  std::optional<Estimate> ns_per_path;  ///< nanoseconds, all threads working together
+  std::optional<Estimate> ns_per_path;  ///< nanoseconds, with all threads
   std::optional<Estimate> ratio;        ///< relative to the baseline's
 };
 
@@ -54,15 +54,16 @@ struct Convergence {
 };
 
 struct ConvergenceTables {
-  std::vector<SpeedUp> speed_ups;  ///< one for each configuration but the baseline
+  std::vector<SpeedUp> speed_ups;  ///< one per configuration except the baseline
   std::vector<PathCost> costs;
   std::vector<Convergence> convergence;
-  /// Geometric means over all scenes and gazes, which are not named, with intervals from these
+  /// Geometric means over all scenes and gazes, which are unnamed, with intervals over these
   /// (Student's t).
   std::vector<SpeedUp> overall;
 };
 
-/// Every measurement has at least one repetition, and all have the same configurations and regions.
+/// Every measurement must have at least one repetition, and all the same configurations and
+/// regions.
 ConvergenceTables tabulate(const std::vector<GazeMeasurement>& measurements);
 
 }  // namespace foveola::analysis

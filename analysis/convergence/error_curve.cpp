@@ -8,7 +8,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Half of the interval's width.
+/// Returns half of the interval's width.
 std::optional<double> half_width(const std::vector<std::size_t>& all,
                                  const RepetitionStatistic& statistic) {
   const auto n = static_cast<double>(all.size());
@@ -36,7 +36,7 @@ std::optional<double> half_width(const std::vector<std::size_t>& all,
 constexpr double least_samples_per_pixel = 2.0;
 constexpr double max_empty_share = 0.02;
 
-/// NaN where a region has no such error.
+/// Returns NaN if a region has no such error.
 double error_of(const Score& score, Metric metric) {
   switch (metric) {
     case Metric::mse:

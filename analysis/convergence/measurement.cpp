@@ -42,8 +42,8 @@ ProgressiveSettings settings_for(const Configuration& configuration, const Conve
   return settings;
 }
 
-/// Weighted mean of a pixel's variance after one sample on the film, relative to that of a sample;
-/// infinite where a pixel is never reached.
+/// Returns the weighted mean of a pixel's variance after one sample on the film, relative to that
+/// of a sample; infinite if a pixel is never reached.
 double mean_inverse_probability(const ViewSampler& sampler, const PixelRegion& region,
                                 const IVec2& size) {
   const double pixel_area = 2.0 * std::numbers::pi * std::numbers::pi / size.x / size.y;
@@ -61,9 +61,9 @@ double mean_inverse_probability(const ViewSampler& sampler, const PixelRegion& r
   return sum / total_weight;
 }
 
-/// Samples after which it is the next configuration's turn: a batch of a progressive render.
+/// Samples per turn of a configuration: a batch of a progressive render.
 constexpr std::uint64_t turn_samples = 1 << 17;
-/// The turn's samples where renders end after a time.
+/// Samples per turn if renders end after a time.
 constexpr std::uint64_t short_turn_samples = 1 << 14;
 
 Aim aim_at(const ConvergencePlan& plan, const AzimuthElevation& gaze) {
@@ -72,14 +72,14 @@ Aim aim_at(const ConvergencePlan& plan, const AzimuthElevation& gaze) {
       .gaze = direction_from(gaze)};
 }
 
-/// Whether another repetition as long as those so far would end within the limit.
+/// Returns whether another repetition as long as the previous ones would end within the limit.
 bool has_time_for_another(double limit_s, std::size_t repetitions, double elapsed_s) {
   return limit_s <= 0.0 || elapsed_s * static_cast<double>(repetitions + 1) <=
                                limit_s * static_cast<double>(repetitions);
 }
 
-/// The fraction done of a measurement that ends with its most repetitions, or at the time limit
-/// once it has its least.
+/// Returns the fraction done of a measurement that ends at its maximum number of repetitions, or at
+/// the time limit once it has its minimum.
 double fraction_done(const ConvergencePlan& plan, double repetitions, double limit_s,
                      double elapsed_s) {
   const double of_most = repetitions / plan.most_repetitions;
@@ -88,8 +88,8 @@ double fraction_done(const ConvergencePlan& plan, double repetitions, double lim
                                    repetitions / plan.least_repetitions);
 }
 
-/// Sets images from left to right, with a gap between them. There is at least one image, and all
-/// are of one size.
+/// Joins images from left to right, with gaps. There is at least one image, and all are of one
+/// size.
 RgbImage side_by_side(const std::vector<RgbImage>& images) {
   constexpr int gap = 8;
   const int pitch = images.front().width + gap;

@@ -25,7 +25,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// The facts that all runs have in common.
+/// Returns the facts that all runs share.
 json facts_of(const json& run) {
   json facts = json::object();
   for (const auto& [key, value] : run.items()) {
@@ -51,7 +51,7 @@ double number_or_nan(const std::string& field) {
   return field.empty() ? std::numeric_limits<double>::quiet_NaN() : number_in<double>(field);
 }
 
-/// The names are those of a list that the first of several equal sequences fills.
+/// The names are those of a list, filled by the first of several equal sequences.
 void expect_name(const std::string& name, std::size_t place, bool is_first,
                  std::vector<std::string>& names) {
   if (is_first && place == names.size()) {
@@ -62,7 +62,7 @@ void expect_name(const std::string& name, std::size_t place, bool is_first,
   }
 }
 
-/// Adds a row of points.csv, which come in the order of scenes and gazes, seeds, configurations,
+/// Adds a row of points.csv. Rows are in the order of scenes and gazes, seeds, configurations,
 /// checkpoints and regions.
 void add_row(const CsvRow& row, std::vector<GazeMeasurement>& measurements) {
   if (measurements.empty() || measurements.back().scene != row.at(0) ||
@@ -124,7 +124,7 @@ bool is_of(const json& row, const GazeMeasurement& measurement) {
   return row.at("scene") == measurement.scene && row.at("gaze") == measurement.gaze;
 }
 
-/// Adds what points.csv does not have.
+/// Adds facts that points.csv lacks.
 void add_facts(const json& run, GazeMeasurement& measurement) {
   for (const json& row : run.at("measured")) {
     if (is_of(row, measurement)) {
@@ -161,8 +161,8 @@ PooledRuns read_run(const fs::path& folder) {
       add_facts(run, measurement);
     }
   } catch (const std::exception&) {
-    throw Error(folder.string(), "does not hold a whole run of bench convergence",
-                "name folders that this version has written");
+    throw Error(folder.string(), "does not contain a complete run of bench convergence",
+                "name folders written by this version");
   }
   return read;
 }
@@ -175,7 +175,7 @@ void require_same_facts(const fs::path& folder, const json& facts, const json& f
     throw Error(folder.string(),
                 fmt::format("cannot be pooled with the first run: {} is {}, not {}", path.substr(1),
                             facts.value(place, json()).dump(), first.value(place, json()).dump()),
-                "pool runs that differ in scenes or seeds alone");
+                "pool runs that differ only in scenes or seeds");
   }
 }
 
@@ -185,7 +185,7 @@ void add_measurement(const fs::path& folder, GazeMeasurement measurement,
   if (!pooled.empty() && (pooled.front().configurations != measurement.configurations ||
                           pooled.front().regions != measurement.regions)) {
     throw Error(folder.string(), "has other configurations or regions than the first run",
-                "pool runs that differ in scenes or seeds alone");
+                "pool runs that differ only in scenes or seeds");
   }
   const auto same = std::ranges::find_if(pooled, [&](const GazeMeasurement& other) {
     return other.scene == measurement.scene && other.gaze == measurement.gaze;
@@ -195,7 +195,7 @@ void add_measurement(const fs::path& folder, GazeMeasurement measurement,
     return;
   }
   if (same->scene_sha256 != measurement.scene_sha256) {
-    throw Error(folder.string(), fmt::format("has measured another scene as {}", name),
+    throw Error(folder.string(), fmt::format("has another scene named {}", name),
                 "measure all runs with the same files");
   }
   for (Repetition& repetition : measurement.repetitions) {
@@ -203,7 +203,7 @@ void add_measurement(const fs::path& folder, GazeMeasurement measurement,
     if (std::ranges::any_of(same->repetitions,
                             [&](const Repetition& other) { return other.front().seed == seed; })) {
       throw Error(folder.string(),
-                  fmt::format("has renders of {} with seed {}, as has a run before it", name, seed),
+                  fmt::format("has renders of {} with seed {}, like an earlier run", name, seed),
                   "measure each run with its own --seed");
     }
     same->repetitions.push_back(std::move(repetition));

@@ -1,4 +1,4 @@
-// The error of a film in each region, against a reference with two halves.
+// Computes the error of a film in each region, against a reference with two halves.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,25 @@ struct Region {
   std::string name;
   /// The weight of a direction (unit length) per steradian: 0 outside, 1 inside, or in between.
   std::function<double(const Vec3&)> weight;
-  bool is_in_view = false;  ///< the display shows all of it
+  bool is_in_view = false;  ///< whether the display shows all of it
 };
 
-/// Discs of 2, 5, 10 and 20 degrees' radius around the gaze ("2deg" ... "20deg"), the viewport, the
-/// viewport weighted by Reddy's visual acuity ("acuity"), and the whole sphere.
+/// Returns discs of 2, 5, 10 and 20 degrees' radius around the gaze ("2deg" ... "20deg"), the
+/// viewport, the viewport weighted by Reddy's visual acuity ("acuity"), and the whole sphere.
 std::vector<Region> regions_around(const Vec3& gaze, const Viewport& viewport);
 
-/// The pixels of an equirect film whose middles lie in the region, weighted by their steradians.
+/// Returns the pixels of an equirect film whose centres lie in the region, weighted by their
+/// steradians.
 PixelRegion region_on_film(const Region& region, const IVec2& size);
 
-/// The region's pixels on a display of size x size pixels that shows `viewport`, weighted by their
-/// steradians.
+/// Returns the region's pixels on a display of size x size pixels that shows `viewport`, weighted
+/// by their steradians.
 PixelRegion region_on_view(const Region& region, const Viewport& viewport, int size);
 
 /// One film's error in one region.
 struct Score {
   RegionError error;
-  std::optional<double> flip;  ///< mean LDR-FLIP on the display; none for regions beyond it
+  std::optional<double> flip;  ///< mean LDR-FLIP on the display; empty for regions beyond it
 };
 
 class Scorer {
@@ -46,12 +47,12 @@ class Scorer {
   Scorer(const ConvergencePlan& plan, const Viewport& viewport, double exposure_stops,
          const std::vector<Region>& regions, ReferenceHalves reference, const Workers& workers);
 
-  /// One score a region. Unsampled pixels are black on the display; the published renderer did not
-  /// reconstruct them either (Koskela et al. 2018, section 3).
+  /// Returns one score per region. Unsampled pixels are black on the display; the published
+  /// renderer did not reconstruct them either (Koskela et al. 2018, section 3).
   std::vector<Score> score(const EquirectFilm& film) const;
 
   const std::vector<PixelRegion>& film_regions() const { return film_regions_; }
-  /// The mean of both halves.
+  /// Returns the mean of both halves.
   RgbImage reference() const;
 
  private:
@@ -65,19 +66,19 @@ class Scorer {
   const Workers* workers_;
   std::vector<PixelRegion> film_regions_;
   std::vector<PixelRegion> view_regions_;
-  RgbImage reference_view_;  ///< as the display shows it
+  RgbImage reference_view_;  ///< as on the display
 };
 
-/// One half of the reference, 0 or 1, rendered or taken from `cache`: more samples around the gaze,
-/// noise independent of the other's and of all renders', textures filtered as in those, so that
-/// noise is all that is left between them. progress is called with the fraction done. Throws Error
-/// as reference_image.
+/// Renders one half of the reference, 0 or 1, or takes it from `cache`. It has more samples around
+/// the gaze. Its noise is independent of the other half's and of all renders', and textures are
+/// filtered as in those, so that only noise differs. progress is called with the fraction done.
+/// Throws Error as reference_image.
 RgbImage reference_half(const Subject& subject, const ConvergencePlan& plan, const Vec3& gaze,
                         std::uint32_t half, const Workers& workers,
                         const std::filesystem::path& cache,
                         const std::function<void(double)>& progress, const std::stop_token& stop);
 
-/// Both halves.
+/// Returns both halves.
 ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& plan,
                                  const Vec3& gaze, const Workers& workers,
                                  const std::filesystem::path& cache,

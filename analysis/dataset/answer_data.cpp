@@ -16,7 +16,7 @@ namespace {
 
 using study::StudyRecords;
 
-/// A question of a questionnaire that has answers in numbers, in the protocol's order.
+/// A question of a questionnaire with numeric answers, in the protocol's order.
 struct NumericQuestion {
   std::string questionnaire;
   std::string question;
@@ -24,7 +24,7 @@ struct NumericQuestion {
   std::string scale;
 };
 
-/// The texts of the questions that somebody answered in numbers.
+/// Returns the questions with numeric answers.
 std::vector<NumericQuestion> numeric_questions(const StudyRecords& records) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> in_numbers;
   for (const study::AnswerRow& row : records.answers) {
@@ -45,18 +45,17 @@ std::vector<NumericQuestion> numeric_questions(const StudyRecords& records) {
       }
     }
   }
-  // Those of amended protocols, which the study's own does not have.
+  // Questions of amended protocols, which the study's own lacks.
   for (const auto& [questionnaire, question] : answered) {
-    questions.push_back(
-        {questionnaire, question,
-         fmt::format("The answer to {} of {}, which the study's own protocol does not have",
-                     question, questionnaire),
-         ""});
+    questions.push_back({questionnaire, question,
+                         fmt::format("The answer to {} of {}, which the study's own protocol lacks",
+                                     question, questionnaire),
+                         ""});
   }
   return questions;
 }
 
-/// [question][participant of the set]: the last answer that is a number.
+/// [question][participant of the set]: the last numeric answer.
 using NumericAnswers = std::vector<std::vector<std::optional<double>>>;
 
 NumericAnswers numeric_answers(const StudyRecords& records, const Dataset& set,
@@ -112,33 +111,33 @@ ColumnsOf<study::AnswerRow> answer_columns(const StudyRecords& records, const Da
                                                        : "";
     return found.empty() ? std::nullopt : std::optional(found);
   };
-  return {{"participant", "", code_meaning, path(session, &SessionRow::participant)},
-          {"session_state", "", state_meaning, path(session, &SessionRow::state)},
-          {"status", "", session_status_meaning,
-           [&records, analysed = analysed_sessions(records, set)](const AnswerRow& row) {
-             return status_of(records.sessions[row.session], analysed[row.session].has_value());
-           }},
-          {"status_reason", "", reason_meaning, path(session, reason_in(set))},
-          {"questionnaire", "", "Id of the questionnaire",
-           [&records](const AnswerRow& row) { return records.questionnaire_of(row); }},
-          {"step", "", "Place in the session's plan: a questionnaire may be asked twice",
-           &AnswerRow::step},
-          {"question", "", "Id of the question",
-           [&records](const AnswerRow& row) { return records.question_of(row); }},
-          {"number", "", "The answer, if it is a number",
-           [](const AnswerRow& row) {
-             return row.value.is_measured() ? std::optional(row.value.number) : std::nullopt;
-           }},
-          {"text", "", "The answer in words, or the protocol's label of the number", words},
-          {"question_text", "", "The question as the protocol asks it",
-           path(question, &Measure::question, &study::Question::text)},
-          {"scale", "", "The scale of the answers",
-           path(question, [](const Measure& as_asked) { return study::scale_in_words(as_asked); })},
-          {"response_s", "s",
-           "How long the question was shown until it was answered; empty if that was not measured",
-           &AnswerRow::response_s},
-          {kind_column(), path(session, &SessionRow::kind)},
-          {record_column(), [&set](const AnswerRow& /*row*/) { return set.record; }}};
+  return {
+      {"participant", "", code_meaning, path(session, &SessionRow::participant)},
+      {"session_state", "", state_meaning, path(session, &SessionRow::state)},
+      {"status", "", session_status_meaning,
+       [&records, analysed = analysed_sessions(records, set)](const AnswerRow& row) {
+         return status_of(records.sessions[row.session], analysed[row.session].has_value());
+       }},
+      {"status_reason", "", reason_meaning, path(session, reason_in(set))},
+      {"questionnaire", "", "Id of the questionnaire",
+       [&records](const AnswerRow& row) { return records.questionnaire_of(row); }},
+      {"step", "", "Step of the session's plan: a questionnaire may be repeated", &AnswerRow::step},
+      {"question", "", "Id of the question",
+       [&records](const AnswerRow& row) { return records.question_of(row); }},
+      {"number", "", "Answer, if it is a number",
+       [](const AnswerRow& row) {
+         return row.value.is_measured() ? std::optional(row.value.number) : std::nullopt;
+       }},
+      {"text", "", "Answer as text, or the protocol's label of the number", words},
+      {"question_text", "", "Text of the question in the protocol",
+       path(question, &Measure::question, &study::Question::text)},
+      {"scale", "", "Scale of the answers",
+       path(question, [](const Measure& as_asked) { return study::scale_in_words(as_asked); })},
+      {"response_s", "s",
+       "Time from the question's display to its answer; empty if it was not measured",
+       &AnswerRow::response_s},
+      {kind_column(), path(session, &SessionRow::kind)},
+      {record_column(), [&set](const AnswerRow& /*row*/) { return set.record; }}};
 }
 
 ColumnsOf<std::size_t> participant_answer_columns(const StudyRecords& records, const Dataset& set) {
@@ -174,14 +173,16 @@ Table answers_by_question(const StudyRecords& records, const Dataset& set) {
       {"questionnaire", "", "Id of the questionnaire",
        path(&Q::question, &NumericQuestion::questionnaire)},
       {"question", "", "Id of the question", path(&Q::question, &NumericQuestion::question)},
-      {"scale", "", "The scale of the answers", path(&Q::question, &NumericQuestion::scale)},
-      {"n", "", "Analysed participants with a number", path(&Q::answers, &Description::n)},
+      {"scale", "", "Scale of the answers", path(&Q::question, &NumericQuestion::scale)},
+      {"n", "", "Number of analysed participants with a numeric answer",
+       path(&Q::answers, &Description::n)},
       {"mean", "", "Mean of the answers", path(&Q::answers, &Description::mean)},
-      {"sd", "", "Their standard deviation", path(&Q::answers, &Description::standard_deviation)},
-      {"median", "", "Their median", path(&Q::answers, &Description::median)},
-      {"missing", "", "Analysed participants without a number", &Q::missing},
+      {"sd", "", "Standard deviation of the answers",
+       path(&Q::answers, &Description::standard_deviation)},
+      {"median", "", "Median of the answers", path(&Q::answers, &Description::median)},
+      {"missing", "", "Number of analysed participants without a numeric answer", &Q::missing},
       {kind_column(), [&](const Q& /*row*/) { return set.kind; }}};
-  return tabulate("answers_by_question", "question with answers in numbers", columns, rows);
+  return tabulate("answers_by_question", "question with numeric answers", columns, rows);
 }
 
 Table questionnaire_scores(const StudyRecords& records, const Dataset& set) {
@@ -194,15 +195,15 @@ Table questionnaire_scores(const StudyRecords& records, const Dataset& set) {
          return status_of(records.sessions[row.session], analysed[row.session].has_value());
        }},
       {"questionnaire", "", "Id of the questionnaire", &S::questionnaire},
-      {"step", "", "Place in the session's plan: a questionnaire may be asked twice", &S::step},
+      {"step", "", "Step of the session's plan: a questionnaire may be repeated", &S::step},
       {"instrument", "",
        "SSQ (Kennedy et al. 1993), NASA-TLX (Hart 2006) or SUS (Brooke "
        "1996)",
        &S::instrument},
-      {"score", "", "Which score", &S::score},
-      {"value", "", "The score by its published key; empty if an item has no answer", &S::value},
+      {"score", "", "Name of the score", &S::score},
+      {"value", "", "Score by its published key; empty if an item has no answer", &S::value},
       {kind_column(), [&](const S& row) { return records.sessions[row.session].kind; }}};
-  return tabulate("questionnaire_scores", "score of a filled-in questionnaire", columns,
+  return tabulate("questionnaire_scores", "score of a completed questionnaire", columns,
                   score_questionnaires(records));
 }
 

@@ -1,4 +1,4 @@
-// What was answered to questionnaires, as data for other programs and as results.
+// Answers to questionnaires, as data for other programs and as results.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace foveola::analysis {
 
-// Columns of tables that may be too large for memory. What they are made from must outlive them.
+// Columns of tables that may be too large for memory. Their sources must outlive them.
 
 /// answers_long: every answer of every questionnaire.
 ColumnsOf<study::AnswerRow> answer_columns(const study::StudyRecords& records, const Dataset& set);
 
-/// Every number of a questionnaire, in a column named QUESTIONNAIRE.QUESTION.
+/// Every numeric answer of a questionnaire, in a column named QUESTIONNAIRE.QUESTION.
 ColumnsOf<std::size_t> participant_answer_columns(const study::StudyRecords& records,
                                                   const Dataset& set);
 
 /// answers_by_question: the mean of every question's numbers, over the analysed participants.
 Table answers_by_question(const study::StudyRecords& records, const Dataset& set);
 
-/// questionnaire_scores: of the published questionnaires that have a key, of every session, with
-/// whether it is analysed.
+/// questionnaire_scores: of published questionnaires with a key, for every session, with whether it
+/// is analysed.
 Table questionnaire_scores(const study::StudyRecords& records, const Dataset& set);
 
 }  // namespace foveola::analysis

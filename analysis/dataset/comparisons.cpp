@@ -20,7 +20,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// 9999 for studies of the usual size; fewer where thousands of participants would take too long.
+/// 9999 for studies of ordinary size; fewer for thousands of participants, for speed.
 int resamples_for(std::size_t participants) {
   constexpr std::size_t max_draws = 20'000'000;
   return static_cast<int>(
@@ -35,7 +35,7 @@ std::optional<Interval> bca_of_ratio(const std::vector<double>& log_ratios) {
   return bca_geometric_mean(ratios, {.resamples = resamples_for(ratios.size())});
 }
 
-/// A comparison with nothing computed yet.
+/// Returns a comparison without results.
 MethodComparison start_comparison(const Dataset& set, const study::AnalysisPlan& plan,
                                   std::size_t measure, std::size_t method, std::size_t reference) {
   MethodComparison comparison;
@@ -59,7 +59,7 @@ std::string why_no_p(const MethodComparison& comparison) {
                           : "the differences do not vary";
 }
 
-/// Over participants' values that are complete in all methods.
+/// Compares participants' values that are complete in all methods.
 CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair& pair,
                              bool is_time) {
   const std::vector<double> differences = paired_differences(means, pair.method, pair.reference);
@@ -72,7 +72,7 @@ CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair&
   return cases;
 }
 
-/// One difference has neither ranks nor pairs.
+/// Does nothing for a single difference, which has neither ranks nor pairs.
 void compare_ranks(const std::vector<double>& differences, MethodComparison& comparison) {
   if (differences.size() < 2) {
     return;
@@ -101,7 +101,7 @@ std::optional<PrimaryResult> primary_of(const MethodComparison& comparison,
                             : primary_of_ratings(sources, plan, has_points);
 }
 
-/// Why the primary analysis has no test of equivalence; empty if it has one.
+/// Returns why the primary analysis has no test of equivalence; empty if it has one.
 std::string why_no_equivalence(const MethodComparison& comparison) {
   if (!comparison.primary) {
     return comparison.missing;
@@ -110,12 +110,14 @@ std::string why_no_equivalence(const MethodComparison& comparison) {
     return "with right-censored times it needs the Tobit model: " + comparison.primary->instead;
   }
   return comparison.primary->kind == AnalysisKind::ordinal_model
-             ? "a margin in points is not one of the odds ratio, which the cumulative link mixed "
+             ? "a margin in points does not apply to the odds ratio, which the cumulative link "
+               "mixed "
                "model estimates; plan ratings = \"signed_ranks\""
              : "";
 }
 
-/// Of the primary analysis, or not at all. `differences`: the participants' means.
+/// Tests equivalence by the primary analysis, or not at all. `differences`: the participants'
+/// means.
 void test_equivalence(const std::vector<double>& differences, double alpha,
                       MethodComparison& comparison) {
   if (!comparison.margin) {
@@ -133,13 +135,13 @@ void test_equivalence(const std::vector<double>& differences, double alpha,
                                             primary.degrees_of_freedom.value(), margin, alpha);
 }
 
-/// The participants whom a primary analysis without R is of, and their mean differences.
+/// The participants of a primary analysis without R, and their mean differences.
 struct Analysed {
   std::vector<std::size_t> who;
   std::vector<double> means;
 };
 
-/// The crossed model in closed form is of those who have all scenes.
+/// The crossed model in closed form uses participants with all scenes only.
 Analysed analysed_by(AnalysisKind kind, const PairedTrials& trials) {
   const std::vector<double> means = trials.participant_means();
   Analysed analysed;
@@ -157,7 +159,7 @@ Analysed analysed_by(AnalysisKind kind, const PairedTrials& trials) {
 void measure_influence(const Dataset& set, const PairedTrials& trials,
                        MethodComparison& comparison) {
   constexpr std::size_t fewest = 3;
-  constexpr std::size_t most = 2000;  // takes time that grows with their square
+  constexpr std::size_t most = 2000;  // time grows with the square
   if (!comparison.primary) {
     comparison.no_influence = comparison.missing;
     return;
@@ -187,7 +189,7 @@ void measure_influence(const Dataset& set, const PairedTrials& trials,
                 set.participants[analysed.who[range.without_high]]};
 }
 
-/// The comparison with its primary analysis, and with nothing that this does not need.
+/// Returns the comparison with its primary analysis only.
 MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan& plan,
                                    const ComparedPair& pair, const PairedTrials& trials,
                                    const FittedModels& models) {
@@ -211,7 +213,7 @@ MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan
   return comparison;
 }
 
-/// `means`: of this measure, as participant_means has them.
+/// `means`: of this measure, by participant_means.
 MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
                          const ComparedPair& pair, const ParticipantValues& means,
                          const FittedModels& models) {
@@ -227,7 +229,7 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
   return comparison;
 }
 
-/// The compared pairs, several at a time.
+/// Compares the pairs, several at a time.
 std::vector<MethodComparison> compare_all(const Dataset& set, const study::AnalysisPlan& plan,
                                           const std::vector<ParticipantValues>& means,
                                           const FittedModels& models) {
@@ -243,8 +245,8 @@ std::vector<MethodComparison> compare_all(const Dataset& set, const study::Analy
   return compared;
 }
 
-/// Adjusts the P-values of a family. What has no P-value counts as one that is not significant: a
-/// family is never smaller than it was planned.
+/// Adjusts the P-values of a family. A missing P-value counts as not significant: a family is never
+/// smaller than planned.
 template <typename P>
 void adjust_family(const std::vector<MethodComparison*>& family, const P& p_of,
                    std::optional<double> MethodComparison::* adjusted_p) {
@@ -260,7 +262,7 @@ void adjust_family(const std::vector<MethodComparison*>& family, const P& p_of,
   }
 }
 
-/// The primary analyses are a family, and so are the tests of equivalence of those with a margin.
+/// The primary analyses are a family, and so are the tests of equivalence with a margin.
 void adjust_families(std::vector<MethodComparison>& planned) {
   std::vector<MethodComparison*> all;
   std::vector<MethodComparison*> with_margin;
@@ -296,8 +298,8 @@ OmnibusTest test_all(const Dataset& set, std::size_t index, const ParticipantVal
 }
 
 /// Carry-over: the change of each method's values right after each other one, against those after
-/// the rest. None unless every method follows every other, and there are three at least. Of three,
-/// a method's second change is the first with the other sign.
+/// the rest. None unless every method follows every other, and there are at least three. With three
+/// methods, a method's second change is the negative of the first.
 std::vector<OrderTest> carry_over_tests(const Dataset& set, std::size_t measure) {
   const std::size_t methods = set.methods.size();
   std::vector<OrderTest> tests;
@@ -323,7 +325,7 @@ std::vector<OrderTest> carry_over_tests(const Dataset& set, std::size_t measure)
   return tests;
 }
 
-/// The means of each measure that is compared; empty for the others.
+/// Returns the means of each measure that is compared; empty for the others.
 std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
   std::vector<ParticipantValues> means(set.measures.size());
   for (std::size_t measure = 0; measure < means.size(); ++measure) {
@@ -334,7 +336,7 @@ std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
   return means;
 }
 
-/// Calls compare_pair(pair) for each planned comparison, and adjusts the P-values of all together.
+/// Calls compare_pair(pair) for each planned comparison, and adjusts all P-values together.
 template <typename Compare>
 std::vector<MethodComparison> planned_comparisons(const Dataset& set,
                                                   const study::AnalysisPlan& plan,

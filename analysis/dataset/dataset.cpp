@@ -29,12 +29,12 @@ std::string name_of(const StudyRecords& records, const TrialRow& row) {
 
 void check_protocol(const StudyRecords& records) {
   if (records.scenes.empty() || records.methods.empty()) {
-    throw Error(study_name(records), "its protocol names no scene or no method",
+    throw Error(study_name(records), "has a protocol without scenes or methods",
                 "analyse a file that `foveola study` wrote");
   }
 }
 
-/// The kind of sessions to analyse: people's, else pilots', else simulated ones.
+/// Returns the kind of sessions to analyse: people's, else pilots', else simulated ones.
 std::string kind_to_analyse(const StudyRecords& records) {
   for (const char* kind : {"human", "pilot", "simulated"}) {
     const bool exists = std::ranges::any_of(records.sessions, [&](const SessionRow& row) {
@@ -46,7 +46,7 @@ std::string kind_to_analyse(const StudyRecords& records) {
   }
   throw Error(study_name(records),
               fmt::format("none of its {} sessions is completed", records.sessions.size()),
-              "complete one first, for instance with `foveola study simulate`");
+              "complete one first, for example with `foveola study simulate`");
 }
 
 std::vector<std::string> participants_of(const StudyRecords& records, const std::string& kind) {
@@ -69,24 +69,24 @@ std::vector<Exclusion> excluded_sessions(const StudyRecords& records, const std:
   return exclusions;
 }
 
-/// Throws Error for a rating that no session can have recorded: `where` names it.
+/// Throws Error for a rating that no session can have recorded; `where` names it.
 void check_rating(const Measure& measure, const Value& value, const std::string& where) {
   if (!measure.is_time() && value.is_measured() &&
       !study::fault_of(measure.question, value.number).empty()) {
     throw Error(fmt::format("{}, rating {}", where, measure.id()),
-                fmt::format("is {:g}, which its scale ({}) does not have", value.number,
+                fmt::format("is {:g}, which is not on its scale ({})", value.number,
                             study::scale_in_words(measure)),
                 "restore the study's file, or exclude the session");
   }
 }
 
-/// Whether it is a time that has no logarithm, as the 0 s of a key that was held down.
+/// Returns whether it is a time without a logarithm, as the 0 s of a key that was held down.
 bool has_no_logarithm(const Measure& measure, const Value& value) {
   return measure.is_time() && value.state != Value::State::missing &&
          !(value.number > 0.0 && std::isfinite(value.number));
 }
 
-/// Fills the set's trials and values from the rows; returns each trial's index in the records.
+/// Fills the set's trials and values from the rows. Returns each trial's index in the records.
 std::vector<std::optional<std::size_t>> fill_trials(const StudyRecords& records, Dataset& set) {
   const auto participants = analysed_sessions(records, set);
   const auto methods = static_cast<int>(set.methods.size());
@@ -118,7 +118,7 @@ std::vector<std::optional<std::size_t>> fill_trials(const StudyRecords& records,
   return rows;
 }
 
-/// Why a value is in no result; empty if it is in one.
+/// Returns why no result uses a value; empty if one does.
 std::string why_left_out(const Measure& measure, const Value& value) {
   if (has_no_logarithm(measure, value)) {
     return fmt::format("a time of {:g} s has no logarithm", value.number);

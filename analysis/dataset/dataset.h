@@ -1,5 +1,5 @@
-// A study's results as [participant][scene][method][measure], with the design's factors, and what
-// is left out of them with the reason.
+// Selects a study's results as [participant][scene][method][measure], with the design's factors and
+// the exclusions with their reasons.
 #pragma once
 
 #include <algorithm>
@@ -17,18 +17,18 @@ using study::Measure;
 using study::MeasureKind;
 using study::Value;
 
-/// The index of the method that the others are compared with.
+/// Index of the method that the others are compared with.
 inline constexpr std::size_t baseline = 0;
 
 /// One method in one scene by one participant: the factors of the design.
 struct Trial {
   int trial_position = 0;   ///< Among the session's test trials, as planned, from 0.
   int method_position = 0;  ///< Among the methods in the scene, as planned, from 0.
-  int attempts = 0;         ///< More than 1: it was timed again, and the last time counts.
+  int attempts = 0;         ///< More than 1: it was retimed, and the final timing counts.
 };
 
-/// Something that the study's file holds, or should hold, but that no result uses. Empty fields
-/// mean all: a session has no scene, a whole trial has no measure.
+/// A part of the study's file that no result uses. Empty fields mean all: a session has no scene, a
+/// whole trial has no measure.
 struct Exclusion {
   std::string participant;
   std::string scene;
@@ -47,7 +47,7 @@ struct AmendedLabels {
 struct Dataset {
   std::string study;  ///< The protocol's name.
   std::string kind;   ///< All analysed sessions are "human", "pilot" or "simulated".
-  /// What verifying the study's file found: "verified" or "changed"; "none" where nobody verified.
+  /// Result of verifying the study's file: "verified" or "changed"; "none" without verification.
   std::string record = "none";
   std::vector<std::string> participants;  ///< In the order of their codes.
   std::vector<std::string> scenes;        ///< In the protocol's order.
@@ -63,22 +63,23 @@ struct Dataset {
   const Trial& trial(std::size_t participant, std::size_t scene, std::size_t method) const {
     return trials[index_of(participant, scene, method)];
   }
-  /// In seconds for times.
+  /// Returns a value, in seconds for times.
   const Value& value(std::size_t participant, std::size_t scene, std::size_t method,
                      std::size_t measure) const {
     return values[index_of(participant, scene, method) * measures.size() + measure];
   }
-  /// Whether every method's value was measured, so that the methods can be compared in this scene.
+  /// Returns whether every method's value was measured, so that the methods can be compared in this
+  /// scene.
   bool is_complete(std::size_t participant, std::size_t scene, std::size_t measure) const;
 
-  /// The indices of the times, which come first, of those that are marks', and of the ratings that
-  /// are numbers.
+  /// Return the indices of the times, which come first; of the marks' times; and of numeric
+  /// ratings.
   std::vector<std::size_t> times() const;
   std::vector<std::size_t> marks() const;
   std::vector<std::size_t> ratings() const;
-  /// Right-censored values of a measure, with one method or with all.
+  /// Counts right-censored values of a measure, with one method or with all.
   std::size_t censored(std::size_t measure, std::optional<std::size_t> method = {}) const;
-  /// The index of the measure of this id; empty if there is none.
+  /// Returns the index of the measure of this id; empty if there is none.
   std::optional<std::size_t> measure_named(const std::string& id) const;
 
  private:
@@ -87,13 +88,13 @@ struct Dataset {
   }
 };
 
-/// Takes the completed sessions of one kind: of people if there are any, else pilots, else
-/// simulated ones; they are never mixed. Verifies nothing: see `record`. A time that is
-/// not above zero is missing and among the exclusions. Throws Error if nothing can be analysed, or
-/// for a rating that its scale does not have or a trial that appears twice, naming it.
+/// Selects the completed sessions of one kind, never mixed: people's if there are any, else
+/// pilots', else simulated ones. Verifies nothing: see `record`. A time that is not above zero is
+/// missing and among the exclusions. Throws Error if nothing can be analysed, or for a rating
+/// outside of its scale or a trial that appears twice, naming it.
 Dataset select_for_analysis(const study::StudyRecords& records);
 
-/// The rows whose participants are in the set.
+/// Returns the rows whose participants are in the set.
 template <typename OfParticipant>
 std::vector<OfParticipant> of_analysed(const Dataset& set, std::vector<OfParticipant> rows) {
   std::erase_if(rows, [&](const OfParticipant& row) {
@@ -102,23 +103,23 @@ std::vector<OfParticipant> of_analysed(const Dataset& set, std::vector<OfPartici
   return rows;
 }
 
-/// For each session of the records, the index of its participant in the set; empty for a session
-/// that is not analysed.
+/// Returns, for each session of the records, the index of its participant in the set; empty if it
+/// is not analysed.
 std::vector<std::optional<std::size_t>> analysed_sessions(const study::StudyRecords& records,
                                                           const Dataset& set);
 
-/// How a session ended: "completed", "withdrawn", "excluded", "refused", or "interrupted" for one
-/// that has not ended, whatever it was interrupted in.
+/// Returns the end of a session: "completed", "withdrawn", "excluded", "refused", or "interrupted"
+/// for any that has not ended.
 std::string end_of(const study::SessionRow& session);
 
-/// Why a session is not among those of the analysed kind, as "session excluded: fell asleep"; empty
-/// for one that is.
+/// Returns why a session is not among those of the analysed kind, as "session excluded: fell
+/// asleep"; empty if it is.
 std::string reason_not_analysed(const study::SessionRow& session, const std::string& kind);
 
 /// Adds to the set's exclusions and keeps their order.
 void exclude(const std::vector<Exclusion>& exclusions, Dataset& set);
 
-/// The index of a scene's or a method's name; empty if it is not among them.
+/// Returns the index of a scene's or a method's name; empty if it is not among them.
 std::optional<std::size_t> position_of(const std::vector<std::string>& names,
                                        const std::string& name);
 

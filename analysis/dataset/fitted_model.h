@@ -1,4 +1,4 @@
-// Models of a comparison that another program fitted, R with its packages.
+// Models of a comparison fitted by another program, R with its packages.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace foveola::analysis {
 
 enum class EffectScale {
-  ratio,       ///< Of times, method over reference; computed with as its natural logarithm.
-  odds_ratio,  ///< Of a higher rating; computed with as its natural logarithm.
+  ratio,       ///< Of times, method over reference; computed as its natural logarithm.
+  odds_ratio,  ///< Of a higher rating; computed as its natural logarithm.
   points,      ///< Of a rating, method less reference.
 };
 
@@ -25,7 +25,7 @@ inline const char* name_of(EffectScale scale) {
                                             : "points";
 }
 
-/// A number that was computed with, as a ratio or in points.
+/// Converts a computed number to a ratio or points.
 inline double in_scale(EffectScale scale, double computed) {
   return scale == EffectScale::points ? computed : std::exp(computed);
 }
@@ -33,11 +33,11 @@ inline Interval in_scale(EffectScale scale, const Interval& computed) {
   return {in_scale(scale, computed.low), in_scale(scale, computed.high)};
 }
 
-/// What an estimate becomes without each participant in turn.
+/// The estimate without each participant in turn.
 struct Influence {
-  Interval estimates;        ///< The smallest and the largest, as they are computed with.
-  std::string without_low;   ///< The code of the participant without whom it is the smallest.
-  std::string without_high;  ///< The code of the one without whom it is the largest.
+  Interval estimates;        ///< Minimum and maximum, as computed.
+  std::string without_low;   ///< Code of the participant left out for the minimum.
+  std::string without_high;  ///< Code of the participant left out for the maximum.
 };
 
 /// One model of one measure with two methods.
@@ -47,9 +47,9 @@ struct FittedModel {
   std::string method;
   std::string reference;
   EffectScale scale = EffectScale::ratio;
-  /// What the data allowed to estimate, as the scale is computed with.
+  /// The estimates, as the scale is computed.
   struct Fit {
-    double estimate = 0.0;  ///< Infinite where the methods' ratings are separated.
+    double estimate = 0.0;  ///< Infinite if the methods' ratings are separated.
     std::optional<double> standard_error;
     std::optional<double> degrees_of_freedom;
     std::optional<Interval> interval;
@@ -60,20 +60,20 @@ struct FittedModel {
   std::size_t participants = 0;
   std::size_t scenes = 0;
   std::size_t censored = 0;  ///< Trials that are right-censored.
-  // Standard deviations of the difference between the methods, where the model has them.
+  // Standard deviations of the difference between the methods, if the model has them.
   std::optional<double> participant_sd;
   std::optional<double> scene_sd;
   std::optional<double> residual_sd;
   std::optional<Influence> influence;
-  std::string note;  ///< Why there is no fit, or a warning about it.
+  std::string note;  ///< Reason why there is no fit, or a warning about it.
 };
 
 struct FittedModels {
   std::vector<FittedModel> models;
   std::vector<std::pair<std::string, std::string>> versions;  ///< Of R and its packages.
-  std::string missing;  ///< Why no model was fitted; empty if R ran.
+  std::string missing;  ///< Reason why no model was fitted; empty if R ran.
 
-  /// The model, with a fit or the reason why there is none; nullptr if it was not tried.
+  /// Returns the model, with a fit or the reason why there is none; null if it was not tried.
   const FittedModel* find(const std::string& model, const std::string& measure,
                           const std::string& method, const std::string& reference) const {
     const auto found = std::ranges::find_if(models, [&](const FittedModel& row) {

@@ -12,7 +12,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Gathers a figure over trials.
+/// Averages a figure over the trials in which it is known.
 class KnownValues {
  public:
   void add(const std::optional<double>& value) {
@@ -26,7 +26,7 @@ class KnownValues {
   std::vector<double> values_;
 };
 
-/// Gathers the figures of one method's trials.
+/// Averages the figures of one method's trials.
 struct MethodValues {
   std::size_t trials = 0;
   KnownValues on_object;
@@ -79,23 +79,24 @@ ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& me
       study::gaze_margin_deg);
   ColumnsOf<Figures> columns = {
       {"gaze_time_seconds", "s",
-       "From the first presented frame to the last mark, or to the end of the wait for it",
+       "Time from the first presented frame to the last mark, or to the end of the wait for it",
        path(&Figures::times, &study::GazeTimes::all_s)},
-      {"gaze_on_object_seconds", "s", "Of this time, with a valid gaze " + on_object,
+      {"gaze_on_object_seconds", "s", "Part of gaze_time_seconds with a valid gaze " + on_object,
        path(&Figures::times, &study::GazeTimes::on_object_s)},
-      {"gaze_on_object_percent", "%", "The same in per cent of gaze_time_seconds",
+      {"gaze_on_object_percent", "%", "gaze_on_object_seconds in per cent of gaze_time_seconds",
        percent(&GazePercents::on_object)},
-      {"gaze_elsewhere_percent", "%", "With a valid gaze that was not on the object",
+      {"gaze_elsewhere_percent", "%",
+       "Part of gaze_time_seconds with a valid gaze that was not on the object",
        percent(&GazePercents::elsewhere)},
       {"gaze_lost_percent", "%",
-       "Without a valid gaze, or with one older than a blink lasts (600 ms)",
+       "Part of gaze_time_seconds without a valid gaze, or with one older than a blink lasts (600 "
+       "ms)",
        percent(&GazePercents::without_gaze)},
-      {"fixations", "",
-       "Fixations in this time, by the velocity threshold with which gaze is recorded",
+      {"fixations", "", "Number of fixations in this time, by the velocity threshold of the record",
        path(&Figures::fixations, &Fixations::count)},
-      {"mean_fixation_seconds", "s", "Their mean duration",
+      {"mean_fixation_seconds", "s", "Mean duration of the fixations",
        path(&Figures::fixations, &Fixations::mean_duration_s)},
-      {"fixations_on_object", "", "Those whose mean direction is on the object",
+      {"fixations_on_object", "", "Number of fixations whose mean direction is on the object",
        path(&Figures::fixations, &Fixations::on_object)}};
   for (const Measure& measure : measures) {
     if (measure.kind != MeasureKind::time) {
@@ -109,16 +110,16 @@ ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& me
     };
     columns.push_back(
         {id + "_gaze_from_object_deg", "deg",
-         fmt::format("Angle between the gaze and the object's middle, in the frame that was on the "
+         fmt::format("Angle between the gaze and the object's centre, in the frame that was on the "
                      "display at the mark {}",
                      id),
          path(at_mark, &study::GazeAtMark::gaze_from_object_deg)});
     columns.push_back({id + "_object_from_middle_deg", "deg",
-                       "Angle between straight ahead of the head and the object's middle, in the "
+                       "Angle between straight ahead of the head and the object's centre, in the "
                        "same frame",
                        path(at_mark, &study::GazeAtMark::object_from_middle_deg)});
     columns.push_back({id + "_object_in_view", "",
-                       "True: the object's middle was in the view of that frame, a headset's of "
+                       "True: the object's centre was in the view of that frame, a headset's of "
                        "its left eye",
                        path(at_mark, &study::GazeAtMark::object_in_view)});
   }

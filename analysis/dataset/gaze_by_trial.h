@@ -1,4 +1,4 @@
-// Where gaze and object were in each trial, as columns, and over the trials of a method.
+// Relates gaze and object in each trial, as columns, and over the trials of a method.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,21 @@
 
 namespace foveola::analysis {
 
-/// What is known of the gaze in each row of the records' trials; null if no frames of it were
-/// recorded.
+/// The gaze of each row of the records' trials; null if no frames were recorded.
 using GazeOfTrials = std::vector<const study::AttemptGazeRow*>;
 
-/// Points into `gaze`.
+/// Returns pointers into `gaze`.
 GazeOfTrials gaze_of_trials(const study::StudyRecords& records,
                             std::span<const study::AttemptGazeRow> gaze);
 
-/// The columns of a timing's gaze: shares of the time, fixations, and gaze and object at each mark
-/// of the measures.
+/// Returns the columns of a timing's gaze: fractions of the time, fixations, and gaze and object at
+/// each mark of the measures.
 ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& measures);
 
-/// The indices of the records' test trials of analysed participants, of each trial its last timing.
+/// Returns the indices of the analysed participants' test trials, of each the final timing.
 std::vector<std::size_t> analysed_trials(const study::StudyRecords& records, const Dataset& set);
 
-/// The parts of a trial's time in per cent; each is empty if it is not known.
+/// Fractions of a trial's time in per cent; unknown ones are empty.
 struct GazePercents {
   std::optional<double> on_object;
   std::optional<double> elsewhere;
@@ -37,7 +36,7 @@ struct GazePercents {
 };
 GazePercents percents_of(const std::optional<study::GazeTimes>& times);
 
-/// The trials of one method: means over those of which each figure is known.
+/// Means over the trials of one method in which each figure is known.
 struct MethodGaze {
   std::string method;
   std::size_t trials = 0;  ///< With recorded frames up to the last mark.
@@ -48,7 +47,7 @@ struct MethodGaze {
   std::optional<double> gaze_from_object_deg;  ///< At all marks.
 };
 
-/// One for each method, of analysed test trials; empty if there are no such trials at all.
+/// Returns one entry per method, of analysed test trials; empty if there are none at all.
 std::vector<MethodGaze> gaze_by_method(const study::StudyRecords& records, const Dataset& set,
                                        const GazeOfTrials& gaze);
 

@@ -37,7 +37,7 @@ std::optional<Interval> limits_of(const std::vector<TimeToMark>& times) {
   return limits;
 }
 
-/// Empty without times.
+/// Returns the common horizon; empty without times.
 std::optional<double> horizon_of(const std::vector<std::vector<TimeToMark>>& by_method) {
   std::optional<double> longest;
   std::optional<double> earliest_limit;

@@ -1,4 +1,4 @@
-// Times to a mark: trials that never reached it, and times that stand out.
+// Times to a mark, with right-censored trials, and outlying times.
 #pragma once
 
 #include <optional>
@@ -15,17 +15,17 @@ struct MarkSurvival {
   std::string mark;    ///< Its id.
   std::string method;  ///< Its id.
   SurvivalCurve curve;
-  /// In seconds, to the earliest time at which any method's time was right-censored, or else to the
-  /// longest time of the mark: the same for all methods.
+  /// In seconds, up to a horizon common to all methods: the earliest right-censored time of any, or
+  /// the maximum time if none is censored.
   std::optional<RestrictedMean> restricted;
-  std::optional<Interval> limits_s;  ///< The earliest and latest of its right-censored times.
+  std::optional<Interval> limits_s;  ///< The minimum and maximum of its right-censored times.
 };
 
-/// [mark][method], in the set's order.
+/// Returns [mark][method], in the set's order.
 std::vector<MarkSurvival> mark_survival(const Dataset& set);
 
-/// "od did not reach the mark outline within 180 s in 23 of 80 trials." for each that has
-/// right-censored times.
+/// Returns "od did not reach the mark outline within 180 s in 23 of 80 trials." for each method
+/// with right-censored times.
 std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& survival);
 
 struct OutlyingTime {
@@ -34,12 +34,12 @@ struct OutlyingTime {
   std::string scene;
   std::string method;
   double seconds = 0.0;
-  double times_expected = 1.0;  ///< How many times the time that was expected.
-  double studentized = 0.0;     ///< Its studentized residual when it was taken out.
+  double times_expected = 1.0;  ///< The time over the expected one.
+  double studentized = 0.0;     ///< Its externally studentized residual.
 };
 
-/// The residual_outliers of log times, mark by mark, the farthest first. They stay in all results:
-/// whoever leaves one out needs a reason that is not its value.
+/// Returns the residual_outliers of log times, by mark, the most distant first. They stay in all
+/// results: leaving one out needs a reason other than its value.
 std::vector<OutlyingTime> outlying_times(const Dataset& set);
 
 }  // namespace foveola::analysis

@@ -7,12 +7,12 @@
 namespace foveola::analysis {
 namespace {
 
-/// A measured value as it is compared: of a time its logarithm.
+/// Returns the compared value: of a time its logarithm.
 double compared(const Measure& measure, const Value& value) {
   return measure.is_time() ? std::log(value.number) : value.number;
 }
 
-/// Scenes in which neither value is missing and at least one is right-censored.
+/// Counts scenes in which neither value is missing and at least one is right-censored.
 std::size_t censored_pairs(const Dataset& set, std::size_t participant, std::size_t measure,
                            std::size_t method, std::size_t reference) {
   using State = Value::State;

@@ -7,12 +7,12 @@
 namespace foveola::analysis {
 namespace {
 
-/// Two reasons as one; either may be empty.
+/// Joins two reasons, either of which may be empty.
 std::string both(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() ? a + b : a + "; " + b;
 }
 
-/// Why a model by R is not what is reported.
+/// Returns why a model by R is not reported.
 std::string without_model(AnalysisKind kind, const FittedModel* tried) {
   return tried == nullptr ? fmt::format("the {} needs R (analyze --r)", name_of(kind))
                           : fmt::format("R could not fit the {}: {}", name_of(kind), tried->note);
@@ -50,7 +50,7 @@ std::optional<PrimaryResult> over_participants(const PrimarySources& sources, Ef
                        .scenes = sources.pairs.scenes()};
 }
 
-/// In closed form, of the participants who have all scenes.
+/// Fits the model in closed form, to the participants with all scenes.
 std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& sources,
                                                     EffectScale scale, const std::string& instead) {
   const RepeatedMeasures complete = complete_participants(sources.pairs.differences);
@@ -60,10 +60,11 @@ std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& source
   }
   const bool is_complete = complete.participants == sources.pairs.participants();
   const std::string of_whom =
-      is_complete ? ""
-                  : fmt::format("of {} of {} participants, who have all scenes, since with gaps {}",
-                                complete.participants, sources.pairs.participants(),
-                                without_model(AnalysisKind::crossed_model, sources.crossed));
+      is_complete
+          ? ""
+          : fmt::format("of the {} of {} participants with all scenes, because with gaps {}",
+                        complete.participants, sources.pairs.participants(),
+                        without_model(AnalysisKind::crossed_model, sources.crossed));
   return PrimaryResult{.kind = AnalysisKind::crossed_model,
                        .scale = scale,
                        .instead = both(instead, of_whom),
@@ -75,7 +76,7 @@ std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& source
                        .scenes = model->scenes};
 }
 
-/// Of the pairs that were measured: what the plan says.
+/// Analyses the measured pairs by the planned analysis.
 std::optional<PrimaryResult> of_measured_pairs(const PrimarySources& sources, EffectScale scale,
                                                const study::AnalysisPlan& plan,
                                                const std::string& instead) {

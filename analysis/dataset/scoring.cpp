@@ -10,7 +10,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// An item of an instrument, with the sums that it counts in.
+/// An item of an instrument, with the sums that include it.
 struct Item {
   std::string_view id;
   std::string_view scales;
@@ -37,7 +37,7 @@ constexpr std::array tlx_items = {Item{"mental_demand", "L"},   Item{"physical_d
                                   Item{"temporal_demand", "L"}, Item{"performance", "L"},
                                   Item{"effort", "L"},          Item{"frustration", "L"}};
 
-// Odd items speak for the system, even ones against it.
+// Odd items are positive about the system, even ones negative.
 constexpr std::array sus_items = {Item{"sus_1", "+"}, Item{"sus_2", "-"}, Item{"sus_3", "+"},
                                   Item{"sus_4", "-"}, Item{"sus_5", "+"}, Item{"sus_6", "-"},
                                   Item{"sus_7", "+"}, Item{"sus_8", "-"}, Item{"sus_9", "+"},
@@ -77,11 +77,11 @@ const Instrument* find_instrument(const study::Questionnaire& questionnaire) {
   return nullptr;
 }
 
-/// The answers of one questionnaire, filled in once.
+/// The answers of one completed questionnaire.
 using Answers = std::map<std::string, double, std::less<>>;
 
-/// The sum over the items of a scale, each answer times `factor` plus `offset`; empty if one is
-/// missing.
+/// Returns the sum over the items of a scale, each answer times `factor` plus `offset`; empty if
+/// one is missing.
 std::optional<double> sum_of(const Instrument& instrument, const Answers& answers, char scale,
                              double factor = 1.0, double offset = 0.0) {
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Scores of published questionnaires by their published keys.
+// Scores published questionnaires by their published keys.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace foveola::analysis {
 
-/// One score of a questionnaire that a participant filled in once.
+/// One score of one completed questionnaire.
 struct ScoreRow {
   std::string participant;
-  std::uint32_t session = 0;    ///< Its index in the records.
+  std::uint32_t session = 0;    ///< Index in the records.
   std::string questionnaire;    ///< Its id in the protocol.
-  int step = 0;                 ///< Of the session's plan: it may be asked twice.
+  int step = 0;                 ///< Step of the session's plan: a questionnaire may be repeated.
   std::string instrument;       ///< "SSQ", "NASA-TLX" or "SUS".
   std::string score;            ///< As "nausea" or "total".
   std::optional<double> value;  ///< Empty if an item was not answered.
 };
 
-/// The scores of all filled-in questionnaires that are known instruments, in the order of sessions.
-/// A questionnaire is one if it has all of its items on their scales, whatever else it asks.
+/// Returns the scores of all completed questionnaires that are known instruments, in the order of
+/// sessions. A questionnaire is a known instrument if it has all of its items on their scales; it
+/// may have others.
 ///
 /// - SSQ (Kennedy, Lane, Berbaum, Lilienthal 1993): sums of the items of nausea, oculomotor and
 ///   disorientation times 9.54, 7.58 and 13.92; the total is the sum of the three sums times 3.74.

@@ -3,12 +3,14 @@
 namespace foveola::analysis {
 
 Column kind_column() {
-  return {"participant_kind", ColumnType::text, "", "Who took part: human, pilot or simulated"};
+  return {"participant_kind", ColumnType::text, "",
+          "Kind of participant: human, pilot or simulated"};
 }
 
 Column record_column() {
-  return {"record", ColumnType::text, "",
-          "The study's file: verified, changed (analysed with --unverified), or none"};
+  return {
+      "record", ColumnType::text, "",
+      "Verification of the study's file: verified, changed (analysed with --unverified), or none"};
 }
 
 std::string status_of(const study::SessionRow& session, bool is_analysed) {

@@ -1,4 +1,4 @@
-// What rows of trials, answers and scores say of their session.
+// Session facts in rows of trials, answers and scores.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,27 @@
 
 namespace foveola::analysis {
 
-/// The column that says whose data a row has; it needs nothing of a row.
+/// Returns the column with the kind of the data; it does not depend on the row.
 Column kind_column();
 
-/// The column that ends every table of an analysis: what verifying the study's file found.
+/// Returns the last column of every table of an analysis: the result of verifying the study's file.
 Column record_column();
 
 // Descriptions of columns.
 inline constexpr const char* code_meaning = "Code of the participant";
 inline constexpr const char* state_meaning =
     "The session's recorded state: completed, excluded, withdrawn, refused by the protocol's gate, "
-    "or, of a session that has not ended, the state that it was left in";
+    "or, if it has not ended, its last state";
 inline constexpr const char* reason_meaning =
-    "Why the session is not analysed, with the reason that was recorded; empty for one that is";
+    "Reason why the session is not analysed, with the recorded reason; empty if it is analysed";
 inline constexpr const char* session_status_meaning =
-    "analysed; or why the session is not: excluded, withdrawn (with --withdrawn only), "
+    "analysed, or the reason why it is not: excluded, withdrawn (with --withdrawn only), "
     "interrupted, refused, or of another kind (other kind)";
 
-/// "analysed", or why the session is not.
+/// Returns "analysed", or why the session is not.
 std::string status_of(const study::SessionRow& session, bool is_analysed);
 
-/// Finds why a session is not analysed; empty for one that is.
+/// Returns a function that gives the reason why a session is not analysed; empty if it is.
 inline auto reason_in(const Dataset& set) {
   return [&set](const study::SessionRow& session) {
     const std::string reason = reason_not_analysed(session, set.kind);

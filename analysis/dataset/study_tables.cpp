@@ -39,7 +39,7 @@ OfBaselineMean over_baseline_mean(const Description& seconds, const Description&
   return {percent(seconds.mean), percent(seconds.standard_deviation)};
 }
 
-/// A participant's geometric mean over complete scenes, in seconds; empty without any.
+/// Returns a participant's geometric mean over complete scenes, in seconds; empty without any.
 std::optional<double> geometric_mean_over_scenes(const Dataset& set, std::size_t participant,
                                                  std::size_t mark, std::size_t method) {
   std::vector<double> seconds;
@@ -123,7 +123,7 @@ std::vector<AmendedSession> list_amended(const study::StudyRecords& records, con
 
 const SceneTimes& StudyTables::scene_times_of(std::size_t mark, std::size_t scene,
                                               std::size_t method) const {
-  // The times come first among the measures.
+  // Times come first among the measures.
   return scene_times.at((mark * set.scenes.size() + scene) * set.methods.size() + method);
 }
 

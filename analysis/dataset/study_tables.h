@@ -1,4 +1,4 @@
-// The means and counts of a study's measures, by scene and method and over all scenes.
+// Tabulates means and counts of a study's measures, by scene and method and over all scenes.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace foveola::analysis {
 
-/// Another reading of a method's time in per cent of the baseline's: the mean time over
-/// the baseline's mean time, and the standard deviation of the times over it, from all measured
-/// times of each method, whether or not the participant has both.
+/// Another reading of a method's time in per cent of the baseline's: the ratio of the mean times,
+/// and the standard deviation of the times over the baseline's mean. It uses all measured times of
+/// each method, also of participants without both.
 struct OfBaselineMean {
   std::optional<double> mean_percent;
   std::optional<double> sd_percent_points;
@@ -29,7 +29,7 @@ struct SceneTimes {
   /// Describes each participant's own ratio to the baseline in this scene, in per cent; n counts
   /// the participants with both times. Empty for the baseline.
   Description percent_of_baseline;
-  /// The geometric mean of the same ratios, and its t interval over participants.
+  /// Geometric mean of the same ratios, with its t interval over participants.
   std::optional<Estimate> geometric_percent;
   OfBaselineMean of_baseline_mean;  ///< Empty for the baseline.
   int censored = 0;                 ///< Number of right-censored times, which are in no mean.
@@ -38,19 +38,18 @@ struct SceneTimes {
 
 /// The times of one mark with a method over all scenes, with the participant as the unit. A
 /// participant's value is the geometric mean over the scenes where every method's time was
-/// measured, so that all methods are compared over the same scenes; an interval is a t interval on
-/// those values' logs.
+/// measured, so that all methods are compared over the same scenes. Intervals are t intervals of
+/// those values' logarithms.
 struct MethodTimes {
   std::string mark;  ///< Its id.
   std::string method;
-  std::vector<double>
-      participant_seconds;  ///< In the order of participants, of whom some may lack.
+  std::vector<double> participant_seconds;  ///< In the order of participants; some may be missing.
   std::vector<double> participant_percent;  ///< In per cent of the baseline; empty for it.
   std::optional<Estimate> seconds;
   std::optional<Estimate> percent_of_baseline;
 };
 
-/// One answer to a rating, and how often it was given.
+/// One answer to a rating, and its frequency.
 struct RatingCount {
   double value = 0.0;
   std::size_t count = 0;
@@ -65,7 +64,7 @@ struct MethodRatings {
   std::size_t missing = 0;
 };
 
-/// A session of the file that followed an amended protocol, with other words or time-outs.
+/// A session that followed an amended protocol, with other texts or time-outs.
 struct AmendedSession {
   std::string participant;
   std::string kind;                       ///< "human", "pilot" or "simulated".
@@ -87,13 +86,13 @@ struct StudyTables {
   std::vector<MethodRatings> ratings;     ///< [rating in numbers][method]
   std::vector<MarkSurvival> survival;     ///< [mark][method]
   std::vector<AmendedSession> amended;
-  /// (participant, scene, mark) triples that the means over all scenes leave out.
+  /// Number of (participant, scene, mark) triples that the means over all scenes leave out.
   std::size_t incomplete_scenes = 0;
 
-  /// `mark` is the index of a time in the set's measures.
+  /// `mark`: index of a time in the set's measures.
   const SceneTimes& scene_times_of(std::size_t mark, std::size_t scene, std::size_t method) const;
   const MethodTimes& method_times_of(std::size_t mark, std::size_t method) const;
-  /// The rows of one rating, a method each; `rating` is its index in the set's measures.
+  /// Returns the rows of one rating, one per method; `rating`: index in the set's measures.
   std::vector<MethodRatings> ratings_of(std::size_t rating) const;
 };
 

@@ -24,14 +24,14 @@ std::string trial_status(const TrialRow& row, const study::SessionRow& session, 
   return is_analysed && !row.counts ? "timed again" : status_of(session, is_analysed);
 }
 
-/// Finds a word of the records by its index, which is 0 where there is none.
+/// Finds a text of the records by its index; 0: none.
 auto word_of(const StudyRecords& records) {
   return [&records](std::uint32_t index) {
     return index == 0 ? std::nullopt : std::optional(records.words[index]);
   };
 }
 
-/// The columns of one measure's values, whose words are the records'.
+/// Returns the columns of one measure's values, whose texts are the records'.
 ColumnsOf<Value> value_columns(const StudyRecords& records, const Dataset& set, std::size_t index) {
   const Measure& measure = set.measures[index];
   const std::string& id = measure.id();
@@ -44,7 +44,7 @@ ColumnsOf<Value> value_columns(const StudyRecords& records, const Dataset& set, 
     return {
         {id + "_s", "s",
          measure.kind == MeasureKind::time
-             ? fmt::format("From the first presented frame to the mark {}", id)
+             ? fmt::format("Time from the first presented frame to the mark {}", id)
              : measure.question.text,
          if_known([](const Value& found) { return found.number; })},
         {id + "_censored", "", fmt::format("True: right-censored, {}_s is a lower bound", id),
@@ -64,8 +64,7 @@ ColumnsOf<Value> value_columns(const StudyRecords& records, const Dataset& set, 
        }}};
 }
 
-/// Adds columns whose item follows from another one, as item_of finds it; a null pointer has
-/// nothing in them.
+/// Adds columns whose item is found from another one by item_of; null: all are empty.
 template <typename Item, typename ItemOf>
 void add_columns(const ColumnsOf<Item>& added, const ItemOf& item_of,
                  ColumnsOf<std::size_t>& columns) {
@@ -77,7 +76,7 @@ void add_columns(const ColumnsOf<Item>& added, const ItemOf& item_of,
   }
 }
 
-/// Finds the figures of a trial's gaze; null where there are none.
+/// Finds the figures of a trial's gaze; null if there are none.
 auto figures_of(GazeOfTrials gaze) {
   return [gaze = std::move(gaze)](std::size_t trial) {
     return gaze[trial] == nullptr ? nullptr : &gaze[trial]->figures;
@@ -104,7 +103,7 @@ ColumnsOf<std::size_t> trial_columns(const StudyRecords& records, const Dataset&
       {kind_column(), path(session, &SessionRow::kind)},
       {"session_state", "", state_meaning, path(session, &SessionRow::state)},
       {"status", "",
-       "analysed, the rows that every result is of; or why a row is in none: practice, catch, "
+       "analysed: the rows that results use; or why none uses it: practice, catch, "
        "timed again, or its session was excluded, withdrawn (with --withdrawn only), interrupted "
        "or refused, or is of another kind (other kind: see status_reason)",
        path(trial,
@@ -115,20 +114,20 @@ ColumnsOf<std::size_t> trial_columns(const StudyRecords& records, const Dataset&
       {"status_reason", "", reason_meaning, path(session, reason_in(set))},
       {"scene", "", "Name of the scene",
        path(trial, [&records](const TrialRow& row) { return records.scenes[row.scene]; })},
-      {"method", "", "How samples were placed: od, vp, fv or another sampler",
+      {"method", "", "Method of placing samples: od, vp, fv or another sampler",
        path(trial, [&records](const TrialRow& row) { return records.methods[row.method]; })},
-      {"trial", "", "Place among all of the session's trials as planned, from 0",
+      {"trial", "", "Index among all planned trials of the session, from 0",
        path(trial, &TrialRow::trial)},
-      {"trial_kind", "", "test, practice, or catch: nothing was rendered",
+      {"trial_kind", "", "Kind of trial: test, practice, or catch (nothing was rendered)",
        path(trial, &TrialRow::kind)},
-      {"trial_position", "", "Place among the session's test trials as planned, from 0",
+      {"trial_position", "", "Index among the planned test trials of the session, from 0",
        path(trial, if_test, place)},
-      {"method_position", "", "Place among the methods in the scene, from 0",
+      {"method_position", "", "Index among the methods in the scene, from 0",
        path(trial, if_test, &TrialRow::method_position)},
-      {"attempt", "", "Which timing it is, from 1; 0: never begun",
+      {"attempt", "", "Number of the timing, from 1; 0: never begun",
        path(trial, &TrialRow::attempt)},
-      {"object", "", "The chosen object", path(trial, &TrialRow::object, word_of(records))},
-      {"outcome", "", "How the attempt ended, as rated or retimed",
+      {"object", "", "Name of the chosen object", path(trial, &TrialRow::object, word_of(records))},
+      {"outcome", "", "Outcome of the attempt, as rated or retimed",
        path(trial, &TrialRow::outcome, word_of(records))}};
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     add_columns(
@@ -152,10 +151,10 @@ ColumnsOf<std::size_t> gaze_by_trial_columns(const StudyRecords& records, const 
     }
   }
   columns[2].column.description = "Id of the method";
-  columns[4].column.description = "Which timing it is, from 1; the last one counts";
+  columns[4].column.description = "Number of the timing, from 1; the last one counts";
   columns.push_back({"tracker", "",
-                     "Profile of the eye tracker: pointer, if the gaze was where the pointer was; "
-                     "simulated of a simulated eye; empty if it was not recorded",
+                     "Profile of the eye tracker: pointer, if the pointer replaced the eye; "
+                     "simulated, for a simulated eye; empty if it was not recorded",
                      [of_trials](std::size_t i) {
                        return of_trials[i] == nullptr || of_trials[i]->tracker.empty()
                                   ? std::nullopt

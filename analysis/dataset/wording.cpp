@@ -16,7 +16,7 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-/// The labels of each rating of a protocol's text, by its id.
+/// Returns the labels of each rating in a protocol's text, by its id.
 std::map<std::string, Labels> labels_in(const std::string& protocol_text) {
   const std::string where = "an amended protocol in the study's file";
   const toml::table toml = parse_toml(where, protocol_text, "restore the study's file");
@@ -118,7 +118,7 @@ std::string censored_times_in_words(const Dataset& set) {
   return counts.empty() ? ""
                         : fmt::format(
                               "Right-censored times are left out ({}), which favours the "
-                              "method whose time ran out.",
+                              "method with the censored times.",
                               listed(counts));
 }
 
@@ -154,14 +154,14 @@ namespace {
 std::string simulation_in_words(const study::SimulationFacts& simulation) {
   std::string text;
   if (simulation.predicted && simulation.injected.empty()) {
-    text += " What they looked at was not rendered but predicted from pilot renders.";
+    text += " Their stimuli were not rendered but predicted from pilot renders.";
   }
   if (!simulation.injected.empty()) {
     text +=
         fmt::format(" Their times were drawn, with injected effects ({}).", simulation.injected);
   }
   if (simulation.samples_per_second) {
-    text += fmt::format(" The machine took {:.0f} samples a second, which is not the protocol's.",
+    text += fmt::format(" The machine traced {:.0f} samples per second, unlike the protocol's.",
                         *simulation.samples_per_second);
   }
   if (simulation.scale != 1.0) {
@@ -182,10 +182,10 @@ std::string data_warning(const StudyTables& tables) {
            (tables.simulation ? simulation_in_words(*tables.simulation) : "");
   }
   if (tables.set.kind == "pilot") {
-    return "Pilot data: these sessions tried out the procedure and are not the study.";
+    return "Pilot data: these sessions tested the procedure and are not the study.";
   }
   return tables.has_simulated
-             ? "The study's file also holds simulated sessions; no number here uses them."
+             ? "The study's file also has simulated sessions; no number here uses them."
              : "";
 }
 

@@ -1,5 +1,5 @@
-// How names, estimates and facts of a study are written, the same in the report, the figures and
-// the terminal.
+// Formats names, estimates and facts of a study, the same in the report, the figures and the
+// terminal.
 #pragma once
 
 #include <optional>
@@ -13,52 +13,52 @@
 
 namespace foveola::analysis {
 
-/// "OD", "VP" and "FV" as in print; any other method by its id.
+/// Returns "OD", "VP" and "FV" as in print; any other method by its id.
 std::string method_label(const std::string& method);
 
-/// "omnidirectional preview" and so on; empty for a method that the paper does not have
+/// Returns "omnidirectional preview" and so on; empty for a method that is not in the paper
 /// (section 4.1).
 std::string_view method_meaning(const std::string& method);
 
-/// "12.3 ± 4.5", or "12.3" for a single value, or an en dash.
+/// Returns "12.3 ± 4.5", or "12.3" for a single value, or an en dash.
 std::string mean_and_deviation(const Description& description, int decimals);
 
-/// "12.3 [10.1, 14.9]", without the interval if there is none, or an en dash.
+/// Returns "12.3 [10.1, 14.9]", without the interval if there is none, or an en dash.
 std::string with_interval(const std::optional<Estimate>& estimate, int decimals);
 
-/// Two sentences with a space between them; the second may be empty.
+/// Joins two sentences by a space; the second may be empty.
 std::string joined(const std::string& sentence, const std::string& more);
 
-/// "1 scene", "2 scenes".
+/// Returns "1 scene", "2 scenes".
 std::string counted(std::size_t count, std::string_view singular);
 
-/// The ids, separated by ", ".
+/// Joins the ids by ", ".
 std::string listed(const std::vector<std::string>& names);
 
-/// That right-censored times are left out, how many of each mark and method, and whom that favours;
-/// empty if there are none.
+/// Returns a sentence on right-censored times: that they are left out, their number by mark and
+/// method, and the favoured method; empty if there are none.
 std::string censored_times_in_words(const Dataset& set);
 
-/// "1 participant", "16 simulated participants" and the like.
+/// Returns "1 participant", "16 simulated participants" and the like.
 std::string participants_in_words(const StudyTables& tables);
 
-/// "Simulated data", "From a changed record" and the like, which every caption must say; empty for
-/// people's data from a record that is what was written.
+/// Returns "Simulated data", "From a changed record" and the like, for every caption; empty for
+/// people's data from an unchanged record.
 std::string data_notice(const StudyTables& tables);
 
-/// data_notice as a sentence of its own for the top of a report.
+/// Returns data_notice as a sentence for the top of a report.
 std::string data_warning(const StudyTables& tables);
 
-/// Of each rating of `records`, the labels that differ from the study's in sessions of
-/// `participants`. Throws Error with its place for a text that is no protocol.
+/// Returns, for each rating of `records`, the labels that differ from the study's in sessions of
+/// `participants`. Throws Error with its place for a text that is not a protocol.
 std::vector<AmendedLabels> amended_labels(const study::StudyRecords& records,
                                           const std::vector<std::string>& participants);
 
-/// The scale in words, with the labels that amended sessions had: "1 (none) to 5 (all over). In 2
+/// Returns the scale in words, with the labels of amended sessions: "1 (none) to 5 (all over). In 2
 /// analysed sessions, by an amended protocol, the points were …".
 std::string scale_with_amendments(const Dataset& set, std::size_t measure);
 
-/// The sentence on other labels alone, with a space before it; usually empty.
+/// Returns the sentence on other labels alone, after a space; usually empty.
 std::string amendments_of_scale(const Dataset& set, std::size_t measure);
 
 }  // namespace foveola::analysis

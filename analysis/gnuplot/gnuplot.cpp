@@ -9,7 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/work/programs.h"
 
-// By its interface in C: the headers of that in C++ do not compile with Clang in C++20.
+// By its C interface: its C++ headers do not compile with Clang in C++20.
 namespace foveola::analysis {
 namespace {
 
@@ -18,11 +18,11 @@ struct Cleanup {
 };
 using Document = std::unique_ptr<_qpdf_data, Cleanup>;
 
-// Throws Error for what went wrong since it was asked last.
+// Throws Error for faults since the last call.
 void check(const Document& document) {
   if (qpdf_has_error(document.get()) == QPDF_TRUE) {
     const char* why = qpdf_get_error_full_text(document.get(), qpdf_get_error(document.get()));
-    throw Error("gnuplot", std::string("gave no PDF: ") + why,
+    throw Error("gnuplot", std::string("wrote no valid PDF: ") + why,
                 "check that gnuplot 5.4 or newer is installed");
   }
 }
@@ -38,7 +38,7 @@ Document read(const std::string& pdf) {
 
 void forget_date(const Document& document) {
   const qpdf_oh trailer = qpdf_get_trailer(document.get());
-  qpdf_oh_remove_key(document.get(), trailer, "/ID");  // which may follow from the date
+  qpdf_oh_remove_key(document.get(), trailer, "/ID");  // which may depend on the date
   const qpdf_oh information = qpdf_oh_get_key(document.get(), trailer, "/Info");
   if (qpdf_oh_is_dictionary(document.get(), information) == QPDF_TRUE) {
     qpdf_oh_remove_key(document.get(), information, "/CreationDate");
@@ -58,10 +58,10 @@ std::string written(const Document& document) {
 ProgramEnd end_of_gnuplot(const std::string& script) {
   const std::string without_user_settings = "-d";
   try {
-    // By its name, gnuplot reads it in large pieces; what it takes as its input, byte by byte.
+    // By this name, gnuplot reads it in large pieces; standard input is read byte by byte.
     return run_to_end({.words = {"gnuplot", without_user_settings, "/dev/stdin"}, .input = script});
   } catch (const std::system_error&) {
-    throw Error("gnuplot", "cannot be started, and it draws the figures",
+    throw Error("gnuplot", "cannot be started, but is needed to draw figures",
                 "install it: apt-get install gnuplot-nox");
   }
 }
@@ -87,8 +87,8 @@ std::string pdf_terminal(int width, int height) {
       width / units_per_inch, height / units_per_inch);
 }
 
-/// `drawn` is an SVG, a PNG and a PDF, one after the other: most of what gnuplot takes is its
-/// start, so that it starts once for all three. In an SVG's texts, "<" is escaped.
+/// `drawn` is an SVG, a PNG and a PDF in succession: gnuplot's start dominates its time, so that
+/// one start draws all three. In an SVG's texts, "<" is escaped.
 Figure split(const std::string& name, const std::string& script, const std::string& drawn) {
   constexpr std::string_view svg_end = "</svg>";
   constexpr std::string_view png_begin = "\x89PNG";
@@ -111,18 +111,17 @@ Figure drawn_figure(const std::string& name, int width, int height, const std::s
 std::string run_gnuplot(const std::string& script) {
   const ProgramEnd end = end_of_gnuplot(script);
   if (end.status != 0) {
-    throw Error("gnuplot", "stopped with an error: " + end.errors,
-                "check that gnuplot 5.4 or newer is installed");
+    throw Error("gnuplot", "failed: " + end.errors, "check that gnuplot 5.4 or newer is installed");
   }
   return end.output;
 }
 
 bool has_font() {
   try {
-    // Of fontconfig, which gnuplot asks for fonts through Pango.
+    // fontconfig's, which gnuplot asks for fonts through Pango.
     return !run_to_end({.words = {"fc-match", "--format=%{file}", "sans-serif"}}).output.empty();
   } catch (const std::system_error&) {
-    return true;  // Nobody knows.
+    return true;  // It is unknown.
   }
 }
 

@@ -1,4 +1,4 @@
-// What all figures are drawn with: gnuplot, and the colours.
+// Draws all figures by gnuplot, with shared colours.
 #pragma once
 
 #include <array>
@@ -35,35 +35,35 @@ inline constexpr std::array all = {
 }  // namespace palette
 
 struct Figure {
-  std::string name;      ///< A file name without its extension.
-  std::string svg;       ///< The content of an SVG file, on a white background.
-  std::string png{};     ///< Of a PNG file of twice the size, for slides; empty if it has none.
-  std::string pdf{};     ///< Of a PDF file without a date, so that the same figure gives the same
-                         ///< bytes; empty if it has none.
-  std::string script{};  ///< What gnuplot draws all of them by, without its terminal.
+  std::string name;   ///< A file name without its extension.
+  std::string svg;    ///< Content of an SVG file, on a white background.
+  std::string png{};  ///< Content of a PNG file of twice the size, for slides; may be empty.
+  std::string pdf{};  ///< Content of a PDF file without a date, so that equal figures give equal
+  ///< bytes; may be empty.
+  std::string script{};  ///< gnuplot's script of all of them, without its terminal.
 };
 
 /// Draws `script`, which sets no terminal. Throws Error if gnuplot is missing.
 Figure drawn_figure(const std::string& name, int width, int height, const std::string& script);
 
-/// Runs `gnuplot` with `script` on its standard input and without the user's start-up files;
-/// returns what it prints. Throws Error if it is not installed or stops with an error.
+/// Runs `gnuplot` with `script` on its standard input and without the user's start-up files.
+/// Returns its output. Throws Error if it is not installed or fails.
 std::string run_gnuplot(const std::string& script);
 
-/// Whether gnuplot has a font to draw letters into a PNG or a PDF with; it leaves them out without
-/// a word if there is none. An SVG has texts as they are.
+/// Returns whether gnuplot has a font for the letters of PNG and PDF, which it silently leaves out
+/// otherwise. SVG contains texts.
 bool has_font();
 
-/// `text` as gnuplot's single-quoted string, in which nothing is expanded; control characters
-/// become spaces.
+/// Returns `text` as gnuplot's single-quoted string, without expansion; control characters become
+/// spaces.
 std::string gnuplot_quoted(std::string_view text);
 
-/// `text` as the label of a tick, likewise. Gnuplot reads these, unlike other texts, as formats of
-/// the tick's number, in which it would take a per cent sign for a conversion.
+/// Returns `text` as the label of a tick, likewise. Gnuplot reads only these texts as formats of
+/// the tick's number, with conversions after per cent signs.
 std::string gnuplot_tick_label(std::string_view text);
 
-/// Shows the same. The identifier that a PDF has follows from what it holds. Throws Error if this
-/// is no PDF.
+/// Removes the date. The PDF's identifier then depends only on its content. Throws Error if this is
+/// not a PDF.
 std::string dateless_pdf(const std::string& pdf);
 
 }  // namespace foveola::analysis

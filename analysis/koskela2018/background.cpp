@@ -29,7 +29,7 @@ Answers answers_by_participant(const std::vector<BackgroundAnswer>& rows) {
   return answers;
 }
 
-/// The mean of a participant's answers on the scale; empty if one was not given.
+/// Returns the mean of a participant's answers on the scale; empty if one was not given.
 std::optional<double> background_of(const Answers& answers, const std::string& participant,
                                     const std::vector<std::string>& scale) {
   const auto given = answers.find(participant);
@@ -52,7 +52,7 @@ double speed_up(TimeSaved quantity, double baseline_s, double method_s) {
                                           : baseline_s - method_s;
 }
 
-/// The mean over complete scenes.
+/// Returns the mean over complete scenes.
 std::optional<double> mean_speed_up(const Dataset& set, std::size_t participant,
                                     const BackgroundCorrelation& row, std::size_t mark,
                                     std::size_t method) {
@@ -72,7 +72,7 @@ struct TimesOfMethod {
   std::size_t method = 0;
 };
 
-/// Of the first planned comparison of times with the baseline, in either direction.
+/// Returns the first planned comparison of times with the baseline, in either direction.
 std::optional<TimesOfMethod> first_planned_times(const Dataset& set,
                                                  const study::AnalysisPlan& plan) {
   for (const study::PlannedComparison& planned : plan.primary) {

@@ -10,7 +10,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// To five digits, so that a study of a speed can be named and found again.
+/// Rounds to five digits, so that a speed's study can be named and found again.
 double rounded(double speed) {
   const double unit = std::pow(10.0, std::floor(std::log10(speed)) - 4.0);
   return std::round(speed / unit) * unit;
@@ -28,7 +28,7 @@ std::vector<ComparedNumber> baseline_cells(const std::vector<ComparedNumber>& nu
     }
     if (!number.study) {
       throw Error("calibration",
-                  fmt::format("the study has no times with OD until the mark {} in {}", number.mark,
+                  fmt::format("the study has no times with OD to the mark {} in {}", number.mark,
                               number.row),
                   "calibrate koskela2018 or koskela2018-original, with enough participants");
     }
@@ -63,14 +63,14 @@ MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,
   };
   double speed = rounded(first);
   std::vector<double> ratios = ratios_at(speed);
-  double slope = -1.0;  // of times that are all waiting for samples
+  double slope = -1.0;  // if times depend on samples only
   for (int step = 0; std::abs(*mean(ratios)) > tolerance; ++step) {
     if (step == max_steps) {
       throw Error("calibration",
                   fmt::format("no speed was found in {} studies; at {:.0f} samples a second the "
                               "times are {:.3g} times the published ones",
                               max_steps, speed, std::exp(*mean(ratios))),
-                  "let more participants take part");
+                  "use more participants");
     }
     const double before = *mean(ratios);
     const double next = rounded(speed * std::exp(-before / slope));
@@ -83,7 +83,7 @@ MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,
           std::log(rounded(faster * speed) / speed);
   if (!(slope < 0.0)) {
     throw Error("calibration", "a faster machine does not make times shorter",
-                "let more participants take part");
+                "use more participants");
   }
   MachineSpeed fitted{.samples_per_second = speed, .interval = std::nullopt};
   if (const auto interval = mean_estimate(ratios)->interval) {

@@ -13,7 +13,7 @@ namespace {
 
 bool is_near(double times) { return times <= near_factor && times >= 1.0 / near_factor; }
 
-/// Counts those of one reading and of the methods for which `is_counted`.
+/// Counts numbers of one reading and of the methods for which `is_counted`.
 template <typename Condition>
 MetMeans count_met(const std::vector<ComparedNumber>& numbers, const std::string& means,
                    const Condition& is_counted) {
@@ -37,7 +37,7 @@ MetMeans count_met(const std::vector<ComparedNumber>& numbers, const std::string
   return met;
 }
 
-using Values = std::vector<std::optional<double>>;  ///< Of participants; some may lack.
+using Values = std::vector<std::optional<double>>;  ///< Of participants; some may be missing.
 
 Values seconds_in(const Dataset& set, const OwnCell& cell) {
   Values values;
@@ -52,7 +52,7 @@ Values baseline_seconds_in(const Dataset& set, const OwnCell& cell) {
   return seconds_in(set, {cell.mark, cell.scene, baseline});
 }
 
-/// Each participant's time in per cent of the same participant's with the baseline.
+/// Returns each participant's time in per cent of their own with the baseline.
 Values own_percent_in(const Dataset& set, const OwnCell& cell) {
   const Values references = baseline_seconds_in(set, cell);
   Values values = seconds_in(set, cell);

@@ -1,4 +1,5 @@
-// A study's cells beside the published Table 2, and how many published means they meet.
+// Matches a study's cells with the published Table 2, and counts the published means that they
+// meet.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +15,11 @@
 
 namespace foveola::analysis {
 
-/// The index of the study's mark of this id; empty if it has none.
+/// Returns the index of the study's mark of this id; empty if it has none.
 std::optional<std::size_t> time_named(const Dataset& set, const std::string& mark);
 
-/// The index of the study's scene that is compared with the row's: that of the same name, else
-/// Foveola's counterpart of it; empty if it has neither.
+/// Returns the index of the study's scene for the row: that of the same name, else Foveola's
+/// counterpart of it; empty if it has neither.
 std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row);
 
 /// A cell of a study, by its indices.
@@ -28,20 +29,21 @@ struct OwnCell {
   std::size_t method = 0;
 };
 
-/// The one that is compared with a cell of Table 2; empty if the study has none, or its baseline is
+/// Returns the study's cell for a cell of Table 2; empty if the study has none, or its baseline is
 /// not OD.
 std::optional<OwnCell> cell_of(const Dataset& set, const PublishedTime& row);
 
-/// What Table 2 may have shown of a cell: seconds, or per cent in one of two readings.
+/// A reading of a cell of Table 2: seconds, or per cent in one of two readings.
 enum class Reading : std::uint8_t { seconds, own_ratios, ratio_of_means };
 
-/// "", "own ratios", "ratio of means".
+/// Returns "", "own ratios" or "ratio of means".
 const char* name_of(Reading reading);
 
-/// Of "od" seconds, of the others both readings of per cent.
+/// Returns seconds for "od", both readings of per cent for the others.
 std::vector<Reading> readings_of(const std::string& method);
 
-/// The logarithm of the cell's mean over participants, in seconds or per cent; empty without times.
+/// Returns the logarithm of the cell's mean over participants, in seconds or per cent; empty
+/// without times.
 std::optional<LogOfMeans> log_in(const Dataset& set, const OwnCell& cell, Reading reading);
 
 struct MeanAndDeviation {
@@ -49,27 +51,27 @@ struct MeanAndDeviation {
   std::optional<double> deviation;
 };
 
-/// Over participants, in seconds, or in per cent and percentage points.
+/// Returns the mean over participants, in seconds, or in per cent and percentage points.
 MeanAndDeviation mean_in(const StudyTables& tables, const OwnCell& cell, Reading reading);
 
 /// A study's mean is near a published one if neither is more than this many times the other.
 inline constexpr double near_factor = 1.5;
 
-/// How many of a part of the paper's means this study meets.
+/// Number of the paper's means, of one part, that this study meets.
 struct MetMeans {
-  std::string means;  ///< Which: "Table 1", "Table 2, OD", "Table 2, VP and FV, own ratios", ...
+  std::string means;  ///< the part: "Table 1", "Table 2, OD", "Table 2, VP and FV, own ratios", ...
   std::size_t published = 0;
-  std::size_t compared = 0;  ///< Those of which the study has its own.
+  std::size_t compared = 0;  ///< Means that the study has as well.
   std::size_t study_in_published_interval = 0;
   std::size_t published_in_study_interval = 0;
   std::size_t in_both_intervals = 0;
   std::optional<std::size_t> near;  ///< Within near_factor; not counted in Table 1.
 };
 
-/// Of Table 1; of Table 2's OD; of its VP and FV in each reading.
+/// Returns the counts for Table 1, for Table 2's OD, and for its VP and FV in each reading.
 std::vector<MetMeans> count_met_means(const std::vector<ComparedNumber>& numbers);
 
-/// A sentence, as "Table 2, VP and FV, own ratios: of 20 published means, ...".
+/// Returns a sentence, as "Table 2, VP and FV, own ratios: of 20 published means, ...".
 std::string in_words(const MetMeans& met);
 
 }  // namespace foveola::analysis

@@ -1,4 +1,4 @@
-// What the report of the published study, or of a repetition of it, says of its paper.
+// Writes the notes on the paper in the report of the published study, or of a repetition of it.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace foveola::analysis {
 
-/// Sentences for the parts of the report, without markup: where the paper shows the same, and what
-/// it states there, with the section.
+/// Sentences for the parts of the report, without markup: where the paper shows the same, and its
+/// statements there, with the section.
 struct PaperNotes {
   std::string times_by_scene;
   std::string percentages;
@@ -21,11 +21,11 @@ struct PaperNotes {
   std::string background;
 };
 
-/// All empty where nothing published stands beside the study.
+/// Returns empty notes if nothing published is beside the study.
 PaperNotes paper_notes(const StudyTables& tables, const std::optional<PublishedStudy>& published);
 
-/// What section 5.3 says of Figure 6 in words, beside the order of this study's mean ratings of
-/// artifacts; empty if OD, VP and FV were not all rated.
+/// Returns section 5.3's description of Figure 6, beside the order of this study's mean ratings of
+/// artifacts; empty unless OD, VP and FV were all rated.
 std::string artifacts_in_order(const StudyTables& tables);
 
 }  // namespace foveola::analysis

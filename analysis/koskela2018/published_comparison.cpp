@@ -17,13 +17,13 @@ constexpr std::array marks = {"outline", "material"};
 constexpr const char* all_scenes = "all scenes";
 constexpr const char* over_scenes = "Table 2, all scenes";
 
-/// Of the analysed participants to a question of Table 1.
+/// Describes the analysed participants' answers to a question of Table 1.
 Description answers_to(const std::vector<QuestionAnswers>& own, const std::string& question) {
   const auto found = std::ranges::find(own, question, &QuestionAnswers::question);
   return found == own.end() ? Description{} : found->answers;
 }
 
-/// Those that the analysed participants gave to a question.
+/// Returns the analysed participants' answers to a question.
 std::vector<double> answers_to(const StudyTables& tables,
                                const std::vector<BackgroundAnswer>& answers,
                                const std::string& question) {
@@ -78,8 +78,8 @@ void compare_times(const StudyTables& tables, const PublishedStudy& published,
   }
 }
 
-/// The study's own, formed as the published one from Table 2: the geometric mean over the same
-/// scenes of the means over participants. Empty unless the study has every scene.
+/// Returns the study's own value, formed as the published one from Table 2: the geometric mean over
+/// the same scenes of the means over participants. Empty unless the study has every scene.
 std::optional<Estimate> over_published_scenes(const Dataset& set, const PublishedStudy& published,
                                               const std::string& mark, const std::string& method,
                                               Reading reading) {
@@ -98,7 +98,8 @@ std::optional<Estimate> over_published_scenes(const Dataset& set, const Publishe
   return means.empty() ? std::nullopt : std::optional(estimate_of(log_of_geometric_mean(means)));
 }
 
-/// The geometric mean over participants and all the study's scenes: seconds of OD, else per cent.
+/// Returns the geometric mean over participants and all the study's scenes: seconds of OD, else per
+/// cent.
 std::optional<Estimate> over_own_scenes(const StudyTables& tables, const std::string& mark,
                                         const std::string& method) {
   const auto time = time_named(tables.set, mark);
@@ -138,7 +139,7 @@ void compare_over_scenes(const StudyTables& tables, const PublishedStudy& publis
   }
 }
 
-/// A number of the text, to be filled in.
+/// Returns a number of the text, to be filled in.
 ComparedNumber number_of_text(const PublishedStudy& published, const std::string& id,
                               const std::string& words) {
   const PublishedFigure& figure = published_figure(published, id);
@@ -149,7 +150,7 @@ ComparedNumber number_of_text(const PublishedStudy& published, const std::string
           .published = {.value = figure.value}};
 }
 
-/// A time over another's, which section 5.2 states of all scenes together.
+/// A ratio of times that section 5.2 states over all scenes.
 struct Claim {
   const char* figure;
   const char* words;
@@ -165,7 +166,7 @@ constexpr std::array claims = {
     Claim{"speedup_fv_over_vp", "FV faster than VP", "vp", "fv", 1.0},
 };
 
-/// Over participants, of each one's geometric means over scenes.
+/// Returns the ratio over participants of their geometric means over scenes.
 std::optional<Estimate> ratio_over_scenes(const StudyTables& tables, std::size_t mark,
                                           const Claim& claim) {
   const auto method = position_of(tables.set.methods, claim.method);
@@ -198,7 +199,7 @@ void compare_claims(const StudyTables& tables, const PublishedStudy& published,
   }
 }
 
-/// How many of the analysed participants gave this answer; empty if none has answered.
+/// Returns the number of analysed participants who gave this answer; empty without answers.
 std::optional<Estimate> number_who_answered(const std::vector<double>& answers, double wanted) {
   return answers.empty()
              ? std::nullopt
@@ -235,8 +236,8 @@ void compare_participants(const StudyTables& tables, const std::vector<Backgroun
       number_who_answered(answers_to(tables, debrief, "knew_setup"), 1.0));
 }
 
-/// Of the published questions against the difference between OD and FV, with each mark: section 5.1
-/// says neither which one it took, nor how times were averaged, nor which correlation P is of.
+/// Correlates the published questions with the difference between OD and FV, for each mark: section
+/// 5.1 names neither the mark, nor the average of times, nor the correlation of P.
 void compare_background_p(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
                           const PublishedStudy& published, std::vector<ComparedNumber>& numbers) {
   const std::vector<std::string> questions = {"graphics_3d", "offline_rendering"};

@@ -11,48 +11,50 @@
 
 namespace foveola::analysis {
 
-/// One number of the paper's beside this study's, with the standard deviation of the same values
-/// where the paper gives one.
+/// One number of the paper beside this study's, with the standard deviation of the same values if
+/// the paper has one.
 struct ComparedNumber {
-  /// "Table 1", "Table 2", "Table 2, all scenes" (the geometric mean over its scenes, which we
-  /// compute), or "text".
+  /// "Table 1", "Table 2", "Table 2, all scenes" (the geometric mean over its scenes, computed by
+  /// us), or "text".
   std::string source;
   std::string section;  ///< Of the paper, as "5.2".
-  std::string row;      ///< A question, a published scene, "all scenes", or what the text states.
-  std::string own_row;  ///< The question or scene of this study that is compared; may be empty.
-  std::string mark;     ///< Empty where there is none, as in Table 1.
+  std::string row;      ///< A question, a published scene, "all scenes", or the text's statement.
+  std::string own_row;  ///< The compared question or scene of this study; may be empty.
+  std::string mark;     ///< Empty if there is none, as in Table 1.
   std::string method;   ///< Likewise.
-  /// How this study's percentage was formed: "own ratios" or "ratio of means", of which the paper
-  /// does not say which is its own; "geometric mean" over participants and scenes; of P
-  /// "Pearson's r".
+  /// The formula of this study's percentage: "own ratios" or "ratio of means", of which the paper
+  /// does not say which is its own; "geometric mean" over participants and scenes; of P "Pearson's
+  /// r".
   std::string reading;
   std::string unit;
-  Estimate published;  ///< With an interval where the paper gives a mean and its deviation.
+  Estimate published;  ///< With an interval if the paper has a mean and its deviation.
   std::optional<double> published_deviation;
   std::optional<Estimate> study;  ///< Empty if this study has no such number.
   std::optional<double> study_deviation;
 };
 
-/// Tables 1 and 2, the latter in each reading, its geometric means over scenes, and what sections
-/// 5, 5.1 and 5.2 state in numbers. A published scene's row is the study's scene of that name, else
-/// Foveola's counterpart of it.
+/// Returns Tables 1 and 2, the latter in each reading, its geometric means over scenes, and the
+/// numbers of sections 5, 5.1 and 5.2. A published scene's row is the study's scene of that name,
+/// else Foveola's counterpart of it.
 std::vector<ComparedNumber> compare_with_published(const study::StudyRecords& records,
                                                    const StudyTables& tables,
                                                    const PublishedStudy& published);
 
-/// The study's number less the published one. Empty where the study has none.
+/// Returns the study's number less the published one; empty if the study has none.
 std::optional<double> difference_of(const ComparedNumber& number);
 
-/// The same of the standard deviations.
+/// Returns the study's standard deviation less the published one.
 std::optional<double> difference_of_deviations(const ComparedNumber& number);
 
-/// The study's time, percentage or speed-up over the published one. Empty for other numbers.
+/// Returns the study's time, percentage or speed-up over the published one; empty for other
+/// numbers.
 std::optional<double> times_published(const ComparedNumber& number);
 
-/// Whether the study's number lies in the published one's interval; empty if there is none.
+/// Returns whether the study's number lies in the published one's interval; empty if there is none.
 std::optional<bool> is_study_in_published_interval(const ComparedNumber& number);
 
-/// Whether the published number lies in the interval of the study's; empty if there is none.
+/// Returns whether the published number lies in the interval of the study's; empty if there is
+/// none.
 std::optional<bool> is_published_in_study_interval(const ComparedNumber& number);
 
 }  // namespace foveola::analysis

@@ -1,4 +1,4 @@
-// The numbers of the paper (Koskela et al. 2018): its Tables 1 and 2, and what its text states.
+// The numbers of the paper (Koskela et al. 2018): its Tables 1 and 2, and those in its text.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,7 @@ struct PublishedTime {
   double standard_deviation = 0.0;
 };
 
-/// A number that the text states.
+/// A number in the text.
 struct PublishedFigure {
   std::string id;
   double value = 0.0;
@@ -47,37 +47,37 @@ struct PublishedStudy {
 /// malformed.
 PublishedStudy read_published_study(const std::filesystem::path& folder);
 
-/// Foveola's data on the published study, for a set that measures what it did; empty for any other.
+/// Returns Foveola's data on the published study if the set has its measures; else empty.
 std::optional<PublishedStudy> published_beside(const Dataset& set);
 
-/// A number of the text. Throws Error if there is none of this id.
+/// Returns a number of the text. Throws Error if there is none of this id.
 const PublishedFigure& published_figure(const PublishedStudy& published, const std::string& id);
 
-/// The row of Table 1; null where there is none.
+/// Returns the row of Table 1; null if there is none.
 const PublishedAnswers* published_answers(const PublishedStudy& published,
                                           const std::string& question);
 
-/// The cell of Table 2; null where there is none. `scene` is a published one.
+/// Returns the cell of Table 2; null if there is none. `scene` is a published one.
 const PublishedTime* published_time(const PublishedStudy& published, const std::string& scene,
                                     const std::string& mark, const std::string& method);
 
-/// A published mean with its own 95 % interval, mean -+ t s / sqrt(n), for the n participants of
-/// section 5: as if the values had been drawn from a normal distribution, of which the paper says
-/// nothing. It may reach below zero.
+/// Returns a published mean with its own 95 % confidence interval, mean -+ t s / sqrt(n), for the n
+/// participants of section 5, under the assumption of a normal distribution, which the paper does
+/// not state. It may reach below zero.
 Estimate published_mean(const PublishedStudy& published, double mean, double standard_deviation);
 
-/// Computed by us, the paper does not state it: the geometric mean over the scenes of Table 2's
-/// means. In seconds for "od", else in per cent; empty for a mark or method that Table 2 lacks.
+/// Returns the geometric mean over the scenes of Table 2's means, computed by us, not stated in the
+/// paper. In seconds for "od", else in per cent; empty for a mark or method that Table 2 lacks.
 std::optional<double> geometric_mean_of_table_2(const PublishedStudy& published,
                                                 const std::string& mark, const std::string& method);
 
-/// The published scene for which a study's scene stands.
+/// The published scene that a study's scene represents.
 struct PublishedScene {
   std::string name;
-  bool is_counterpart = false;  ///< Whether the study's scene is Foveola's own in its place.
+  bool is_counterpart = false;  ///< Whether the study's scene is Foveola's own counterpart.
 };
 
-/// Empty for a scene that is neither a published one nor the counterpart of one.
+/// Returns empty for a scene that is neither published nor a counterpart.
 std::optional<PublishedScene> published_scene_of(const PublishedStudy& published,
                                                  const std::string& scene);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t only_mark = 0;
 
-/// example_study with the baseline and one method, one mark, and no rating.
+/// Returns example_study with the baseline and one method, one mark, and no rating.
 ExpectedStudy two_methods() {
   ExpectedStudy expected = example_study();
   expected.protocol.methods = {"od", "fv"};
@@ -29,7 +29,7 @@ ExpectedStudy two_methods() {
   return expected;
 }
 
-/// Of the logarithm of one time.
+/// Returns the variance of the logarithm of one time.
 double log_time_variance(const ExpectedSpread& spread) {
   const auto square = [](double x) { return x * x; };
   return square(spread.participants) + square(spread.scenes) + square(spread.trials) +
@@ -49,7 +49,7 @@ StudyCounts count(const CrossedDesign& design, std::uint64_t seed, std::size_t f
 constexpr std::array effects = {study::SceneEffects::random, study::SceneEffects::fixed};
 constexpr std::array censored_shares = {0.13, 0.32};
 
-/// By what the plan says of scenes.
+/// Counts by the plan's scene effects.
 StudyCounts count_stand_ins(const CrossedDesign& design, double censored, std::uint64_t seed,
                             std::size_t first, std::size_t last) {
   const ExpectedStudy expected = gain_study({.participants_gain = design.participant_sd,
@@ -187,7 +187,7 @@ ExpectedStudy rating_study() {
 }
 
 double log_ratio_in_drawn_scenes(const ExpectedStudy& expected, std::uint64_t seed) {
-  // Scenes are drawn before participants, and do not depend on them.
+  // Scenes are drawn before participants, and independently of them.
   ExpectedStudy scenes_alone = expected;
   scenes_alone.protocol.timing.mark_timeout_s = std::numeric_limits<double>::infinity();
   scenes_alone.times_spread.participants = 0.0;

@@ -19,7 +19,7 @@
 namespace foveola::analysis {
 namespace {
 
-// The measures of studies with injected effects, by their places.
+// Indices of the measures of studies with injected effects.
 constexpr std::size_t outline = 0;
 constexpr std::size_t material = 1;
 constexpr std::size_t recognition = 2;
@@ -28,7 +28,7 @@ constexpr std::size_t comfort = 4;
 constexpr Interval nominal_coverage = {93.5, 96.5};
 constexpr Interval nominal_rejection = {4.0, 6.0};
 
-/// Whether the criterion holds in one study; empty where it has no such interval or test.
+/// Whether the criterion holds in one study; empty if it has no such interval or test.
 using Outcome = std::optional<bool>;
 
 Outcome covers(const std::optional<Interval>& interval, double value) {
@@ -41,18 +41,17 @@ Outcome covers_percent(const StudyTables& tables, std::size_t mark, std::size_t 
   return estimate ? covers(estimate->interval, 100.0 * ratio) : std::nullopt;
 }
 
-/// The logarithms of all participants' ratios of the last method to the baseline.
+/// Returns the logarithms of all participants' ratios of the last method to the baseline.
 std::vector<double> log_ratios(const Dataset& set) {
   return paired_differences(participant_means(set, outline), set.methods.size() - 1, baseline);
 }
 
-/// All participants' differences in comfort between the last method and the baseline.
+/// Returns all participants' differences in comfort between the last method and the baseline.
 std::vector<double> comfort_differences(const Dataset& set) {
   return paired_differences(participant_means(set, comfort), set.methods.size() - 1, baseline);
 }
 
-/// A property of intervals or tests that holds in a study or not, and the share of studies in which
-/// it must hold.
+/// A property of intervals or tests, and the share of studies in which it must hold.
 struct Criterion {
   std::string_view name;
   std::string_view claim;
@@ -142,7 +141,7 @@ std::vector<Criterion> criteria_without_effect() {
            }}};
 }
 
-/// Of fv and od in `outline`, whose ratio is at the margin. Without R there is no model of
+/// Compares fv and od in `outline`, whose ratio is at the margin. Without R there is no model of
 /// right-censored times, and so no test.
 std::vector<Criterion> criteria_of_equivalence() {
   constexpr Interval no_more_than_chance = {0.0, 6.8};
@@ -167,7 +166,7 @@ std::vector<Criterion> criteria_of_equivalence() {
   return criteria;
 }
 
-/// Marks and ratings that the published study did not have.
+/// Criteria of marks and ratings beyond the published ones.
 std::vector<Criterion> criteria_of_other_measures() {
   constexpr double shift_points = 5.0;
   const ExpectedStudy effects = example_study();
@@ -200,7 +199,7 @@ std::vector<Criterion> all_criteria(const CoverageSettings& settings) {
   return criteria;
 }
 
-/// Each study is seeded by its number, whatever thread it runs on.
+/// Each study is seeded by its number, independently of its thread.
 StudyCount count(const Criterion& criterion, const CoverageSettings& settings, std::uint64_t stream,
                  std::size_t first, std::size_t last) {
   StudyCount counts;

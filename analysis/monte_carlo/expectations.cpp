@@ -18,7 +18,7 @@ namespace foveola::analysis {
 namespace {
 
 constexpr double default_first_mark_s = 10.0;
-constexpr double default_later_mark = 2.0;  ///< Times the mark before.
+constexpr double default_later_mark = 2.0;  ///< Factor of the previous mark's time.
 
 std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+')) {
@@ -42,16 +42,16 @@ std::size_t index_among(const Names& names, const std::string& name, const std::
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/// The logarithm of a factor that says how much something varies.
+/// Returns the logarithm of a geometric standard deviation.
 double sd_of(double factor, const char* option) {
   if (!(factor >= 1.0 && factor <= 100.0)) {
-    throw Error(option, fmt::format("{:g} is no factor from 1 to 100", factor),
-                "give the factor by which values differ; 1 if they do not");
+    throw Error(option, fmt::format("{:g} is not a factor from 1 to 100", factor),
+                "give a geometric standard deviation; 1: no variation");
   }
   return std::log(factor);
 }
 
-/// Of differences between two methods.
+/// Variances of differences between two methods.
 struct Variances {
   double participants = 0.0;
   double scenes = 0.0;
@@ -83,7 +83,7 @@ std::optional<Variances> variances_of(const std::vector<std::vector<std::optiona
                    model->residual_variance / square};
 }
 
-/// A pilot's values with the first method, of times their logarithms.
+/// Returns a pilot's values with the first method, of times their logarithms.
 std::vector<std::vector<std::optional<double>>> baseline_values(const Dataset& set,
                                                                 std::size_t measure) {
   std::vector<std::vector<std::optional<double>>> rows(set.participants.size());
@@ -99,8 +99,8 @@ std::vector<std::vector<std::optional<double>>> baseline_values(const Dataset& s
   return rows;
 }
 
-/// What the measures' values and differences show, in `unit_of(measure)`; empty parts stay as they
-/// are.
+/// Estimates the spread from the measures' values and differences, in `unit_of(measure)`; parts
+/// without data stay.
 template <typename UnitOf>
 void take_spread(const Dataset& set, const std::vector<std::size_t>& measures,
                  const UnitOf& unit_of, ExpectedSpread& spread) {
@@ -146,7 +146,7 @@ double geometric_mean_of_baseline(const Dataset& set, std::size_t mark) {
   return std::exp(*mean(logs));
 }
 
-/// The logarithms of a mark's times with one method over those of the mark before.
+/// Returns the logarithms of a mark's times with one method over those of the previous mark.
 std::vector<double> log_steps(const Dataset& set, std::size_t before, std::size_t mark,
                               std::size_t method) {
   std::vector<double> logs;
@@ -162,7 +162,7 @@ std::vector<double> log_steps(const Dataset& set, std::size_t before, std::size_
   return logs;
 }
 
-/// Their coefficient of variation, within marks and methods; empty without any.
+/// Returns their coefficient of variation, within marks and methods; empty without any.
 std::optional<double> later_marks_variation(const Dataset& set) {
   const std::vector<std::size_t> marks = set.marks();
   std::vector<double> relative;
@@ -178,7 +178,7 @@ std::optional<double> later_marks_variation(const Dataset& set) {
   return standard_deviation(relative);
 }
 
-/// `with_times`: whether the pilot's own times are taken, too.
+/// `with_times`: whether to take the pilot's times, too.
 void take_pilot(const study::StudyRecords& pilot, bool with_times, ExpectedStudy& expected) {
   const Dataset set = select_for_analysis(pilot);
   const std::vector<std::size_t> marks = set.marks();
@@ -212,8 +212,9 @@ void take_baseline(const std::vector<double>& baseline_s, ExpectedStudy& expecte
         mark < baseline_s.size() ? baseline_s[mark]
                                  : default_later_mark * expected.times[mark - 1].baseline_s;
     if (!(expected.times[mark].baseline_s > 0.0)) {
-      throw Error("--seconds", fmt::format("{:g} is no time", expected.times[mark].baseline_s),
-                  "give seconds above 0");
+      throw Error("--seconds",
+                  fmt::format("{:g} is not a time above 0", expected.times[mark].baseline_s),
+                  "give a time in seconds");
     }
   }
 }
@@ -227,7 +228,7 @@ void take_scenes(int count, study::Protocol& protocol) {
   }
 }
 
-/// [rating][method]: whether something is expected of it.
+/// [rating][method]: whether an effect is expected.
 using Stated = std::vector<std::vector<bool>>;
 
 void take_measure(const MeasureExpectation& given, ExpectedStudy& expected, Stated& stated) {
@@ -240,8 +241,7 @@ void take_measure(const MeasureExpectation& given, ExpectedStudy& expected, Stat
   const std::size_t measure = index_among(names, given.measure, where, "mark or rating");
   const std::size_t method = index_among(protocol.methods, given.method, where, "method");
   if (method == baseline) {
-    throw Error(where, "this is the method that the others are compared with",
-                "give the effect of another method");
+    throw Error(where, "this is the baseline", "give the effect of another method");
   }
   if (measure >= expected.times.size()) {
     const std::size_t rating = measure - expected.times.size();
@@ -250,7 +250,7 @@ void take_measure(const MeasureExpectation& given, ExpectedStudy& expected, Stat
     return;
   }
   if (!(given.value > 0.0)) {
-    throw Error(where, fmt::format("{:g} % is no share of a time", given.value),
+    throw Error(where, fmt::format("{:g} % is not a share of a time", given.value),
                 "give per cent of the first method's time, above 0");
   }
   expected.times[measure].ratios[method] = given.value / 100.0;
@@ -264,22 +264,23 @@ void require_marks_in_order(const ExpectedStudy& expected) {
         return expected.times[of].baseline_s * expected.times[of].ratios[method];
       };
       if (!(seconds(mark) > seconds(mark - 1))) {
-        throw Error(protocol.marks[mark].id,
-                    fmt::format("with {} it would be expected after {:.3g} s, and {}, the mark "
-                                "before, after {:.3g} s",
-                                protocol.methods[method], seconds(mark),
-                                protocol.marks[mark - 1].id, seconds(mark - 1)),
-                    "change --seconds or --effect so that each mark comes after the one before");
+        throw Error(
+            protocol.marks[mark].id,
+            fmt::format("with {} it would be expected after {:.3g} s, but {}, the previous mark, "
+                        "after {:.3g} s",
+                        protocol.methods[method], seconds(mark), protocol.marks[mark - 1].id,
+                        seconds(mark - 1)),
+            "change --seconds or --effect so that marks are in order");
       }
     }
   }
 }
 
-/// What is planned must be expected to differ.
+/// Planned comparisons must have an expected difference.
 void require_effects(const ExpectedStudy& expected, const Stated& stated) {
   const study::Protocol& protocol = expected.protocol;
   if (protocol.analysis.primary.empty()) {
-    throw Error(protocol.name, "its analysis plan has no comparison",
+    throw Error(protocol.name, "has an analysis plan without comparisons",
                 "add [[analysis.primary]] with measure, method and baseline");
   }
   const std::vector<Measure> measures = study::trial_measures(protocol.marks, protocol.ratings);
@@ -301,7 +302,7 @@ void require_effects(const ExpectedStudy& expected, const Stated& stated) {
     if (!difference()) {
       throw Error(
           fmt::format("{}, {} against {}", planned.measure, planned.method, planned.baseline),
-          "this comparison is planned, and no difference is expected",
+          "this planned comparison has no expected difference",
           fmt::format("state it, as --effect {}:{}:{}", planned.measure, planned.method,
                       measure < expected.times.size() ? "25" : "1"));
     }
@@ -329,7 +330,8 @@ ExpectedStudy expect(const study::Protocol& protocol, const Expectations& expect
   expected.protocol = protocol;
   const std::size_t methods = protocol.methods.size();
   if (!(expectations.ratio_percent > 0.0)) {
-    throw Error("--ratio", fmt::format("{:g} % is no share of a time", expectations.ratio_percent),
+    throw Error("--ratio",
+                fmt::format("{:g} % is not a share of a time", expectations.ratio_percent),
                 "give per cent of the first method's time, above 0");
   }
   ExpectedTimes times{.ratios = std::vector<double>(methods, expectations.ratio_percent / 100.0)};

@@ -17,13 +17,13 @@ namespace {
 
 using study::Value;
 
-/// Effects on one kind of measure, as ExpectedSpread scales them.
+/// Effects on one kind of measure, in the units of ExpectedSpread.
 struct DrawnEffects {
   double own = 0.0;
   std::vector<double> gains;  ///< [method]
 };
 
-/// Each of two methods gives half of the variance of their difference.
+/// Each of two methods contributes half of the variance of their difference.
 DrawnEffects draw_effects(double own_sd, double gain_sd, std::size_t methods, Pcg32& generator) {
   DrawnEffects effects{.own = own_sd * generator.normal(), .gains = std::vector<double>(methods)};
   for (double& gain : effects.gains) {
@@ -53,7 +53,7 @@ struct Place {
 
 Value measured(double number) { return {.state = Value::State::measured, .number = number}; }
 
-/// The answer of the scale that is nearest.
+/// Returns the nearest answer of the scale.
 double nearest_answer(const study::Measure& rating, double value) {
   const std::vector<double> points = rating.points();
   if (points.empty()) {
@@ -63,13 +63,13 @@ double nearest_answer(const study::Measure& rating, double value) {
       points, [&](double a, double b) { return std::abs(a - value) < std::abs(b - value); });
 }
 
-/// What all participants of a study have in common.
+/// Effects shared by all participants of a study.
 struct DrawnScenes {
   std::vector<DrawnEffects> times;                 ///< [scene]
   std::vector<std::vector<DrawnEffects>> ratings;  ///< [rating][scene]
 };
 
-/// The values of one participant's trials.
+/// Draws the values of one participant's trials.
 class DrawnParticipant {
  public:
   DrawnParticipant(const ExpectedStudy& expected, const std::vector<study::Measure>& measures,
@@ -85,7 +85,7 @@ class DrawnParticipant {
     }
   }
 
-  /// In the order of the measures; `timeout_s` censors marks.
+  /// Returns values in the order of the measures; `timeout_s` censors marks.
   std::vector<Value> draw_trial(const Place& place, int trial, double timeout_s) {
     std::vector<Value> values;
     draw_times(place, trial, timeout_s, values);
@@ -101,7 +101,7 @@ class DrawnParticipant {
     return std::log(times.baseline_s) + std::log(times.ratios[method]);
   }
 
-  /// A log-normal factor whose mean is 1.
+  /// Draws a log-normal factor with mean 1.
   double draw_factor(double variation) {
     const double variance = std::log1p(variation * variation);
     return std::exp(std::sqrt(variance) * generator_.normal() - 0.5 * variance);
@@ -176,7 +176,7 @@ void add_trials(const ExpectedStudy& expected, const study::Plan& plan, std::uin
   }
 }
 
-/// Records without sessions.
+/// Returns records without sessions.
 study::StudyRecords records_of(const study::Protocol& protocol) {
   study::StudyRecords records;
   records.protocol.name = protocol.name;
@@ -255,7 +255,7 @@ ExpectedStudy example_study() {
     expected.times.push_back({.baseline_s = baseline_s, .ratios = {1.0, 0.32, 0.1}});
   }
   expected.shifts = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-  // So small that answers are hardly ever cut off at the ends of the scale.
+  // So small that answers are hardly ever clipped at the ends of the scale.
   expected.ratings_spread = {.participants = 0.1,
                              .scenes = 0.0,
                              .participants_gain = 0.05,

@@ -104,13 +104,13 @@ bool is_separated(const ModelCell& cell) {
 
 std::size_t study_count_of(const ModelCell& cell, const ModelCoverageSettings& settings) {
   if (is_separated(cell)) {
-    return (settings.studies + 19) / 20;  // takes clmm the longest
+    return (settings.studies + 19) / 20;  // slowest in clmm
   }
   return cell.is_rating ? (2 * settings.studies + 4) / 5 : settings.studies;
 }
 
 void remove_values(double share, std::uint64_t seed, study::StudyRecords& records) {
-  constexpr std::uint64_t stream = 1U << 20U;  // of no participant
+  constexpr std::uint64_t stream = 1U << 20U;  // not used by participants
   Pcg32 generator(seed, stream);
   for (std::size_t row = 0; row < records.trials.size(); ++row) {
     if (generator.uniform() < share) {
@@ -132,7 +132,7 @@ study::StudyRecords draw(const ModelCell& cell, std::uint64_t seed) {
   return records;
 }
 
-/// What the planned comparison should find.
+/// The true result of the planned comparison.
 struct Truth {
   double in_these_scenes = 0.0;
   double in_all_scenes = 0.0;
@@ -191,7 +191,7 @@ std::vector<CoverageFigure> model_figures(const ModelCell& cell) {
   return figures;
 }
 
-/// As many as model_figures() has, in its order.
+/// Returns as many counts as model_figures() has, in its order.
 StudyCounts count_study(const ModelCell& cell, const study::StudyRecords& records,
                         const FittedModels& models, const Truth& truth) {
   const Dataset set = select_for_analysis(records);
@@ -224,7 +224,8 @@ StudyCounts count_study(const ModelCell& cell, const study::StudyRecords& record
   StudyCounts counts(is_fixed ? 3 : 2);
   if (const auto found = primary(models); found && found->instead.empty()) {
     if (cell.is_rating) {
-      counts.front().add(found->p >= plan.alpha);  // as the interval covers no difference
+      counts.front().add(found->p >=
+                         plan.alpha);  // equivalent to the interval covering no difference
     } else {
       counts.front().add(*found, planned);
     }
@@ -248,7 +249,7 @@ StudyCounts count_block(const ModelCell& cell, const ModelCoverageSettings& sett
   StudyCounts counts(model_figures(cell).size());
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (const std::string why = missing_for(models[i]); !why.empty()) {
-      throw Error("bench statistics --r", why, "install it, or leave --r out");
+      throw Error("bench statistics --r", why, "install it, or remove --r");
     }
     const Truth truth = truth_of(cell, seed_of(cell, settings, first + i));
     add(count_study(cell, studies[i], models[i], truth), counts);
@@ -288,7 +289,7 @@ std::vector<ModelCell> model_cells() {
 
 double expected_seconds(const std::vector<ModelCell>& cells, const ModelCoverageSettings& settings,
                         const ModelFitter& fit) {
-  constexpr std::size_t unit = 100;  // of so many studies, one is timed
+  constexpr std::size_t unit = 100;  // one of this many studies is timed
   std::vector<study::StudyRecords> studies;
   std::size_t all = 0;
   for (const ModelCell& cell : cells) {

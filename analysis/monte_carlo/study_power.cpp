@@ -16,7 +16,7 @@ namespace {
 /// [mark][method]
 using Counts = std::vector<std::vector<std::size_t>>;
 
-/// The sums over some of the studies.
+/// Sums over a part of the studies.
 struct Tally {
   StudyPower power;
   std::size_t analysed = 0;
@@ -57,7 +57,7 @@ void count_study(const study::StudyRecords& records, const FittedModels& models,
   ++tally.power.studies;
   if (std::ranges::none_of(records.sessions,
                            [](const study::SessionRow& row) { return row.state == "completed"; })) {
-    return;  // Everybody withdrew: nothing can be analysed, or be significant.
+    return;  // All withdrew: no analysis, no significance.
   }
   const Dataset set = select_for_analysis(records);
   tally.analysed += set.participants.size();
@@ -137,7 +137,7 @@ double share_of_hits(const StudyPower& power, std::optional<std::size_t> compari
   return static_cast<double>(hits_of(power, comparison)) / static_cast<double>(power.studies);
 }
 
-/// The planned comparisons, and all of them together.
+/// Returns the planned comparisons, and all of them together.
 std::vector<std::optional<std::size_t>> criteria_of(const ExpectedStudy& expected) {
   std::vector<std::optional<std::size_t>> criteria = {std::nullopt};
   for (std::size_t i = 0; i < expected.protocol.analysis.primary.size(); ++i) {
@@ -149,8 +149,8 @@ std::vector<std::optional<std::size_t>> criteria_of(const ExpectedStudy& expecte
 /// Results by number of participants.
 using Sizes = std::map<std::size_t, StudyPower>;
 
-/// Halfway between the fewest participants that reach the target and the number before; empty if
-/// nothing lies between, or if it is not reached.
+/// Returns the number halfway between the minimum that reaches the target and the next lower one
+/// tried; empty if there is none between, or the target is not reached.
 std::optional<std::size_t> size_between(const Sizes& sizes, std::optional<std::size_t> criterion,
                                         double target) {
   std::optional<std::size_t> enough;

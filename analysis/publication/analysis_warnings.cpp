@@ -10,8 +10,9 @@
 namespace foveola::analysis {
 namespace {
 
-/// With so few scenes, what is said of others like them is less certain than its interval: see
-/// data/golden/README.md. Empty if there are enough, or if nothing planned is said of others.
+/// With so few scenes, intervals that generalise to other scenes undercover: see
+/// data/golden/README.md. Empty if there are enough scenes, or if no planned result generalises to
+/// others.
 std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
   const bool is_of_others =
       std::ranges::any_of(comparisons.methods, [](const MethodComparison& row) {
@@ -19,7 +20,7 @@ std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
       });
   return is_of_others && scenes < study::min_random_scenes
              ? fmt::format(
-                   "{}: 95 % intervals for scenes like these cover less (87 % with two, "
+                   "{}: 95 % confidence intervals for scenes like these undercover (87 % with two, "
                    "92 % with three); plan five, or fixed scenes.",
                    counted(scenes, "scene"))
              : "";
@@ -32,15 +33,15 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   std::vector<std::string> warnings;
   if (output.record && !output.record->faults.empty()) {
     warnings.push_back(fmt::format(
-        "The study's file is not what was written ({}): any number may be wrong; foveola study "
-        "verify lists what is.",
+        "The study's file failed its verification ({}): any number may be wrong; foveola study "
+        "verify lists the faults.",
         counted(output.record->faults.size(), "fault")));
   }
   if (const std::string warning = data_warning(tables); !warning.empty()) {
     warnings.push_back(warning);
   }
   if (tables.set.methods.size() < 2) {
-    warnings.emplace_back("The protocol has one method: nothing can be compared.");
+    warnings.emplace_back("The protocol has one method: there is no comparison.");
   }
   if (tables.set.participants.size() < 2) {
     warnings.emplace_back("One participant: no standard deviations and no intervals.");
@@ -75,12 +76,12 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   }
   if (const std::size_t count = tables.amended.size(); count > 0) {
     warnings.push_back(fmt::format(
-        "{} an amended protocol: amended_sessions.csv says which and what was changed.",
+        "{} an amended protocol: amended_sessions.csv names them and the changed keys.",
         count == 1 ? "One session followed" : fmt::format("{} sessions followed", count)));
   }
   if (const std::size_t count = tables.set.exclusions.size(); count > 0) {
     warnings.push_back(fmt::format(
-        "{} left out: exclusions.csv says which and why.",
+        "{} left out: exclusions.csv names them with the reasons.",
         count == 1 ? "One session or value is" : fmt::format("{} sessions or values are", count)));
   }
   return warnings;

@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-/// The columns of the tables that are written by rows, which may be large.
+/// Columns of the tables that are written row by row, as they may be large.
 struct DataColumns {
   ColumnsOf<std::size_t> gaze;
   ColumnsOf<study::AnswerRow> answers;
@@ -43,7 +43,8 @@ struct DataColumns {
   ColumnsOf<std::size_t> participants;
 };
 
-/// All tables, in the order of OUTPUTS.md; those that are written by rows have none here.
+/// Returns all tables, in the order of OUTPUTS.md. Those that are written row by row have no rows
+/// here.
 std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRecords& records,
                              const DataColumns& data) {
   std::vector<Table> all =
@@ -55,7 +56,7 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
   add("gaze_by_trial", "analysed test trial, its last timing", data.gaze, as_typed);
   add("answers_long", "answer of a questionnaire", data.answers, guarded);
   add("trials_long", "trial of a session, its last timing", data.trials, as_typed);
-  add("trials_timed_again", "timing of a trial that does not count", data.trials, as_typed);
+  add("trials_timed_again", "non-final timing of a trial", data.trials, as_typed);
   add("participants_wide", "analysed participant", data.participants, as_typed);
   return all;
 }
@@ -86,7 +87,7 @@ std::vector<TextFile> latex_files(const AnalysisOutput& output,
   return files;
 }
 
-/// The figures that this machine has the programs and fonts for; warnings say what is left out.
+/// Draws the figures for which this machine has programs and fonts; warnings name the others.
 std::vector<Figure> drawable_figures(AnalysisOutput& output) {
   std::vector<Figure> figures;
   try {
@@ -102,7 +103,7 @@ std::vector<Figure> drawable_figures(AnalysisOutput& output) {
   return figures;
 }
 
-/// The report comes last, so that it never stands beside tables older than itself.
+/// The report comes last, so that it is never beside tables older than itself.
 std::vector<TextFile> files_of(const AnalysisOutput& output,
                                const study::DataQualityRecords& quality,
                                const study::StudyRecords& records,
@@ -148,8 +149,8 @@ std::string withdrawn_in_words(const study::StudyRecords& records) {
       count == 1 ? "one session" : counted(count, "session"));
 }
 
-/// Writes the data, which may be large. The files that are made to be shared, of Psych-DS, never
-/// have those of withdrawn sessions.
+/// Writes the data, which may be large. Files for sharing, those of Psych-DS, never have the data
+/// of withdrawn sessions.
 void write_data(const study::StudyRecords& records, const DataColumns& data, const fs::path& folder,
                 AnalysisOutput& output) {
   const PsychDs shared =
@@ -202,7 +203,7 @@ void write_gaze(const study::StudyRecords& records, const ColumnsOf<std::size_t>
   output.files.push_back(path);
 }
 
-/// Fits the models in the folder, where the data are.
+/// Fits the models in the folder that has the data.
 FittedModels fit_models_of(const Dataset& set, const study::AnalysisPlan& plan,
                            const fs::path& folder) {
   const Table models = models_plan(set, compared_pairs(set, plan), plan.scenes);
@@ -210,8 +211,7 @@ FittedModels fit_models_of(const Dataset& set, const study::AnalysisPlan& plan,
   return fit_models(folder);
 }
 
-/// Writes the behavioural data, and the gaze of the participants in them, with one attempt in
-/// memory at a time.
+/// Writes the behavioural data and their participants' gaze, with one attempt in memory at a time.
 void write_bids(const study::StudyRecords& records, const DataColumns& data,
                 const ColumnsOf<std::size_t>& answers, const study::DataQualityRecords& quality,
                 const GazeReader& read_gaze, const fs::path& folder, AnalysisOutput& output) {
@@ -231,10 +231,10 @@ void write_bids(const study::StudyRecords& records, const DataColumns& data,
     write_output(folder, ignored->name, ignored->content, output);
   }
   if (eyes.too_short() > 0) {
-    output.warnings.push_back(
-        fmt::format("{} of gaze too short for a sampling frequency, and not in the BIDS files.",
-                    eyes.too_short() == 1 ? "One recording is"
-                                          : fmt::format("{} recordings are", eyes.too_short())));
+    output.warnings.push_back(fmt::format(
+        "{} too short for a sampling frequency, and not in the BIDS files.",
+        eyes.too_short() == 1 ? "One recording of gaze is"
+                              : fmt::format("{} recordings of gaze are", eyes.too_short())));
   }
 }
 
@@ -244,13 +244,14 @@ study::Verification verified_study(const fs::path& database, bool takes_changed)
   study::Verification found = study::verify_study(database);
   if (!found.faults.empty() && !takes_changed) {
     const study::RecordFault& first = found.faults.front();
-    throw Error(database.string(),
-                fmt::format("is not what was written ({}, the first: {}{}{})",
-                            counted(found.faults.size(), "fault"), first.participant,
-                            first.participant.empty() ? "" : ": ", first.what),
-                fmt::format("{} (foveola study verify lists the faults); or analyse it as it is "
-                            "with --unverified",
-                            study::damage_remedy));
+    throw Error(
+        database.string(),
+        fmt::format("failed its verification ({}, the first: {}{}{})",
+                    counted(found.faults.size(), "fault"), first.participant,
+                    first.participant.empty() ? "" : ": ", first.what),
+        fmt::format("{} (foveola study verify lists the faults); or analyse it nevertheless "
+                    "with --unverified",
+                    study::damage_remedy));
   }
   return found;
 }
@@ -289,7 +290,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   output.comparisons =
       compare_methods(output.tables.set, plan,
                       options.r ? fit_models_of(output.tables.set, plan, staged.path())
-                                : FittedModels{.missing = "it was not asked for (analyze --r)"});
+                                : FittedModels{.missing = "add --r to fit models"});
   output.results = tables_of(output, records, columns);
   output.summary = terminal_summary(output.tables, output.results, output.comparisons,
                                     output.background, published);
@@ -311,9 +312,10 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   PublishedFiles published_files = staged.publish(output.files);
   output.files = std::move(published_files.files);
   for (const fs::path& file : published_files.staying) {
-    output.warnings.push_back(fmt::format(
-        "{} is of an earlier analysis and stays, since it was changed or a link leads to it.",
-        file.string()));
+    output.warnings.push_back(
+        fmt::format("{}, of an earlier analysis, was not removed, because it was changed or is "
+                    "reached by a link.",
+                    file.string()));
   }
   output.report = output.files.back();
   return output;

@@ -1,4 +1,4 @@
-// From a study's file to a folder of tables, figures and a report.
+// Analyses a study's file: verifies, reads, computes, and writes a folder of results.
 #pragma once
 
 #include <filesystem>
@@ -23,48 +23,48 @@ struct AnalysisOptions {
   bool r = false;           ///< Fit models by R, and take the primary analyses from them.
   bool unverified = false;  ///< Analyse a study's file even if its verification fails.
   /// Also write the data of withdrawn sessions to trials_long.csv, trials_timed_again.csv and
-  /// answers_long.csv. No result uses them.
+  /// answers_long.csv. The results do not use them.
   bool withdrawn = false;
 };
 
-/// Calls its argument for every attempt's gaze, as study::visit_gaze does. An empty one stands for
-/// a study without gaze.
+/// Calls its argument for every attempt's gaze, as study::visit_gaze does. Empty: a study without
+/// gaze.
 using GazeReader = std::function<void(const std::function<void(const study::AttemptGaze&)>&)>;
 
 struct AnalysisOutput {
   std::filesystem::path report;              ///< report.html
   std::vector<std::filesystem::path> files;  ///< All files that were written.
-  std::string summary;                       ///< Several lines for the terminal, ready to print.
+  std::string summary;                       ///< Lines for the terminal, ready to print.
   std::vector<std::string> warnings;
   StudyTables tables;
   Background background;
   Comparisons comparisons;
   DataQualityReport checks;
-  /// Every table that was written; those of trials, their gaze, answers and participants, which are
-  /// written row by row, have no rows here.
+  /// Every table that was written. Tables that are written row by row have no rows here: trials,
+  /// their gaze, answers and participants.
   std::vector<Table> results;
   std::optional<study::Verification> record;  ///< The verification of the study's file, if read.
 };
 
-/// The findings of `foveola study verify`. Throws Error if the file is not what was written, unless
-/// changed files are taken, and for what is no study.
+/// Returns the findings of `foveola study verify`. Throws Error if the file is not a study, or was
+/// changed and takes_changed is false.
 study::Verification verified_study(const std::filesystem::path& database, bool takes_changed);
 
-/// Whether a table may be too large to be in memory: it is written row by row.
+/// Returns whether a table is written row by row, because it may be too large for memory.
 bool is_written_by_rows(const Table& table);
 
-/// Verifies the study's file, reads it and writes its tables and figures to `folder`,
-/// which is made if its parent exists. Files of an earlier analysis are replaced, or removed if
-/// this one does not write them; others are left alone, and so is what was changed since. Nothing
-/// is written before everything is computed. Throws Error if the verification fails (unless
-/// options.unverified), there is nothing to analyse, or the folder cannot be written.
+/// Verifies the study's file, reads it and writes its tables and figures to `folder`, which is made
+/// if its parent exists. Files of an earlier analysis are replaced, or removed if this one does not
+/// write them; other files, and those changed since, are left alone. Nothing is written before
+/// everything is computed. Throws Error if the verification fails (unless options.unverified),
+/// there is nothing to analyse, or the folder cannot be written.
 AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder,
                              const AnalysisOptions& options = {});
 
-/// Analyses records that are in memory; `record` is the verification of their file, if there is
-/// one. The files that are written row by row have the rows of `exported`, which is the same study
-/// with the data of its withdrawn sessions; empty: those of `records`.
+/// Analyses records in memory; `record` is the verification of their file, if there is one. Files
+/// that are written row by row hold the rows of `exported`, the same study with the data of its
+/// withdrawn sessions; empty: those of `records`.
 AnalysisOutput analyze_records(const study::StudyRecords& records,
                                const study::DataQualityRecords& quality,
                                const std::filesystem::path& folder,

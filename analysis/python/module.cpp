@@ -1,4 +1,4 @@
-// The Python module `foveola`: three functions, which load a scene, render it, and read a study's
+// The Python module `foveola`: three functions that load a scene, render it, and read a study's
 // file as data frames.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -44,7 +44,7 @@ out, listed in `dropped`, and warned of.)";
 constexpr const char* read_study_text = R"(Read a study's file as data frames of pandas.
 
 file: a study's .sqlite. It is verified first, and never changed.
-unverified: read it even if it is not what was written.
+unverified: read it even if it fails its verification.
 withdrawn: with the data of sessions that participants withdrew from.
 
 Returns a dictionary of data frames: "trials" (a row for each trial's last timing), "answers" (of
@@ -53,12 +53,12 @@ timings that do not count), with the columns of the files that `foveola analyze`
 each has "participant_kind" ("human", "pilot" or "simulated"), "record" ("verified" or "changed"),
 and "units" and "meanings" of its columns.)";
 
-/// A text, or a path as pathlib has it. Throws UsageError for one with a NUL, where the system's
-/// names end.
+/// Returns a text, or a pathlib path. Throws UsageError if it contains NUL, which ends names in the
+/// system.
 std::string file_name(const py::object& text_or_path, const char* name) {
   auto text = py::module_::import("os").attr("fsencode")(text_or_path).cast<std::string>();
   if (text.find('\0') != std::string::npos) {
-    throw UsageError(name, "has a NUL in it", "give the name of a file without");
+    throw UsageError(name, "contains a NUL character", "remove the character");
   }
   return text;
 }
@@ -78,11 +78,11 @@ void define_scene(py::module_& module) {
             const DVec3 place = DVec3(scene.loaded.camera.position) + scene.loaded.scene.origin;
             return py::make_tuple(place.x, place.y, place.z);
           },
-          "Where the camera stands, in metres.")
+          "The camera's position, in metres.")
       .def_property_readonly(
           "head_deg",
           [](const SceneForPython& scene) { return degrees_of(scene.loaded.camera.heading); },
-          "Where it looks: azimuth and elevation in degrees.")
+          "The camera's direction: azimuth and elevation in degrees.")
       .def_property_readonly("triangles", [](const SceneForPython& scene) {
         return scene.loaded.scene.triangle_count();
       });
@@ -98,15 +98,15 @@ void define_scene(py::module_& module) {
 }
 
 void define_render(py::module_& module) {
-  py::class_<RenderForPython>(module, "Rendering", "What render() returns.")
+  py::class_<RenderForPython>(module, "Rendering", "The result of render().")
       .def_readonly("radiance", &RenderForPython::radiance,
                     "Linear Rec. 709, float32, of shape (height, width, 3); the first row is the "
                     "top. Black where there are no samples.")
       .def_readonly("samples", &RenderForPython::samples,
-                    "How many samples each pixel is the mean of, of shape (height, width).")
-      .def_readonly("seconds", &RenderForPython::seconds, "What rendering took.")
+                    "Number of samples per pixel, of shape (height, width).")
+      .def_readonly("seconds", &RenderForPython::seconds, "Duration of rendering.")
       .def_readonly("dropped", &RenderForPython::dropped,
-                    "(x, y, number) of each sample that was not finite; `foveola render --replay` "
+                    "(x, y, index) of each sample that was not finite; `foveola render --replay` "
                     "traces it again.");
   const RenderArguments usual;
   module.def(
@@ -136,8 +136,8 @@ void define_render(py::module_& module) {
 PYBIND11_MODULE(foveola, module) {
   module.doc() = "A laboratory for foveated previews: load_scene, render and read_study.";
   module.attr("__version__") = build_info().version;
-  // numpy is imported when its types are first needed. With two threads that need them, one imports
-  // it and waits for the lock that the other holds while it waits for that import.
+  // Imports numpy now, as its types need it. Otherwise, of two threads that need it first, one
+  // imports it and waits for the lock of the other, which waits for that import.
   (void)py::dtype::of<float>();
   const py::object& error = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
   py::register_exception<UsageError>(module, "UsageError", error.ptr());

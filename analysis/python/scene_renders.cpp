@@ -17,7 +17,7 @@ namespace py = pybind11;
 namespace foveola::analysis {
 namespace {
 
-/// Shown by Python as a warning of the caller.
+/// Python shows it as a warning of the caller.
 void warn(const std::string& text) {
   if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
     throw py::error_already_set();
@@ -61,7 +61,7 @@ RenderSettings settings_of(const RenderArguments& arguments) {
   }
   if (!arguments.method) {
     if (arguments.gaze_deg) {
-      throw UsageError("gaze_deg", "is of no account in a picture",
+      throw UsageError("gaze_deg", "cannot be combined with a picture",
                        "give a method, such as \"fv\"");
     }
     settings.picture = PictureChoices{.size = size};
@@ -69,7 +69,7 @@ RenderSettings settings_of(const RenderArguments& arguments) {
     return settings;
   }
   if (arguments.method->find('\0') != std::string::npos) {
-    throw UsageError("method", "has a NUL in it", names.remedy);
+    throw UsageError("method", "contains a NUL character", names.remedy);
   }
   settings.method = *arguments.method;
   settings.progressive.film_size = size.value_or(default_size);
@@ -80,7 +80,7 @@ RenderSettings settings_of(const RenderArguments& arguments) {
   return settings;
 }
 
-/// Runs on another thread, since Python hears of Ctrl-C on this one alone.
+/// Renders on another thread, because only this one receives Python's Ctrl-C.
 Rendering render_interruptibly(const SceneForPython& scene, const RenderSettings& settings) {
   constexpr auto between_looks = std::chrono::milliseconds(50);
   std::stop_source stop;
@@ -159,7 +159,7 @@ RenderForPython render_for_python(const SceneForPython& scene, const RenderArgum
       .seconds = rendering.report.seconds,
       .dropped = places_of(rendering.report.non_finite, static_cast<std::uint32_t>(color.width))};
   if (const std::size_t count = result.dropped.size(); count > 0) {
-    warn(fmt::format("{} sample{} not finite, and left out: see dropped", count,
+    warn(fmt::format("{} sample{} not finite and left out: see dropped", count,
                      count == 1 ? " was" : "s were"));
   }
   return result;

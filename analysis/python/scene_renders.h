@@ -1,4 +1,4 @@
-// Scenes and renders as Python has them: numpy arrays, and angles in degrees.
+// Scenes and renders for Python: numpy arrays, and angles in degrees.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace foveola::analysis {
 /// Azimuth and elevation in the world.
 using AnglesDeg = std::pair<double, double>;
 
-/// A scene that was loaded, and the threads that render it.
+/// A loaded scene, and its rendering threads.
 struct SceneForPython {
   Workers workers;
   LoadedScene loaded;
@@ -28,19 +28,19 @@ struct SceneForPython {
   SceneForPython(const std::string& name_or_path, const RenderSettings& settings);
 };
 
-/// Whether this process was forked from one that had loaded a scene. Threads do not survive a fork,
-/// and a render would wait for theirs.
+/// Returns whether this process was forked from one that had loaded a scene. Threads do not survive
+/// a fork, and a render would wait for them forever.
 bool is_forked();
 
-/// Leaves a scene as it is in a forked process, where nobody can end its threads.
+/// Leaks a scene in a forked process, which cannot end its threads.
 struct DeleteUnlessForked {
   void operator()(const SceneForPython* scene) const;
 };
 
-/// What render() takes in Python, with its defaults.
+/// Arguments of render() in Python, with their defaults.
 struct RenderArguments {
-  std::optional<std::string> method;        ///< as make_view_sampler reads it; none: a picture
-  std::optional<AnglesDeg> gaze_deg;        ///< default: where the head points
+  std::optional<std::string> method;        ///< as make_view_sampler reads it; empty: a picture
+  std::optional<AnglesDeg> gaze_deg;        ///< default: the head's direction
   std::optional<std::pair<int, int>> size;  ///< width and height in pixels
   std::optional<double> samples_per_pixel;
   std::optional<std::int64_t> samples;
@@ -49,21 +49,21 @@ struct RenderArguments {
   int max_depth = 8;
 };
 
-/// What render() returns in Python.
+/// Result of render() in Python.
 struct RenderForPython {
   pybind11::array_t<float> radiance;         ///< [height][width][3], linear Rec. 709
   pybind11::array_t<std::uint32_t> samples;  ///< [height][width]
   double seconds = 0.0;
-  std::vector<std::array<std::uint32_t, 3>> dropped;  ///< x, y, number of the sample in its pixel
+  std::vector<std::array<std::uint32_t, 3>> dropped;  ///< x, y, index of the sample in its pixel
 };
 
-/// The camera's place in metres, where it looks, and the threads. Throws UsageError for what no
-/// render can have, Error in a forked process.
+/// Returns settings with the camera's place in metres, its direction, and the threads. Throws
+/// UsageError for invalid settings, Error in a forked process.
 RenderSettings scene_settings(const std::optional<std::array<double, 3>>& camera_m,
                               const std::optional<AnglesDeg>& head_deg, int threads);
 
-/// Renders without Python's lock, and stops when Python is interrupted. Throws Error for settings
-/// that make no sense, and in a forked process.
+/// Renders without Python's lock, and stops when Python is interrupted. Throws Error for invalid
+/// settings, and in a forked process.
 RenderForPython render_for_python(const SceneForPython& scene, const RenderArguments& arguments);
 
 }  // namespace foveola::analysis

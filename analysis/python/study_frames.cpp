@@ -23,11 +23,11 @@ namespace py = pybind11;
 namespace foveola::analysis {
 namespace {
 
-/// What is read without Python.
+/// Data read without Python.
 struct StudyData {
   study::Verification record;
   study::StudyRecords records;
-  std::optional<study::StudyRecords> with_withdrawn;  ///< where asked for
+  std::optional<study::StudyRecords> with_withdrawn;  ///< if requested
   study::DataQualityRecords quality;
   Dataset set;
 };
@@ -46,7 +46,7 @@ StudyData read(const std::filesystem::path& file, const StudyChoices& choices) {
   return data;
 }
 
-/// Those of pandas that know missing values.
+/// Returns pandas's types with missing values.
 const char* dtype_of(ColumnType type) {
   switch (type) {
     case ColumnType::whole:
@@ -73,7 +73,7 @@ py::object python_of(const Field& field) {
       field);
 }
 
-/// A frame of the rows of these items.
+/// Returns a frame of the rows of these items.
 template <typename Item>
 py::object frame_of(const ColumnsOf<Item>& columns_of_items, const std::vector<Item>& items,
                     const Dataset& set) {

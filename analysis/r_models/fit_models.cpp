@@ -24,16 +24,16 @@ constexpr const char* models_file = "r_models.csv";
 constexpr const char* versions_file = "r_versions.csv";
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
-  throw Error(where, what, "report it: models.R writes this file, and foveola reads it");
+  throw Error(where, what, "report this fault: models.R writes this file for foveola");
 }
 
-/// A row of a table with a heading, by its columns' names.
+/// A row of a table with a heading, accessed by column names.
 class NamedRow {
  public:
   NamedRow(const CsvRow& heading, const CsvRow& row, const std::string& where) : where_(where) {
     if (row.size() != heading.size()) {
       fail(where,
-           fmt::format("a row has {} fields, and the heading {}", row.size(), heading.size()));
+           fmt::format("a row has {} fields, but the heading {}", row.size(), heading.size()));
     }
     for (std::size_t i = 0; i < row.size(); ++i) {
       fields_[heading[i]] = row[i];
@@ -48,7 +48,7 @@ class NamedRow {
     return found->second;
   }
 
-  /// Empty for an empty field. R writes infinite numbers as Inf and -Inf.
+  /// Returns a number; empty for an empty field. R writes infinite numbers as Inf and -Inf.
   std::optional<double> number(const std::string& column) const {
     const std::string& digits = text(column);
     if (digits.empty()) {
@@ -61,7 +61,7 @@ class NamedRow {
     double value = 0.0;
     const char* end = digits.data() + digits.size();
     if (std::from_chars(digits.data(), end, value).ptr != end) {
-      fail(where_, fmt::format("\"{}\" in the column {} is no number", digits, column));
+      fail(where_, fmt::format("\"{}\" in the column {} is not a number", digits, column));
     }
     return value;
   }
@@ -70,7 +70,7 @@ class NamedRow {
     const std::optional<double> value = number(column);
     constexpr double most = 1e15;
     if (!value || *value < 0.0 || *value > most) {
-      fail(where_, fmt::format("\"{}\" in the column {} is no count", text(column), column));
+      fail(where_, fmt::format("\"{}\" in the column {} is not a count", text(column), column));
     }
     return static_cast<std::size_t>(*value);
   }
@@ -83,7 +83,7 @@ class NamedRow {
         return scale;
       }
     }
-    fail(where_, fmt::format("\"{}\" is no scale", name));
+    fail(where_, fmt::format("\"{}\" is not a scale", name));
   }
 
  private:

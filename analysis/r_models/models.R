@@ -18,7 +18,7 @@
 
 confidence <- 0.95
 
-# What an estimate is: natural logarithms of ratios of times, method over reference, and of odds
+# Scale of an estimate: natural logarithms of ratios of times, method over reference, and of odds
 # ratios of a higher rating; points of a scale with many.
 scale_of <- function(comparison) {
   c(time = "ratio", points = "odds ratio", scale = "points")[[comparison$kind]]
@@ -45,8 +45,8 @@ result <- function(comparison, model, estimate = NA, standard_error = NA, degree
 no_leave_one_out <- list(without_one_low = NA_real_, low_without = "", without_one_high = NA_real_,
                          high_without = "")
 
-# The smallest and the largest estimate(rows) without one participant, and who that is; NULL if it
-# is not wanted, or has no value without somebody.
+# Returns the minimum and maximum of estimate(rows) without one participant, with that participant;
+# NULL if they are not wanted, or if one has no value.
 leave_one_out <- function(rows, comparison, estimate) {
   people <- levels(rows$participant)
   if (comparison$detail != "full" || length(people) < 3) return(NULL)
@@ -73,8 +73,8 @@ guarded <- function(comparison, model, packages, fit) {
       invokeRestart("muffleWarning")
     }),
     error = function(e) result(comparison, model, note = conditionMessage(e)))
-  # A mean difference has one degree of freedom at least. Satterthwaite's approximation gives less
-  # where the optimizer stopped beside a variance of nothing, and t of these says P = 1.
+  # A mean difference has at least one degree of freedom. Satterthwaite's approximation gives less
+  # if the optimizer stopped near a zero variance, where t has P = 1.
   freedom <- row$degrees_of_freedom
   failed <- isTRUE(freedom < 0.9)
   if (failed) row[c("standard_error", "degrees_of_freedom", "low", "high", "p")] <- NA
@@ -84,7 +84,7 @@ guarded <- function(comparison, model, packages, fit) {
   row
 }
 
-# The trials of a comparison's two methods that have a value, with `value` and `censored`.
+# Returns the trials of a comparison's two methods with a value, with `value` and `censored`.
 trials_of <- function(trials, comparison) {
   is_time <- comparison$kind == "time"
   rows <- trials[trials$method %in% c(comparison$method, comparison$reference), ]
@@ -101,9 +101,9 @@ trials_of <- function(trials, comparison) {
   rows
 }
 
-# An empty text if there is enough to fit a model to.
+# Returns an empty text if the data suffice to fit a model.
 why_not <- function(rows) {
-  if (nlevels(rows$participant) < 2) return("it needs two participants")
+  if (nlevels(rows$participant) < 2) return("fewer than two participants")
   if (nlevels(droplevels(rows$method)) < 2) return("one of the methods has no values")
   ""
 }
@@ -113,8 +113,8 @@ counts <- function(rows) {
        scenes = nlevels(rows$scene), censored = sum(rows$censored))
 }
 
-# The differences of the pairs: method less reference by one participant in one scene, of times
-# their logarithms.
+# Returns the differences of the pairs: method less reference by one participant in one scene, of
+# times their logarithms.
 pairs_of <- function(rows, is_time) {
   rows$compared <- if (is_time) log(rows$value) else rows$value
   rows <- rows[!rows$censored, c("participant", "scene", "method", "compared")]
@@ -142,7 +142,7 @@ mixed_model <- function(pairs, scenes) {
 }
 
 fit_mixed <- function(pairs, scenes) {
-  if (nlevels(pairs$participant) < 2) stop("it needs two participants")
+  if (nlevels(pairs$participant) < 2) stop("fewer than two participants")
   if (nlevels(pairs$scene) < 2) stop("one scene: the paired t test is this model")
   model <- if (scenes == "random") {
     difference ~ 1 + (1 | participant) + (1 | scene)
@@ -252,7 +252,7 @@ ordinal_model <- function(rows, comparison) {
   if (nzchar(why_not(rows))) stop(why_not(rows))
   if (nlevels(rows$rating) < 2) stop("all answers are the same")
   fewest <- 3  # levels of a random effect, for ordinal
-  if (nlevels(rows$participant) < fewest) stop("it needs three participants")
+  if (nlevels(rows$participant) < fewest) stop("fewer than three participants")
   others <- "(1 | participant)"
   note <- ""
   if (nlevels(rows$scene) > 1) {
@@ -265,7 +265,7 @@ ordinal_model <- function(rows, comparison) {
     }
   }
   fit <- ordinal::clmm(as.formula(paste("rating ~ method +", others)), data = rows)
-  # How much less likely the data are with this log odds ratio, as the root of the likelihood ratio.
+  # Returns the root of the likelihood ratio of this log odds ratio.
   root_at <- function(effect) {
     rows$shift <- effect * (rows$method == comparison$method)
     fixed <- ordinal::clmm(as.formula(paste("rating ~ offset(shift) +", others)), data = rows,
@@ -275,11 +275,11 @@ ordinal_model <- function(rows, comparison) {
   row <- coef(summary(fit))[paste0("method", comparison$method), ]
   estimate <- row[["Estimate"]]
   wald <- row[["Std. Error"]]
-  # As likely as with a far smaller effect, of an odds ratio of e^10: there is no largest one.
+  # If a far smaller effect, an odds ratio of e^10, is as likely, there is no maximum.
   is_separated <- abs(estimate) > 10 && root_at(sign(estimate) * 10) < 0.2
   is_singular <- !is.finite(wald)
   variances <- ordinal::VarCorr(fit)
-  # The variance of the difference between two methods.
+  # Returns the variance of the difference between two methods.
   of_difference <- function(group) {
     if (group %in% names(variances)) 2 * variances[[group]][1] else NA
   }
@@ -313,7 +313,8 @@ ordinal_model <- function(rows, comparison) {
                          note = paste(note[nzchar(note)], collapse = "; ")), counts(rows)))
 }
 
-# Where root_at(effect) reaches the limit on one side of the estimate; infinite if it never does.
+# Returns the effect at which root_at(effect) reaches the limit on one side of the estimate;
+# infinite if it never does.
 profile_end <- function(root_at, estimate, step, limit, is_infinite) {
   if (is_infinite) return(sign(step) * Inf)
   beyond <- function(distance) root_at(estimate + sign(step) * distance) - limit

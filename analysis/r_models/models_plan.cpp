@@ -8,18 +8,18 @@ Table models_plan(const Dataset& set, const std::vector<ComparedPair>& pairs,
   const ColumnsOf<P> columns = {
       {"measure", "", "Id of the mark or rating",
        [&](const P& pair) { return set.measures[pair.measure].id(); }},
-      {"kind", "", "time; points: a rating with few; scale: a rating with many",
+      {"kind", "", "Kind of measure: time; points: a rating with few; scale: a rating with many",
        [&](const P& pair) {
          const Measure& measure = set.measures[pair.measure];
          return measure.is_time() ? "time" : measure.points().empty() ? "scale" : "points";
        }},
       {"method", "", "Id of the method", [&](const P& pair) { return set.methods[pair.method]; }},
-      {"reference", "", "Id of the method that it is compared with",
+      {"reference", "", "Id of the reference method",
        [&](const P& pair) { return set.methods[pair.reference]; }},
       {"scenes", "", "Whether scenes are random or fixed, by the protocol",
        [&](const P& /*pair*/) { return scenes; }},
       {"detail", "",
-       "full: with profile intervals and estimates without each participant; p_only: without",
+       "Detail: full, with profile intervals and estimates without each participant; or p_only",
        [&](const P& /*pair*/) { return detail == ModelDetail::full ? "full" : "p_only"; }}};
   Table plan = tabulate("models_plan", "comparison that models.R fits", columns, pairs);
   plan.texts = CsvTexts::as_typed;

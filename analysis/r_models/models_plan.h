@@ -1,4 +1,4 @@
-// What models.R has to fit.
+// Writes the plan of models for models.R.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,13 @@
 
 namespace foveola::analysis {
 
-/// How much models.R computes of each model.
+/// Amount of results per model.
 enum class ModelDetail {
   full,    ///< With profile intervals of ordinal models, and estimates without each participant.
   p_only,  ///< Without these, which take many more fits: for thousands of studies.
 };
 
-/// models_plan.csv: a row for each of the pairs, with its measure's kind and whether scenes are
-/// random.
+/// models_plan.csv: a row per pair, with its measure's kind and whether scenes are random.
 Table models_plan(const Dataset& set, const std::vector<ComparedPair>& pairs,
                   study::SceneEffects scenes, ModelDetail detail = ModelDetail::full);
 

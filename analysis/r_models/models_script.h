@@ -1,4 +1,4 @@
-// The script for R that fits a study's models: models.R as a string.
+// The R script that fits a study's models: models.R as a string.
 #pragma once
 
 namespace foveola::analysis {

@@ -17,7 +17,7 @@ namespace {
 
 using BenchJson = nlohmann::ordered_json;
 
-/// The keys that distinguish the elements of an array.
+/// Keys that distinguish the elements of an array.
 constexpr std::array<std::string_view, 14> identities = {
     "name",  "kind", "scene",  "gaze",   "configuration", "region", "metric",
     "level", "unit", "method", "option", "threads",       "what",   "claim"};
@@ -26,7 +26,7 @@ bool is_identity(std::string_view key, const BenchJson& /*value*/) {
   return std::find(identities.begin(), identities.end(), key) != identities.end();
 }
 
-/// "threads=2", or the position where no key distinguishes it.
+/// Returns "threads=2", or the position if no key distinguishes it.
 std::string identity_of(const BenchJson& element, std::size_t position, IsIdentity is_identity) {
   std::string identity;
   if (element.is_object()) {
@@ -40,8 +40,8 @@ std::string identity_of(const BenchJson& element, std::size_t position, IsIdenti
   return identity.empty() ? std::to_string(position) : identity;
 }
 
-/// {"value": 3, "low": 2, "high": 4}, or "median" or "percent" for "value", is one figure; the ends
-/// may be null.
+/// Returns the value of {"value": 3, "low": 2, "high": 4}, or of "median" or "percent", which is
+/// one figure; its ends may be null.
 const BenchJson* estimated_value(const BenchJson& node) {
   if (node.is_object() && node.contains("low") && node.contains("high")) {
     for (const char* key : {"value", "median", "percent"}) {
@@ -56,7 +56,8 @@ const BenchJson* estimated_value(const BenchJson& node) {
 BenchJson parse(const std::string& text, const std::string& name) {
   BenchJson json = BenchJson::parse(text, nullptr, false);
   if (!json.is_object()) {
-    throw Error(name, "is no JSON object", "give what a foveola bench command prints with --json");
+    throw Error(name, "is not a JSON object",
+                "name a file with the --json output of a foveola bench command");
   }
   return json;
 }
@@ -75,7 +76,7 @@ std::vector<BenchFigure> figures_of(const BenchJson& json) {
   return figures;
 }
 
-/// The settings, those in objects as "plan.width".
+/// Collects the settings, those in objects as "plan.width".
 void collect_settings(const BenchJson& node, const std::string& place, BenchJson& settings) {
   for (const auto& [key, value] : node.items()) {
     if (is_of_figures(value) || (place.empty() && key == "date")) {
@@ -110,7 +111,7 @@ std::vector<std::string> differing_settings(const BenchJson& before, const Bench
   return differing;
 }
 
-/// The figure's absolute value, with the ends of its interval exchanged where needed.
+/// Returns the figure's absolute value, with the ends of its interval exchanged if needed.
 BenchFigure magnitude(BenchFigure figure) {
   if (figure.value < 0.0) {
     figure.value = -figure.value;
@@ -150,7 +151,7 @@ bool is_outside(double value, const Interval& interval) {
   return value < interval.low || value > interval.high;
 }
 
-/// Whether the figures differ by more than their intervals, so widened, allow.
+/// Returns whether the figures differ by more than their widened intervals allow.
 bool is_beyond(const BenchFigure& before, const BenchFigure& after, double widening) {
   const std::optional<Interval> ratio = ratio_interval(before, after, widening);
   return ratio ? is_outside(1.0, *ratio)
@@ -200,7 +201,7 @@ BenchRatio judged(const BenchPair& pair, double widening) {
   return row;
 }
 
-/// What two outputs have in common.
+/// Pairs the figures of two outputs.
 void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<BenchPair>& pairs,
                   std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);

@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-/// "19.5", "-0.55", "734 700".
+/// Matches "19.5", "-0.55", "734 700".
 const std::string number_pattern = R"((?:-|−)?\d+(?: \d{3})*(?:\.\d+)?)";
 
-/// {51}, or {51 [34, 75]} with its interval.
+/// Matches {51}, or {51 [34, 75]} with its interval.
 const std::regex& claimed_numbers() {
   static const std::regex pattern(fmt::format(R"(\{{({0}(?: \[{0}, {0}\])?)\}})", number_pattern));
   return pattern;
@@ -76,9 +76,9 @@ void read_text(TomlReader& reader, Claim& claim) {
     claim.numbers.push_back({shown, value, {}});
   }
   claim.words.emplace_back(rest, text.end());
-  // Words around the numbers show where these begin and end.
+  // Words around the numbers delimit them.
   if (claim.numbers.empty() || claim.words.front().empty() || claim.words.back().empty()) {
-    reader.fail(reader.source("text"), "must have numbers in braces, and words before and behind",
+    reader.fail(reader.source("text"), "must have numbers in braces, with words before and after",
                 "write it as \"covers {94.4} %\" or \"takes {51 [34, 75]} s\"");
   }
 }
@@ -94,8 +94,8 @@ void read_figures(TomlReader& reader, Claim& claim) {
   }
   const std::vector<TomlReader::Text> figures = reader.require_texts("figures");
   if (figures.size() != claim.numbers.size()) {
-    reader.fail(reader.source("figures"), "are not as many as the numbers in braces",
-                "name one for each");
+    reader.fail(reader.source("figures"), "do not match the numbers in braces",
+                "name one figure per number");
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
     claim.numbers[i].figure = figures[i].value;
@@ -131,17 +131,17 @@ fs::path document_file(const Claims& claims, const Claim& claim) {
   return (claims.file.parent_path() / ".." / claim.document).lexically_normal();
 }
 
-/// Where each of a claim's numbers stands in a document: its begin and its end.
+/// The begin and the end of each of a claim's numbers in a document.
 using NumberSpans = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// Throws Error unless the claim stands in the document once, in which lines are broken anywhere.
+/// Throws Error unless the claim is exactly once in the document, with line breaks anywhere.
 NumberSpans find_claim(const fs::path& file, const Claim& claim) {
   std::string document = read_file(file);
   std::replace(document.begin(), document.end(), '\n', ' ');
   std::string text = claim.words[0];
   NumberSpans spans;
   std::string missing = "text";
-  std::size_t known = 0;  // the place of as much of the text as the document has
+  std::size_t known = 0;  // the number of matching pieces
   for (std::size_t i = 0; i < claim.numbers.size(); ++i) {
     const std::string& shown = claim.numbers[i].shown;
     if (const std::size_t begin = document.find(text); begin != std::string::npos) {
@@ -169,11 +169,11 @@ NumberSpans find_claim(const fs::path& file, const Claim& claim) {
   return spans;
 }
 
-/// New texts in place of parts of a text, by where these begin and end.
+/// New texts for parts of a text, by their begins and ends.
 using Edits = std::map<std::pair<std::size_t, std::size_t>, std::string>;
 
-/// The figure that a pattern matches, in which * is any text; of several, after "min " or "max ",
-/// the least or greatest. Throws Error if it matches none, or too many.
+/// Returns the figure that a pattern matches, in which * is any text; of several, after "min " or
+/// "max ", the minimum or maximum. Throws Error if it matches none, or several.
 const BenchFigure& find_figure(const std::string& term, const std::vector<BenchFigure>& figures) {
   const bool is_least = term.starts_with("min ");
   const bool is_extreme = is_least || term.starts_with("max ");
@@ -188,18 +188,18 @@ const BenchFigure& find_figure(const std::string& term, const std::vector<BenchF
       continue;
     }
     if (found != nullptr && !is_extreme) {
-      throw Error(term, "matches several figures of what was made", "mend the claim");
+      throw Error(term, "matches several figures of the results", "correct the claim");
     }
     found = found == nullptr || (figure.value < found->value) == is_least ? &figure : found;
   }
   if (found == nullptr) {
-    throw Error(term, "matches no figure of what was made", "mend the claim");
+    throw Error(term, "matches no figure of the results", "correct the claim");
   }
   return *found;
 }
 
-/// Evaluates patterns and numbers between " * " and " / " from left to right, and so its interval
-/// at both ends of the figures' intervals.
+/// Evaluates patterns and numbers joined by " * " and " / " from left to right, and so its interval
+/// at both limits of the figures' intervals.
 ClaimValue make_value(const std::string& expression, const std::vector<BenchFigure>& figures) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::array<double, 3> value_low_high = {1.0, 1.0, 1.0};
@@ -241,7 +241,7 @@ Claims read_claims(const fs::path& file) {
       is_new = ids.insert(claim.id).second && is_new;
     }
     if (!is_new) {
-      reader.fail(reader.source(), "has an id that was given before", "choose another one");
+      reader.fail(reader.source(), "repeats the id of another claim", "choose another id");
     }
   }
   top.reject_unknown_keys();

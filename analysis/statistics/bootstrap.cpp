@@ -33,7 +33,7 @@ std::vector<double> resampled_means(std::span<const double> values,
   return means;
 }
 
-/// The acceleration: a sixth of the skewness of the values' influence, with its sign.
+/// Returns the acceleration: a sixth of the skewness of the values' influence, with its sign.
 double acceleration(std::span<const double> jackknife) {
   const long double center = extended_mean(jackknife);
   long double squares = 0.0L;
@@ -46,7 +46,7 @@ double acceleration(std::span<const double> jackknife) {
   return squares > 0.0L ? static_cast<double>(cubes / (6.0L * squares * std::sqrt(squares))) : 0.0;
 }
 
-/// The quantile of sorted replicates, between two of which it is interpolated on the normal scale.
+/// Returns the quantile of sorted replicates, interpolated on the normal scale.
 double normal_scale_quantile(const std::vector<double>& sorted, double probability) {
   const auto steps = static_cast<double>(sorted.size()) + 1.0;
   const auto below = static_cast<std::size_t>(steps * probability);
@@ -62,7 +62,7 @@ double normal_scale_quantile(const std::vector<double>& sorted, double probabili
   return sorted[below - 1] + part * (sorted[below] - sorted[below - 1]);
 }
 
-/// The means without each value, from one sum.
+/// Returns the means without each value, from one sum.
 std::vector<double> means_without_each(std::span<const double> values) {
   const auto others = static_cast<long double>(values.size() - 1);
   const long double sum = extended_mean(values) * (others + 1.0L);

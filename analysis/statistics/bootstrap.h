@@ -1,4 +1,5 @@
-// The bootstrap: intervals that assume no distribution of the values, by resampling participants.
+// Bootstrap intervals, without assumptions about the values' distribution, by resampling
+// participants.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +14,25 @@ namespace foveola::analysis {
 
 struct BootstrapSettings {
   int resamples = 9999;
-  std::uint64_t seed = 1;  ///< Same seed, same interval, on every platform.
+  std::uint64_t seed = 1;  ///< Equal seeds give equal intervals, on every platform.
   double confidence = default_confidence;
 };
 
-/// Few values have few resamples and too little spread: the mean of this many normal values is
-/// covered by 31 % of 95 % intervals with 2 values, 70 % with 3, 83 % with 5, 88 % with 8, 90 %
-/// with 10, 92 % with 16 and 94 % with 24 (2000 studies each), where t covers 95 % with any number.
+/// Minimum number of values for the BCa interval. Few values have few resamples and too little
+/// spread: 95 % intervals of the mean of this many normal values cover it in 31 % with 2 values, 70
+/// % with 3, 83 % with 5, 88 % with 8, 90 % with 10, 92 % with 16 and 94 % with 24 (2000 studies
+/// each), where t covers 95 % with any number.
 inline constexpr std::size_t min_for_bca = 8;
 
-/// The bias-corrected and accelerated interval (Efron 1987) of the geometric mean: exp of the
-/// interval of the mean of logarithms, with the acceleration from the jackknife. It takes a few
-/// milliseconds. Empty for fewer than min_for_bca values or when every resample gives the same
-/// mean. Throws Error as logarithms does.
+/// Returns the bias-corrected and accelerated interval (Efron 1987) of the geometric mean: exp of
+/// the interval of the mean of logarithms, with the acceleration from the jackknife. Takes a few
+/// milliseconds. Empty for fewer than min_for_bca values or if every resample gives the same mean.
+/// Throws Error as logarithms does.
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings = {});
 
-/// The BCa interval from the observed statistic, those of the resamples and those of the sample
-/// without each of its values; quantiles are interpolated on the normal scale (Davison and Hinkley
+/// Returns the BCa interval from the observed statistic, the resamples' statistics and those of the
+/// sample without each value. Quantiles are interpolated on the normal scale (Davison and Hinkley
 /// 1997, section 5.2.1, and R's boot). Empty if all replicates lie on one side of `observed`.
 std::optional<Interval> bca_from_replicates(double observed, std::vector<double> replicates,
                                             std::span<const double> jackknife,

@@ -41,8 +41,8 @@ std::vector<int> doubled_ranks(std::span<const double> values) {
   return doubled;
 }
 
-/// The correlation grows with the sum of products of ranks, which alone changes with their order.
-/// Orders that differ only among equal ranks are counted once, and all the same number of times.
+/// The correlation grows with the sum of products of ranks, the only part that depends on their
+/// order. Orders that differ only among equal ranks are counted once; all have equal multiplicity.
 double exact_spearman_p(std::span<const double> x, std::span<const double> y) {
   const std::vector<int> x_ranks = doubled_ranks(x);
   std::vector<int> y_ranks = doubled_ranks(y);

@@ -1,4 +1,4 @@
-// Describing a sample: its centre and spread, and means with their intervals.
+// Descriptive statistics: centre, spread, and means with confidence intervals.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace foveola::analysis {
 
-// All values are finite. An estimate is given wherever there are values; its interval needs two
-// that differ, as every test does: values that are all equal say nothing of how far others may lie.
-// Sums are taken in long double around the mean, so that values with a large common offset keep
-// their digits. What a sample is too small for is empty, never NaN.
+// All values are finite. Any values have an estimate. Its interval, like every test, needs two
+// values that differ: equal values carry no information on spread. Sums are taken in long double
+// around the mean, so that values with a large common offset keep their digits. Results that a
+// sample is too small for are empty, never NaN.
 
 std::optional<double> mean(std::span<const double> values);
 
-/// The sample's standard deviation, with n - 1 in the denominator; needs two values.
+/// Returns the sample's standard deviation, with n - 1 in the denominator; needs two values.
 std::optional<double> standard_deviation(std::span<const double> values);
 
-/// Whether there are two values or more that differ by more than their rounding: their standard
-/// deviation is above 16 units in the last place of the largest.
+/// Returns whether at least two values differ by more than their rounding: their standard deviation
+/// is above 16 units in the last place of the maximum.
 bool varies(std::span<const double> values);
 
 struct Description {
@@ -39,33 +39,33 @@ struct Interval {
 struct Estimate {
   std::size_t n = 0;
   double value = 0.0;
-  std::optional<Interval> interval;  ///< Empty where the values do not vary.
+  std::optional<Interval> interval;  ///< Empty if the values do not vary.
 };
 
 inline constexpr double default_confidence = 0.95;
 
-/// The arithmetic mean and its interval from Student's t. Empty for an empty sample.
+/// Returns the arithmetic mean and its interval from Student's t. Empty for an empty sample.
 std::optional<Estimate> mean_estimate(std::span<const double> values,
                                       double confidence = default_confidence);
 
-/// The same from a sample's description, as a table prints it: n, mean and standard deviation.
-/// Empty without a mean.
+/// As above, from a sample's printed description: n, mean and standard deviation. Empty without a
+/// mean.
 std::optional<Estimate> mean_estimate(const Description& description,
                                       double confidence = default_confidence);
 
-/// The geometric mean and its interval, exp(m -+ t s / sqrt(n)) with m and s of the logarithms
-/// (Sauro and Lewis 2010, "Average task times in usability tests"). Empty for an empty sample; its
-/// interval is empty too where s is no more than rounding_of_logarithms.
-/// Throws Error, naming the position from 1, if a value is not above zero.
+/// Returns the geometric mean and its interval, exp(m -+ t s / sqrt(n)) with m and s of the
+/// logarithms (Sauro and Lewis 2010, "Average task times in usability tests"). Empty for an empty
+/// sample; its interval is empty too if s is at most rounding_of_logarithms. Throws Error, naming
+/// the position from 1, if a value is not above zero.
 std::optional<Estimate> geometric_mean(std::span<const double> values,
                                        double confidence = default_confidence);
 
-/// The geometric mean of what these are the logarithms of, as ratios of times.
+/// Returns the geometric mean of values with these logarithms, such as ratios of times.
 std::optional<Estimate> geometric_mean_of_logs(std::span<const double> logs,
                                                double confidence = default_confidence);
 
-/// The mean of a sample that is not empty. The second pass takes out the rounding of the first, and
-/// the range of long double keeps sums and squares of the largest doubles finite.
+/// Returns the mean of a sample that is not empty. The second pass removes the rounding of the
+/// first, and the range of long double keeps sums and squares of the largest doubles finite.
 inline long double extended_mean(std::span<const double> values) {
   const auto n = static_cast<long double>(values.size());
   const long double first = std::accumulate(values.begin(), values.end(), 0.0L) / n;

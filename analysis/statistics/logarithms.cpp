@@ -12,7 +12,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Adds `factor` times one of the logarithms of means to another of the same participants.
+/// Adds `factor` times one logarithm of means to another of the same participants.
 void add(const LogOfMeans& term, double factor, LogOfMeans& sum) {
   assert(term.influences.size() == sum.influences.size());
   sum.value += factor * term.value;
@@ -85,8 +85,8 @@ std::vector<double> logarithms(std::span<const double> values) {
   for (const double value : values) {
     if (!(value > 0.0) || !std::isfinite(value)) {
       throw Error(fmt::format("value {} of {}", logs.size() + 1, values.size()),
-                  fmt::format("is {}, which has no logarithm", value),
-                  "a geometric mean needs values above zero");
+                  fmt::format("{} is not above zero", value),
+                  "remove it: a geometric mean needs values above zero");
     }
     logs.push_back(std::log(value));
   }

@@ -1,4 +1,4 @@
-// Multiplicity: P-values adjusted for how many tests are made.
+// Adjusts P-values for the number of tests.
 #pragma once
 
 #include <span>
@@ -6,8 +6,8 @@
 
 namespace foveola::analysis {
 
-/// Holm's (1979) adjusted P-values, in the same order: each may be compared with the level of the
-/// whole family.
+/// Returns Holm's (1979) adjusted P-values, in the same order: each may be compared with the level
+/// of the whole family.
 std::vector<double> holm(std::span<const double> p_values);
 
 }  // namespace foveola::analysis

@@ -12,8 +12,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// One-sided P that values shifted by `margin` are centred above zero; `sign` -1 mirrors the
-/// values.
+/// Returns the one-sided P that values shifted by `margin` are centred above zero; `sign` -1
+/// mirrors the values.
 double p_of_shifted(std::span<const double> values, double sign, double margin) {
   std::vector<double> shifted;
   shifted.reserve(values.size());

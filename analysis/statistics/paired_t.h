@@ -1,4 +1,4 @@
-// Student's t test of differences within participants, and of their equivalence.
+// Student's t test of differences within participants, and tests of equivalence.
 #pragma once
 
 #include <cmath>
@@ -23,8 +23,8 @@ struct TTest {
   double standard_error() const { return standard_deviation / std::sqrt(static_cast<double>(n)); }
 };
 
-/// Tests whether the mean of values is `hypothesis`. Empty where t is not defined: the values do
-/// not vary (descriptive.h), or are fewer than two.
+/// Tests whether the mean of values is `hypothesis`. Empty if t is not defined: the values do not
+/// vary (descriptive.h), or are fewer than two.
 std::optional<TTest> one_sample_t(std::span<const double> values, double hypothesis = 0.0,
                                   double confidence = default_confidence);
 
@@ -35,7 +35,7 @@ struct RatioTest {
   Interval interval;   ///< Interval of `ratio`.
 };
 
-/// Tests whether the geometric mean of ratios is 1. Empty where geometric_mean_of_logs, which gives
+/// Tests whether the geometric mean of ratios is 1. Empty if geometric_mean_of_logs, which gives
 /// the estimate without a test, has no interval.
 std::optional<RatioTest> ratio_t(std::span<const double> log_ratios,
                                  double confidence = default_confidence);
@@ -45,19 +45,19 @@ struct EquivalenceTest {
   double p_above_low = 0.0;   ///< P of the hypothesis that the effect is at or below -margin.
   double p_below_high = 0.0;  ///< P of the hypothesis that the effect is at or above +margin.
   double p = 0.0;             ///< The larger P: below alpha, the effect lies within the margins.
-  /// The effect's interval with confidence 1 - 2 alpha. Empty where ranks of few values have none.
+  /// The effect's interval with confidence 1 - 2 alpha. Empty if ranks of few values have none.
   std::optional<Interval> interval;
 };
 
-/// Tests whether an estimated effect lies within -margin ... margin by Student's t; margin,
-/// standard error and degrees of freedom above zero, alpha in (0, 0.5). Ratios are tested by their
-/// logarithms and that of the margin. The interval lies within the margins if and only if p <
+/// Tests by Student's t whether an estimated effect lies within -margin ... margin. Margin,
+/// standard error and degrees of freedom are above zero, alpha in (0, 0.5). Ratios are tested by
+/// their logarithms and that of the margin. The interval lies within the margins if and only if p <
 /// alpha.
 EquivalenceTest equivalence(double estimate, double standard_error, double degrees_of_freedom,
                             double margin, double alpha = 0.05);
 
-/// The same of the centre of symmetry of the values' distribution, by Wilcoxon's signed-rank test;
-/// the interval is Hodges and Lehmann's. Empty without values.
+/// Tests the same of the centre of symmetry of the values' distribution, by Wilcoxon's signed-rank
+/// test; the interval is Hodges and Lehmann's. Empty without values.
 std::optional<EquivalenceTest> equivalence_by_ranks(std::span<const double> values, double margin,
                                                     double alpha = 0.05);
 

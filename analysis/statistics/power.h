@@ -1,4 +1,4 @@
-// Planning: how many participants a paired comparison needs, by formula and by simulation.
+// Plans the number of participants of a paired comparison, by formula and by simulation.
 #pragma once
 
 #include <cstddef>
@@ -9,32 +9,33 @@
 
 namespace foveola::analysis {
 
-/// The expected distribution of the differences within participants; for times, of the logarithms
-/// of ratios.
+/// Expected distribution of the differences within participants; for times, of the logarithms of
+/// ratios.
 struct ExpectedEffect {
   double mean = 0.0;
   double standard_deviation = 1.0;  ///< Above zero.
 };
 
-/// The effect of a method that takes `percent` of the other's time, when a participant's own ratio
-/// varies around it by a factor of `spread` (above 1: two thirds of participants lie within
-/// percent / spread and percent * spread).
+/// Returns the effect of a method that takes `percent` of the other's time, with a geometric
+/// standard deviation `spread` (above 1) of participants' ratios: two thirds lie within percent /
+/// spread and percent * spread.
 ExpectedEffect effect_of_ratio(double percent, double spread);
 
-/// The power of the two-sided paired t test at level alpha, counting both tails, from the
+/// Returns the power of the two-sided paired t test at level alpha, counting both tails, from the
 /// noncentral t distribution (as R's power.t.test with type = "paired" and strict = TRUE). n >= 2.
 double paired_t_power(std::size_t n, const ExpectedEffect& effect, double alpha = 0.05);
 
-/// The fewest participants, from 2, with at least this power; empty if a million are too few.
+/// Returns the minimum number of participants, from 2, with at least this power; empty if a million
+/// are too few.
 std::optional<std::size_t> participants_for_power(double power, const ExpectedEffect& effect,
                                                   double alpha = 0.05);
 
-/// The power by simulation: the share of studies of n participants with normal differences whose
-/// paired t test rejects.
+/// Power by simulation: the share of studies of n participants with normal differences whose paired
+/// t test rejects.
 struct SimulatedPower {
   std::size_t studies = 0;
   double power = 0.0;
-  Interval interval;  ///< The simulation's uncertainty, by Clopper and Pearson.
+  Interval interval;  ///< Clopper and Pearson's interval of the simulation's error.
 };
 
 SimulatedPower simulate_power(std::size_t n, const ExpectedEffect& effect, double alpha,

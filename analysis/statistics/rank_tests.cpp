@@ -18,7 +18,7 @@ namespace {
 
 double walsh_average(double a, double b) { return 0.5 * a + 0.5 * b; }
 
-/// How many Walsh averages of the sorted values are at most `bound`.
+/// Returns the number of Walsh averages of the sorted values that are at most `bound`.
 std::uint64_t averages_up_to(const std::vector<double>& sorted, double bound) {
   std::uint64_t count = 0;
   std::size_t end = sorted.size();
@@ -31,7 +31,7 @@ std::uint64_t averages_up_to(const std::vector<double>& sorted, double bound) {
   return count;
 }
 
-/// Doubles as integers of the same order.
+/// Maps doubles to integers of the same order.
 std::int64_t place_of(double value) {
   const auto bits = std::bit_cast<std::int64_t>(value);
   return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
@@ -42,13 +42,13 @@ double value_at(std::int64_t place) {
                                           : std::numeric_limits<std::int64_t>::min() - place);
 }
 
-/// The Walsh average that is the `rank`th smallest, from 1: the smallest double that as many are at
-/// most.
+/// Returns the `rank`th smallest Walsh average, from 1: the smallest double with this many at most
+/// it.
 double ranked_average(const std::vector<double>& sorted, std::uint64_t rank) {
   std::int64_t low = place_of(sorted.front());
   std::int64_t high = place_of(sorted.back());
   while (low < high) {
-    const std::int64_t middle = std::midpoint(low, high);  // towards low
+    const std::int64_t middle = std::midpoint(low, high);  // rounds towards low
     if (averages_up_to(sorted, value_at(middle)) >= rank) {
       high = middle;
     } else {
@@ -58,8 +58,8 @@ double ranked_average(const std::vector<double>& sorted, std::uint64_t rank) {
   return value_at(low);
 }
 
-/// The smallest rank sum that sums up to it have a probability of at least `tail`; 0 if even the
-/// smallest sum has.
+/// Returns the smallest rank sum with cumulative probability of at least `tail`; 0 if even the
+/// minimum has it.
 std::uint64_t rank_sum_quantile(std::size_t n, double tail) {
   if (n > largest_exact_signed_rank) {
     const auto count = static_cast<double>(n);
@@ -120,15 +120,15 @@ std::vector<std::size_t> doubled(const SignedRanks& ranks) {
   return doubled_ranks;
 }
 
-/// The probability of a sum of signed ranks that is at most this one.
+/// Returns the probability of a sum of signed ranks that is at most this one.
 double exact_tail(const std::vector<double>& probability, double sum) {
   return std::accumulate(probability.begin(), probability.begin() + std::lround(2.0 * sum) + 1,
                          0.0);
 }
 
-/// The distance of a rank sum from its mean in standard deviations. The variance of the sum of
-/// positive ranks is a quarter of the sum of squared ranks, which says the same as the formulas
-/// that correct for ties and zeros.
+/// Returns the distance of a rank sum from its mean in standard deviations. The variance of the sum
+/// of positive ranks is a quarter of the sum of squared ranks, which equals the formulas corrected
+/// for ties and zeros.
 double standardized(const SignedRanks& ranks, double distance) {
   double squares = 0.0;
   for (const auto* part : {&ranks.positive, &ranks.negative}) {
@@ -153,7 +153,7 @@ void compute_p(const SignedRanks& ranks, SignedRankTest& test) {
 
 }  // namespace
 
-// Works with probabilities, since counts would leave the range of a double.
+// Works with probabilities, since counts would exceed the range of a double.
 std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks) {
   const std::size_t total = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
   std::vector<double> probability(total + 1, 0.0);

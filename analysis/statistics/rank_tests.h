@@ -11,7 +11,7 @@
 
 namespace foveola::analysis {
 
-/// How differences that are exactly zero are handled.
+/// Handling of differences that are exactly zero.
 enum class ZeroRule {
   drop,   ///< They are left out before ranking (Wilcoxon 1945, and R's wilcox.test).
   pratt,  ///< They take the lowest ranks, which are then left out (Pratt 1959).
@@ -30,18 +30,18 @@ struct SignedRankTest {
   double rank_biserial = 0.0;
 };
 
-/// Up to this many differences that are not zero the P-value is exact, whether or not there are
-/// ties: the distribution of rank sums over all signs, by dynamic programming. Above, it is the
-/// normal approximation with the variance corrected for ties and the continuity correction.
+/// Maximum number of nonzero differences for an exact P-value, with or without ties: the
+/// distribution of rank sums over all signs, by dynamic programming. Above, it is the normal
+/// approximation with the variance corrected for ties and the continuity correction.
 inline constexpr std::size_t largest_exact_signed_rank = 200;
 
-/// The probability of each sum of positive ranks, from 0 to that of all `ranks`, when each sign is
-/// as probable as the other.
+/// Returns the probability of each sum of positive ranks, from 0 to that of all `ranks`, with
+/// equally probable signs.
 std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks);
 
 /// Tests whether differences are symmetric around zero. Empty if all are zero or there are none.
-/// Two differences are tied if their absolute values are the same number, so callers round what
-/// was computed.
+/// Two differences are tied if their absolute values are the same number, so callers must round
+/// computed values.
 std::optional<SignedRankTest> signed_rank(std::span<const double> differences,
                                           ZeroRule zeros = ZeroRule::drop,
                                           std::size_t largest_exact = largest_exact_signed_rank);
@@ -55,23 +55,23 @@ struct FriedmanTest {
   double kendalls_w = 0.0;  ///< Agreement of the participants, 0 to 1.
 };
 
-/// Empty with fewer than two participants, whose agreement is what is tested, or two conditions, or
-/// where every participant's values are all equal.
+/// Tests whether the participants' rankings agree. Empty with fewer than two participants or two
+/// conditions, or if every participant's values are all equal.
 std::optional<FriedmanTest> friedman(const RepeatedMeasures& data);
 
 struct PseudoMedian {
   std::size_t n = 0;
-  double value = 0.0;  ///< The median of all Walsh averages (x[i] + x[j]) / 2 with i <= j.
-  /// Two Walsh averages that cover the population's value with at least the confidence asked
+  double value = 0.0;  ///< Median of all Walsh averages (x[i] + x[j]) / 2 with i <= j.
+  /// Two Walsh averages that cover the population's value with at least the given confidence
   /// (Hollander and Wolfe 1973, 3.4): the inversion of the signed-rank test, by its exact
   /// distribution without ties up to largest_exact_signed_rank values, by the normal approximation
-  /// above. Conservative where there are ties. Empty where there is no such interval: at 95 %, with
-  /// fewer than six values.
+  /// above. Conservative with ties. Empty if there is no such interval: at 95 %, with fewer than
+  /// six values.
   std::optional<Interval> interval;
 };
 
-/// All values are finite; zeros count like any other. Takes O(n log n): the averages are never
-/// listed. Empty without values.
+/// Returns Hodges and Lehmann's estimate. All values are finite; zeros count like any other. Takes
+/// O(n log n), without listing the averages. Empty without values.
 std::optional<PseudoMedian> pseudo_median(std::span<const double> values,
                                           double confidence = default_confidence);
 

@@ -11,8 +11,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// The data without the participants' means, which is all that within-participant tests depend on,
-/// and free of large common offsets.
+/// Returns the data less the participants' means: within-participant tests depend on nothing else,
+/// and large common offsets vanish.
 std::vector<long double> centered_by_participant(const RepeatedMeasures& data) {
   std::vector<long double> centered;
   centered.reserve(data.values.size());
@@ -51,8 +51,8 @@ SumsOfSquares sums_of_squares(const RepeatedMeasures& data) {
   return sums;
 }
 
-/// tr(S)^2 / ((k - 1) tr(S S)) of the double-centred covariance matrix S, which is that of
-/// residuals. Only ratios count, so S stays without its divisor.
+/// Returns tr(S)^2 / ((k - 1) tr(S S)) of the double-centred covariance matrix S, that of
+/// residuals. Only ratios count, so S is not divided.
 double greenhouse_geisser_epsilon(const RepeatedMeasures& data, const SumsOfSquares& sums) {
   const std::size_t k = data.conditions;
   long double squares = 0.0L;
@@ -70,8 +70,8 @@ double greenhouse_geisser_epsilon(const RepeatedMeasures& data, const SumsOfSqua
   return std::clamp(epsilon, 1.0 / degrees, 1.0);
 }
 
-/// Huynh and Feldt's epsilon of one group of n participants, from Greenhouse and Geisser's e:
-/// (n (k - 1) e - 2) / ((k - 1) (n - 1 - (k - 1) e)).
+/// Returns Huynh and Feldt's epsilon of one group of n participants, from Greenhouse and Geisser's
+/// e: (n (k - 1) e - 2) / ((k - 1) (n - 1 - (k - 1) e)).
 double huynh_feldt_epsilon(const RepeatedMeasures& data, double greenhouse_geisser) {
   if (data.participants == 2) {  // one direction of residuals, whose epsilon needs no correction
     return greenhouse_geisser;
@@ -79,7 +79,7 @@ double huynh_feldt_epsilon(const RepeatedMeasures& data, double greenhouse_geiss
   const auto n = static_cast<double>(data.participants);
   const auto degrees = static_cast<double>(data.conditions - 1);
   const double denominator = degrees * (n - 1.0 - degrees * greenhouse_geisser);
-  // Where the participants are no more than the conditions, it may vanish: the limit is above 1.
+  // With no more participants than conditions it may vanish: the limit is above 1.
   return denominator > 0.0 ? std::clamp((n * degrees * greenhouse_geisser - 2.0) / denominator,
                                         greenhouse_geisser, 1.0)
                            : 1.0;
@@ -90,7 +90,7 @@ double f_tail(double f, double numerator_degrees, double denominator_degrees) {
   return boost::math::cdf(boost::math::complement(distribution, f));
 }
 
-/// Whether what is left of the values is only their rounding.
+/// Returns whether the residual is only the values' rounding.
 bool is_rounding(const RepeatedMeasures& data, long double residual) {
   long double largest = 0.0L;
   for (const double value : data.values) {

@@ -22,9 +22,9 @@ struct RepeatedMeasures {
   }
 };
 
-/// The participants who have a value under every condition, in their order; rows are
-/// [participant][condition] and equally long. Those with a missing value are left out as a whole,
-/// as these tests need; how many is the difference to rows.size().
+/// Returns the participants with a value under every condition, in their order; rows are
+/// [participant][condition] and equally long. Participants with a missing value are left out, as
+/// these tests need; their number is the difference to rows.size().
 RepeatedMeasures complete_participants(const std::vector<std::vector<std::optional<double>>>& rows);
 
 struct VarianceAnalysis {
@@ -44,8 +44,8 @@ struct VarianceAnalysis {
   double partial_eta_squared = 0.0;
 };
 
-/// The analysis of one within-participant factor. Empty where F is not defined: fewer than two
-/// participants or conditions, or no residual variance.
+/// Analyses one within-participant factor. Empty if F is not defined: fewer than two participants
+/// or conditions, or no residual variance.
 std::optional<VarianceAnalysis> repeated_measures_anova(const RepeatedMeasures& data);
 
 }  // namespace foveola::analysis

@@ -10,7 +10,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// What a step adds to the variance of the log survival (Greenwood 1926); 0 where nobody is left.
+/// Returns a step's addition to the variance of the log survival (Greenwood 1926); 0 if nobody
+/// remains at risk.
 long double greenwood_term(const SurvivalStep& step) {
   if (step.events == step.at_risk) {
     return 0.0L;
@@ -44,11 +45,11 @@ std::optional<Interval> log_log_interval(double survival, double log_error, doub
   return Interval{std::exp(-hazard * std::exp(width)), std::exp(-hazard * std::exp(-width))};
 }
 
-/// The first time at which `level_of` a step is a half or less; where it is just a half for a
-/// while, the middle of that while. Steps without a level are passed over.
+/// Returns the first time at which `level_of` a step is a half or less; if it is exactly a half for
+/// a while, the midpoint of that while. Steps without a level are skipped.
 template <typename Level>
 std::optional<double> time_of_half(const std::vector<SurvivalStep>& steps, const Level& level_of) {
-  constexpr double tolerance = 1.5e-8;  // that of R
+  constexpr double tolerance = 1.5e-8;  // as in R
   const auto reaches = [&](double level) {
     return [&, level](const SurvivalStep& step) {
       const std::optional<double> own = level_of(step);
@@ -116,7 +117,7 @@ std::optional<RestrictedMean> restricted_mean(const SurvivalCurve& curve, double
   }
   const auto past = std::ranges::find_if(
       curve.steps, [&](const SurvivalStep& step) { return step.time > horizon; });
-  // From the horizon backwards: the area behind each step is what the variance weighs it with.
+  // From the horizon backwards: the area after each step is its weight in the variance.
   long double area = 0.0L;
   long double variance = 0.0L;
   double end = horizon;

@@ -12,7 +12,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// The whole text as a number; empty if it is none, or too large.
+/// Parses the whole text as a number; empty if it is not one, or is too large.
 template <typename Number>
 std::optional<Number> number_in_full(std::string_view text) {
   Number number{};
@@ -21,7 +21,8 @@ std::optional<Number> number_in_full(std::string_view text) {
   return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
-/// A number with an exponent, as 3.3e-05, or "< 1e-300", as a power of ten; empty for another text.
+/// Returns a number with an exponent, as 3.3e-05, or "< 1e-300", as a power of ten; empty for
+/// another text.
 std::optional<std::string> power_of_ten(std::string_view text) {
   const std::size_t e = text.find('e');
   if (e == std::string_view::npos) {
@@ -43,8 +44,8 @@ struct Symbol {
   std::string_view latex;
 };
 
-/// What LaTeX would take for a command or set as something else, and the symbols and Greek letters
-/// that it has in its own way; those capitals that look like Latin ones are set as these.
+/// Texts that LaTeX would treat as commands or set differently, and symbols and Greek letters with
+/// commands of their own. Capitals that look like Latin ones are set as these.
 constexpr Symbol symbols[] = {{"\\", "\\textbackslash{}"},
                               {"&", "\\&"},
                               {"%", "\\%"},
@@ -58,7 +59,7 @@ constexpr Symbol symbols[] = {{"\\", "\\textbackslash{}"},
                               {"<", "\\textless{}"},
                               {">", "\\textgreater{}"},
                               {"|", "\\textbar{}"},
-                              {"--", "-{}-{}"},  // else a dash
+                              {"--", "-{}-{}"},  // would be a dash
                               {"–", "--"},
                               {"—", "---"},
                               {"’", "'"},
@@ -131,14 +132,14 @@ constexpr Symbol symbols[] = {{"\\", "\\textbackslash{}"},
                               {"Ψ", "$\\Psi$"},
                               {"Ω", "$\\Omega$"}};
 
-/// The symbol that a text begins with; null if with none.
+/// Returns the symbol at the beginning of a text; null if there is none.
 const Symbol* symbol_before(std::string_view rest) {
   const Symbol* found = std::ranges::find_if(
       symbols, [&](const Symbol& symbol) { return rest.starts_with(symbol.text); });
   return found == std::end(symbols) ? nullptr : found;
 }
 
-/// Whether a negative number begins there.
+/// Returns whether a negative number begins there.
 bool is_minus(std::string_view text, std::size_t at) {
   const bool is_first =
       at == 0 || std::string_view(" [(").find(text[at - 1]) != std::string_view::npos;
@@ -146,16 +147,16 @@ bool is_minus(std::string_view text, std::size_t at) {
          std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0;
 }
 
-/// A straight quotation mark opens behind what a word does not end with. As it is, it is a command
-/// of its own in several languages' packages.
+/// A straight quotation mark opens after characters that do not end words. Unchanged, it is a
+/// command in several languages' packages.
 const char* straight_quote(std::string_view text, std::size_t at) {
   const bool opens =
       at == 0 || std::string_view(" [({/-").find(text[at - 1]) != std::string_view::npos;
   return opens ? "``" : "''";
 }
 
-/// Whether what stands there is part of a word that does not fit into a narrow column. LaTeX knows
-/// where to hyphenate words of a language, but not names.
+/// Returns whether the place is in a word that does not fit into a narrow column. LaTeX can
+/// hyphenate words of a language, but not names.
 bool is_in_long_word(std::string_view text, std::size_t at) {
   constexpr std::size_t longest_in_one_line = 20;
   const std::size_t space = text.rfind(' ', at);
@@ -192,7 +193,8 @@ std::string latex_text(std::string_view text) {
 }
 
 std::string latex_needs(std::string_view table) {
-  // In UTF-8, U+0180 and above begin with a byte from 0xC6 on, and what goes on is below 0xC0.
+  // In UTF-8, U+0180 and above begin with a byte from 0xC6 on, and continuation bytes are below
+  // 0xC0.
   const auto highest = static_cast<unsigned char>(
       *std::ranges::max_element(table, [](unsigned char a, unsigned char b) { return a < b; }));
   std::string needs = "% Needs \\usepackage{array,booktabs,graphicx}.\n";

@@ -44,12 +44,12 @@ std::string latex_row(const std::vector<std::string>& cells) {
   for (const std::string& cell : cells) {
     texts.push_back(latex_text(cell));
   }
-  // Behind the end of a row, LaTeX would take these for arguments of it.
+  // After the end of a row, LaTeX would take these for its arguments.
   const bool is_argument = texts.at(0).starts_with('[') || texts.at(0).starts_with('*');
   return fmt::format("{}{} \\\\\n", is_argument ? "{}" : "", fmt::join(texts, " & "));
 }
 
-/// Whether a column has texts that are better broken into lines, and can be.
+/// Returns whether a column has texts that are better broken into lines, and can be.
 bool has_long_texts(const PrintedTable& table, std::size_t column) {
   constexpr std::size_t longest_in_one_line = 30;
   return std::ranges::any_of(table.rows, [&](const auto& row) {

@@ -1,5 +1,5 @@
-// A table as people read it: a caption and texts, which HTML, LaTeX and the terminal set in their
-// own ways.
+// A table for readers: a caption and texts, which HTML, LaTeX and the terminal format in their own
+// ways.
 #pragma once
 
 #include <string>
@@ -18,23 +18,23 @@ struct ColumnGroup {
 struct PrintedTable {
   std::string id;     ///< Also the label in LaTeX.
   std::string title;  ///< A short sentence, with its full stop.
-  std::string note;   ///< Further sentences below or behind the title.
+  std::string note;   ///< Further sentences below or after the title.
   std::vector<ColumnGroup> groups;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
-  bool is_numeric = true;  ///< All columns but the first are numbers, aligned to the right.
+  bool is_numeric = true;  ///< Whether all columns but the first are numbers, aligned to the right.
 };
 
 // `notice` says whose data a table shows, as "Simulated data"; empty for people's.
 
-/// An element with the table in it; empty if there are no rows.
+/// Returns an element with the table; empty if there are no rows.
 std::string html_of(const PrintedTable& table, std::string_view notice);
 
-/// A table environment with the label tab:ID, as wide as its columns but no wider than the text:
-/// what would be wider is set smaller. Begins with comments that say which packages it needs.
+/// Returns a table environment with the label tab:ID, at most as wide as the text: wider tables are
+/// set smaller. Begins with comments on its packages.
 std::string latex_of(const PrintedTable& table, std::string_view notice);
 
-/// The title, then the rows in aligned columns, then the note.
+/// Returns the title, then the rows in aligned columns, then the note.
 std::string plain_text_of(const PrintedTable& table, std::string_view notice);
 
 }  // namespace foveola::analysis

@@ -26,7 +26,7 @@ void RowFile::close() {
   flush();
   stream_.close();
   if (!stream_) {
-    throw Error(path_.string(), "cannot be written", "make room on the disk, or choose another");
+    throw Error(path_.string(), "cannot be written", "free space on the disk, or choose another");
   }
   sync_to_disk(path_);
 }

@@ -1,4 +1,4 @@
-// A large table as a CSV file, written row by row.
+// Writes a large table as a CSV file, row by row.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace foveola::analysis {
 
-/// Keeps a megabyte of the file in memory at most.
+/// Buffers at most a megabyte of the file.
 class RowFile {
  public:
-  /// Makes the file's folder if need be.
+  /// Makes the file's folder if it is missing.
   RowFile(std::filesystem::path path, const std::vector<Column>& columns,
           CsvTexts texts = CsvTexts::as_typed);
 
   void add(const Row& row);
-  /// Throws Error if not everything could be written.
+  /// Throws Error if the file could not be written completely.
   void close();
 
  private:

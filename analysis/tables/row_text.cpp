@@ -13,7 +13,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// The text before the mark, which goes from `rest` with it; all of it without a mark.
+/// Removes the text before the mark, with the mark, from `rest`; all of it without a mark.
 std::string_view cut(std::string_view& rest, char mark) {
   const std::size_t at = rest.find(mark);
   const std::string_view before = rest.substr(0, at);
@@ -40,7 +40,7 @@ std::string formatted(double number, std::string_view format) {
   return format.front() == '+' ? with_sign(number, decimals) : fixed(number, decimals);
 }
 
-/// What stands between two braces; empty if there is no such value.
+/// Returns the value of a name in braces; empty if it is missing.
 std::optional<std::string> value_text(std::string_view braced, const Table& table, const Row& row) {
   std::string_view format = braced;
   std::string_view wanted = cut(format, ':');
@@ -61,7 +61,7 @@ std::optional<std::string> value_text(std::string_view braced, const Table& tabl
   return formatted(number_of(field).value(), format);
 }
 
-/// A part of a pattern without "|".
+/// Fills a part of a pattern without "|".
 std::optional<std::string> fill_part(std::string_view part, const Table& table, const Row& row) {
   std::string filled(cut(part, '{'));
   while (!part.empty()) {

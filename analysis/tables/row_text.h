@@ -1,4 +1,4 @@
-// Texts of a table's rows: how a table's values are printed.
+// Formats a table's rows as texts.
 #pragma once
 
 #include <concepts>
@@ -13,13 +13,14 @@
 
 namespace foveola::analysis {
 
-/// The field in the column of this name. Throws std::out_of_range if the table has no such column.
+/// Returns the field in the column of this name. Throws std::out_of_range if the table has no such
+/// column.
 const Field& field_in(const Table& table, const Row& row, std::string_view column);
 
-/// A number, whole or not; empty for any other field.
+/// Returns a number, whole or not; empty for any other field.
 std::optional<double> number_of(const Field& field);
 
-/// The pattern with the row's values in the place of their columns' names in braces:
+/// Returns the pattern with the row's values in place of their columns' names in braces:
 ///   {n}               as in a CSV file
 ///   {t:.2} {t:+.2}    with two decimals; with its sign
 ///   {df:g} {p:p}      as short as can be; as a P-value
@@ -27,15 +28,15 @@ std::optional<double> number_of(const Field& field);
 ///   {x:1/.1}          a factor over the value
 ///   {x:100*exp.1}     of the value's exponential
 ///   {exact:yes/no}    one of two words for a truth value
-///   {scale=ratio}     nothing; as if it had no value where its text is another
-/// What follows a "|" is left out, up to the next one, where a value in it is missing. Empty where
-/// a value before the first "|" is missing; so is an empty text.
+///   {scale=ratio}     nothing; as if it were missing unless the text is equal
+/// Text after a "|" is left out, up to the next one, if a value in it is missing. Empty if a value
+/// before the first "|" is missing. An empty text counts as missing.
 std::optional<std::string> fill(std::string_view pattern, const Table& table, const Row& row);
 
 /// A column of a printed table.
 struct PrintedColumn {
   std::string heading;
-  std::vector<std::string> patterns;  ///< Of fill(); the first that can be filled is taken.
+  std::vector<std::string> patterns;  ///< Of fill(); the first that can be filled is used.
 
   PrintedColumn(std::string name, std::vector<std::string> of_cells)
       : heading(std::move(name)), patterns(std::move(of_cells)) {}
@@ -44,8 +45,8 @@ struct PrintedColumn {
       : heading(std::move(name)), patterns{std::move(of_cells)...} {}
 };
 
-/// Adds the columns and, of each row of `table` in which `where` can be filled, the texts of its
-/// cells; no_value where no pattern can be filled.
+/// Adds the columns and, for each row of `table` for which `where` can be filled, the texts of its
+/// cells; no_value if no pattern can be filled.
 PrintedTable print_rows(PrintedTable printed, const Table& table, std::string_view where,
                         const std::vector<PrintedColumn>& columns);
 

@@ -1,5 +1,5 @@
-// A table as a value: its columns, each with its unit and meaning, and its rows. Every file format
-// is written from it, and so is the description of the columns.
+// A table as a value: columns with unit and meaning, and rows. Every file format, and the
+// description of the columns, is written from it.
 #pragma once
 
 #include <cstddef>
@@ -16,32 +16,32 @@ namespace foveola::analysis {
 
 enum class ColumnType { text, whole, number, truth };
 
-/// "string", "integer", "number", "boolean".
+/// Returns "string", "integer", "number" or "boolean".
 const char* name_of(ColumnType type);
 
 struct Column {
-  std::string name;  ///< Ends in the unit where there is one, as mean_s.
+  std::string name;  ///< Ends in the unit if there is one, as mean_s.
   ColumnType type = ColumnType::text;
   std::string unit;         ///< As "s" or "%"; empty if there is none.
   std::string description;  ///< A sentence without its full stop.
 };
 
-/// One field of a row; std::monostate is a value that does not exist.
+/// One field of a row; std::monostate is a missing value.
 using Field = std::variant<std::monostate, std::string, std::int64_t, double, bool>;
 using Row = std::vector<Field>;
 
-/// How a CSV file has texts. Numbers and truth values are the same in both.
+/// Texts in CSV. Numbers and truth values do not differ.
 enum class CsvTexts {
-  guarded,  ///< for people, whose spreadsheet takes no text for a formula: see guarded()
+  guarded,  ///< for people: no spreadsheet takes a text for a formula, see guarded()
   as_typed  ///< for programs
 };
 
-/// Throws Error if a name comes twice, since most readers of a table keep one of such columns.
+/// Throws Error if a name is repeated, since most readers of a table keep only one of such columns.
 void require_distinct_names(const std::vector<Column>& columns);
 
 struct Table {
   std::string id;        ///< The name of its file, without extension.
-  std::string rows_are;  ///< What there is a row for, as "mark, scene and method".
+  std::string rows_are;  ///< Description of a row, as "mark, scene and method".
   std::vector<Column> columns;
   std::vector<Row> rows;
   CsvTexts texts = CsvTexts::guarded;
@@ -55,8 +55,8 @@ struct IsOptional<std::optional<Value>> : std::true_type {};
 template <typename Type>
 inline constexpr bool is_optional = IsOptional<Type>::value;
 
-/// A field of a value that may not exist: of a truth value, a number, an enumerator by its name_of,
-/// or a text.
+/// Returns the field of a value that may be missing: of a truth value, a number, an enumerator by
+/// its name_of, or a text.
 template <typename Value>
 Field field(const Value& value) {
   if constexpr (is_optional<Value>) {
@@ -74,7 +74,7 @@ Field field(const Value& value) {
   }
 }
 
-/// The type of a column whose fields are made of such values.
+/// Type of a column of such values.
 template <typename Value>
 constexpr ColumnType column_type() {
   if constexpr (is_optional<Value>) {
@@ -88,8 +88,8 @@ constexpr ColumnType column_type() {
   }
 }
 
-/// What the last of `steps` finds, each a member or a function of what the step before found:
-/// follow(row, &MethodComparison::ratio, &RatioTest::ratio). Empty where one on the way is, or
+/// Returns the value at the end of `steps`, each a member or a function of the previous value:
+/// follow(row, &MethodComparison::ratio, &RatioTest::ratio). Empty if one on the way is empty or
 /// null.
 template <typename From, typename Step, typename... Steps>
 auto follow(const From& from, const Step& step, const Steps&... steps) {
@@ -104,16 +104,16 @@ auto follow(const From& from, const Step& step, const Steps&... steps) {
   }
 }
 
-/// A function of an item that follows these steps.
+/// Returns a function of an item that follows these steps.
 template <typename... Steps>
 auto path(Steps... steps) {
   return [=](const auto& item) { return follow(item, steps...); };
 }
 
-/// A share in per cent: a step of a path.
+/// Converts a fraction to per cent: a step of a path.
 inline double in_percent(double share) { return 100.0 * share; }
 
-/// A column together with its value in the row of an item.
+/// A column together with its value in an item's row.
 template <typename Item>
 struct ColumnOf {
   Column column;
@@ -155,7 +155,7 @@ Row row_of(const ColumnsOf<Item>& columns, const Item& item) {
   return row;
 }
 
-/// A table with a row for each of `items`, in their order.
+/// Returns a table with a row for each of `items`, in their order.
 template <typename Item>
 Table tabulate(std::string id, std::string rows_are, const ColumnsOf<Item>& columns,
                const std::vector<Item>& items) {

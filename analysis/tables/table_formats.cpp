@@ -17,12 +17,12 @@ struct TruthWords {
   const char* no;
 };
 
-// R reads only the upper case as truth values without being asked, and pandas reads both. BIDS asks
-// for the lower case, as JSON does.
+// R reads only upper case as truth values by default, and pandas reads both. BIDS needs lower case,
+// like JSON.
 constexpr TruthWords in_csv{"TRUE", "FALSE"};
 constexpr TruthWords in_tsv{"true", "false"};
 
-/// A text that says which alternative a field holds, for std::visit.
+/// Names the alternative of a field, for std::visit.
 struct TextOf {
   TruthWords truth_words;
   CsvTexts texts = CsvTexts::as_typed;
@@ -61,8 +61,8 @@ CsvRow names_of(const std::vector<Column>& columns) {
   return names;
 }
 
-/// "n/a" for a value that does not exist. A text "n/a" that somebody typed gets an apostrophe
-/// before it, and so does one with apostrophes already, so that one can be taken away again.
+/// Returns "n/a" for a missing value. A typed "n/a" gets an apostrophe before it, and so does one
+/// with apostrophes already, so that one can be removed again.
 std::string in_bids(const std::string& text) {
   if (text.empty()) {
     return "n/a";
@@ -91,7 +91,7 @@ std::string csv_heading(const std::vector<Column>& columns) {
 }
 
 std::string guarded(const std::string& text) {
-  // As keyboards have them, and in the full width of East Asian ones.
+  // As on keyboards, and in the full width of East Asian ones.
   constexpr std::array<std::string_view, 12> beginnings{
       "'", "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
   const bool is_risky = std::ranges::any_of(
@@ -135,7 +135,7 @@ Table codebook_of(const std::vector<Table>& tables) {
                   {"variable", ColumnType::text, "", "Name of the column"},
                   {"type", ColumnType::text, "", "string, integer, number or boolean"},
                   {"unit", ColumnType::text, "", "Unit of the values, if they have one"},
-                  {"description", ColumnType::text, "", "What the values are"},
+                  {"description", ColumnType::text, "", "Description of the values"},
                   {"guarded", ColumnType::truth, "",
                    "Whether texts in the file have an apostrophe before what a spreadsheet takes "
                    "for the beginning of a formula, and before an apostrophe"}},

@@ -1,4 +1,4 @@
-// A file that is to be written, as a value.
+// A text file to be written, as a value.
 #pragma once
 
 #include <string>

@@ -50,7 +50,7 @@ void run_bench(SimulatedBenchArguments arguments, const SceneFinderBeside& find_
                const std::stop_token& stop) {
   const fs::path folder = arguments.folder;
   if (!fs::is_directory(folder)) {
-    throw Error(folder.string(), "is no folder", "make it");
+    throw Error(folder.string(), "is not a folder", "make the folder");
   }
   arguments.simulation.predicted = true;
   const SimulateReport predicted =
@@ -72,7 +72,7 @@ void run_bench(SimulatedBenchArguments arguments, const SceneFinderBeside& find_
     print_text("{}", text_of(agreements));
   }
   if (stop.stop_requested()) {
-    print_text("Stopped. The same command goes on.\n");
+    print_text("Stopped. To continue, repeat the command.\n");
   }
 }
 

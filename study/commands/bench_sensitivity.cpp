@@ -30,14 +30,15 @@ struct SensitivityArguments : SimulatedBenchArguments {
   std::vector<std::string> numbers;
 };
 
-/// What was simulated, and what came out.
+/// A simulated population and its results.
 struct Outcome {
   std::string number;  ///< empty: the unchanged population
   double value = 0.0;
   std::vector<MethodMean> means;
 };
 
-/// Whether the pilots of the unchanged population also serve one in which this number is another.
+/// Returns whether the unchanged population's pilots also serve one with another value of this
+/// number.
 bool shares_pilots(const std::string& number) {
   constexpr std::array of_eyes = {"vision.decay_deg", "vision.half_resolution_deg",
                                   "vision.chromatic_decay_factor",
@@ -54,7 +55,7 @@ std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
                                     number.name) != arguments.numbers.end();
     if (is_asked && number.value == 0.0) {
       throw Error(fmt::format("--number {}", number.name), "is 0, which no factor changes",
-                  "see what another value does by study simulate --people FILE");
+                  "simulate another value with study simulate --people FILE");
     }
     if (arguments.numbers.empty() ? number.value != 0.0 && shares_pilots(number.name) : is_asked) {
       chosen.push_back(number);
@@ -79,8 +80,8 @@ std::vector<MethodMean> simulate(SimulatedBenchArguments arguments, const std::s
   return method_means(read_study(database));
 }
 
-/// Once as they are, and with each number divided and multiplied by the factor, as far as it may
-/// be.
+/// Simulates the unchanged population, and each number divided and multiplied by the factor, if
+/// within its range.
 std::vector<Outcome> simulate_all(const SensitivityArguments& arguments,
                                   const SceneFinderBeside& find_scene,
                                   const std::stop_token& stop) {
@@ -164,7 +165,7 @@ nlohmann::json json_of(const std::vector<Outcome>& outcomes) {
 void run_bench(const SensitivityArguments& arguments, const SceneFinderBeside& find_scene,
                const std::stop_token& stop) {
   if (!fs::is_directory(arguments.folder)) {
-    throw Error(arguments.folder, "is no folder", "make it");
+    throw Error(arguments.folder, "is not a folder", "make the folder");
   }
   const fs::path protocol = find_protocol(arguments.protocol);
   if (load_protocol(protocol).methods.size() < 2) {
@@ -186,7 +187,7 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinderBeside& f
         text_of(outcomes));
   }
   if (stop.stop_requested()) {
-    print_text(stderr, "Stopped. The same command goes on.\n");
+    print_text(stderr, "Stopped. To continue, repeat the command.\n");
   }
 }
 
@@ -197,7 +198,7 @@ void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
   const auto arguments = std::make_shared<SensitivityArguments>();
   CLI::App* command =
       add_command(bench, "sensitivity",
-                  "Simulate a predicted study again and again, each time with one number of its "
+                  "Simulate a predicted study repeatedly, each time with one number of its "
                   "population changed",
                   "sensitivity koskela2018 --scale 36 --participants 100 --seed 1 -o bench");
   add_simulated_studies(
@@ -211,7 +212,7 @@ void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
       ->check(CLI::Range(1.001, 1000.0));
   command->add_option(
       "--number", arguments->numbers,
-      "Vary only these numbers, such as decision.material_jnd (default: all that need no "
+      "Vary only these numbers, such as decision.material_jnd (default: all without need of "
       "pilots of their own)");
   add_effort_and_json(command, *arguments);
   command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });

@@ -32,8 +32,7 @@ void add_participants_and_seed(CLI::App* command, int& participants, std::uint64
   command->add_option("--participants", participants, "The number of participants")
       ->check(CLI::Range(1, most_participants))
       ->required();
-  command->add_option("--seed", seed,
-                      "The seed of orders and simulated people; another one gives others");
+  command->add_option("--seed", seed, "The seed of orders and simulated people");
 }
 
 void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments,
@@ -62,7 +61,7 @@ void require_backup_target(const std::filesystem::path& folder,
                            const std::filesystem::path& study) {
   require_writable(new_backup_in(folder, study));
   if (is_on_disk_of(folder, study)) {
-    print_warnings({fmt::format("{}: is on the same disk as {}, and is lost with it",
+    print_warnings({fmt::format("{}: is on the same disk as {} and does not survive its loss",
                                 folder.string(), study.string())});
   }
 }

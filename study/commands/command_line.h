@@ -1,4 +1,4 @@
-// What the command lines of `study` have in common.
+// Options and helpers that the `study` commands share.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,12 @@ namespace foveola::study {
 
 inline constexpr int most_participants = 100'000;
 
-/// A subcommand of `study` or `bench` with its example, without these: "check demo".
+/// Adds a subcommand of `study` or `bench`. example: without the program and the parent, "check
+/// demo".
 CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& purpose,
                       const std::string& example);
 
-/// What the benchmarks that simulate studies are asked for.
+/// Arguments of the benchmarks that simulate studies.
 struct SimulatedBenchArguments {
   SimulateSettings simulation{.resume = true};  ///< all but the files
   std::string protocol;
@@ -29,23 +30,23 @@ struct SimulatedBenchArguments {
   bool json = false;
 };
 
-/// Simulates the study in this file as far as it is not there yet.
+/// Simulates the study into this file, and resumes a study begun there.
 SimulateReport simulate_study(const SimulatedBenchArguments& arguments,
                               const std::filesystem::path& database,
                               const SceneFinderBeside& find_scene, const std::stop_token& stop);
 
-// Options that several commands have; what they write to must outlive the command's parsing.
+// Options of several commands; the targets must outlive the command's parsing.
 void add_protocol(CLI::App* command, std::string& protocol);
 void add_database(CLI::App* command, std::string& database);  ///< the file of a study that exists
 void add_participants_and_seed(CLI::App* command, int& participants, std::uint64_t& seed);
-/// PROTOCOL, the folder, the participants and the seed.
+/// Adds PROTOCOL, the folder, the participants and the seed.
 void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments,
                            const std::string& folder_help);
-/// --threads, --jobs and --json.
+/// Adds --threads, --jobs and --json.
 void add_effort_and_json(CLI::App* command, SimulatedBenchArguments& arguments);
 
-/// Throws Error unless a copy of the study can be put into the folder. Warns of a folder on the
-/// study's own disk.
+/// Throws Error unless the folder can hold a copy of the study. Warns if it is on the study's own
+/// disk.
 void require_backup_target(const std::filesystem::path& folder, const std::filesystem::path& study);
 
 }  // namespace foveola::study

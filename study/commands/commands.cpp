@@ -4,7 +4,7 @@ namespace foveola::study {
 
 void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
                         const SimulationReporter& reporter, std::stop_token stop) {
-  CLI::App* study = app.add_subcommand("study", "Plan, run and look into user studies");
+  CLI::App* study = app.add_subcommand("study", "Plan, run and inspect user studies");
   study->require_subcommand(1);
   add_check(*study, find_scene);
   add_plan(*study);

@@ -1,4 +1,4 @@
-// The study's part of the command line: see foveola study --help.
+// Adds the study's commands to the command line: see foveola study --help.
 #pragma once
 
 #include <filesystem>
@@ -16,11 +16,11 @@ class App;
 
 namespace foveola::study {
 
-/// What is made of a simulated study once it is finished: it needs what this module must not know.
+/// Reports a finished simulated study, by code that this module must not know.
 struct SimulationReporter {
-  /// Throws Error if `folder` could not be written to.
+  /// Throws Error if `folder` cannot be written to.
   std::function<void(const std::filesystem::path& folder)> check;
-  /// Returns lines for the terminal, each ended by a line break. Throws Error.
+  /// Returns lines for the terminal. Throws Error.
   std::function<std::string(const std::filesystem::path& database,
                             const std::filesystem::path& folder)>
       write;
@@ -48,7 +48,7 @@ void add_forget(CLI::App& study);
 
 void add_replay(CLI::App& study, const SceneFinderBeside& find_scene, const std::stop_token& stop);
 
-/// It runs in the thread that parses the command line, the program's first.
+/// Adds `run`. It runs in the thread that parses the command line, the program's first.
 void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::stop_token& stop);
 
 void add_watch(CLI::App& study, const std::stop_token& stop);

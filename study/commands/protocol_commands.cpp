@@ -39,7 +39,7 @@ std::vector<Plan> plans_of(const Protocol& protocol, int participants, std::uint
   return plans;
 }
 
-/// As many as are planned, else one of each row of the design; 0 if neither says a number. Fewer if
+/// Returns the planned number, else one per row of the design; 0 if neither is known. Fewer if
 /// their trials would not fit in memory.
 int expected_participants(const Protocol& protocol) {
   constexpr int max_trials = 2'000'000;
@@ -52,7 +52,7 @@ std::string balance_heading(const Protocol& protocol, int participants) {
   const bool draws =
       protocol.scene_order == Order::random || protocol.method_order == Order::random;
   return fmt::format("balance of {} participants{}", participants,
-                     draws ? ", for instance: orders are drawn (seed 0)" : "");
+                     draws ? ", an example: orders are drawn (seed 0)" : "");
 }
 
 void print_check(const Protocol& protocol, const std::vector<SceneSource>& scenes) {
@@ -113,7 +113,7 @@ void run_plan(const ProtocolArguments& arguments) {
 void add_check(CLI::App& study, const SceneFinderBeside& find_scene) {
   const auto arguments = std::make_shared<ProtocolArguments>();
   CLI::App* command = add_command(study, "check",
-                                  "Check a protocol: what it asks for, whether it is valid and can "
+                                  "Check a protocol: its contents, whether it is valid and can "
                                   "be analysed, how long a session takes",
                                   "check demo");
   add_protocol(command, arguments->protocol);
@@ -124,8 +124,7 @@ void add_check(CLI::App& study, const SceneFinderBeside& find_scene) {
 void add_plan(CLI::App& study) {
   const auto arguments = std::make_shared<ProtocolArguments>();
   CLI::App* command = add_command(
-      study, "plan",
-      "Print the order of trials of each participant, and how well the orders are balanced",
+      study, "plan", "Print the order of trials of each participant, and the balance of the orders",
       "plan demo --participants 16 --seed 7");
   add_protocol(command, arguments->protocol);
   add_participants_and_seed(command, arguments->participants, arguments->seed);

@@ -106,7 +106,7 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
 nlohmann::json json_head(const StudyHead& head) {
   nlohmann::json sessions = nlohmann::json::array();
   for (const SessionHead& session : head.sessions) {
-    // In one text, so that a printout of whatever form is a head.
+    // Printed at once, so that any form of the printout is a head.
     sessions.push_back(line_of(session));
   }
   nlohmann::json forgotten = nlohmann::json::array();
@@ -116,7 +116,7 @@ nlohmann::json json_head(const StudyHead& head) {
   return {{"sha256", head.sha256}, {"sessions", sessions}, {"forgotten", forgotten}};
 }
 
-/// To be printed or copied somewhere else: what study verify --head takes.
+/// Returns a head to print or copy elsewhere, for study verify --head.
 std::string head_text(const StudyHead& head) {
   std::string text = fmt::format("head      {}\n", head.sha256);
   for (const SessionHead& session : head.sessions) {
@@ -141,10 +141,10 @@ void run_status(const RecordArguments& arguments) {
   }
 }
 
-/// Compares the study with a head that was written down.
+/// Compares the study with a head printed earlier.
 void add_head_comparison(const RecordArguments& arguments, Verification& found) {
   constexpr std::size_t max_bytes = 16 << 20;
-  constexpr const char* remedy = "name a file of what foveola study status printed";
+  constexpr const char* remedy = "name a file with the output of foveola study status";
   const std::vector<SessionHead> earlier = heads_in(read_file(arguments.head, max_bytes, remedy));
   if (earlier.empty()) {
     throw Error(arguments.head, "has no line of a session", remedy);
@@ -169,7 +169,7 @@ void run_verify(const RecordArguments& arguments) {
     print_text("{}", verification_table(found));
   }
   if (!found.faults.empty()) {
-    throw Error(arguments.database, "is not what was written: see the faults above", damage_remedy);
+    throw Error(arguments.database, "failed its verification: see the faults above", damage_remedy);
   }
 }
 
@@ -188,17 +188,17 @@ void run_restore(const RecordArguments& arguments) {
       arguments.copy.empty() ? std::nullopt : std::optional<fs::path>(arguments.copy));
   print_text("{}: restored from {}\n", arguments.database, restored.copy.string());
   for (const fs::path& file : restored.moved_aside) {
-    print_text("{}: what was there before\n", file.string());
+    print_text("{}: the former file\n", file.string());
   }
   if (!restored.missing && !restored.moved_aside.empty()) {
-    print_text("What the copy lacks is not known: what was there before cannot be read.\n");
+    print_text("The copy may lack events: the former file cannot be read.\n");
   }
   for (const MissingEvents& session : restored.missing.value_or(std::vector<MissingEvents>{})) {
     print_text("missing in the copy: {} of {} events of {}\n", session.missing, session.events,
                session.participant);
   }
   if (restored.missing && restored.missing->empty()) {
-    print_text("The copy has all events that were there before.\n");
+    print_text("The copy has all events of the former file.\n");
   }
 }
 
@@ -207,14 +207,14 @@ void require_sites(const RecordArguments& arguments) {
     throw UsageError(
         "--site",
         fmt::format("names {} sites of {} files", arguments.sites.size(), arguments.sources.size()),
-        "give it once for each file, in their order");
+        "give --site once per file, in their order");
   }
   for (const std::string& site : arguments.sites) {
     const bool is_name = !site.empty() && std::ranges::all_of(site, [](unsigned char letter) {
       return std::isalnum(letter) != 0;
     });
     if (!is_name) {
-      throw UsageError("--site", fmt::format("'{}' is not a site's name", site),
+      throw UsageError("--site", fmt::format("'{}' is not a site name", site),
                        "use letters and digits only");
     }
   }
@@ -241,30 +241,32 @@ void run_merge(const RecordArguments& arguments) {
 
 void run_forget(const RecordArguments& arguments) {
   if (!arguments.yes) {
-    throw UsageError("--yes",
-                     fmt::format("is missing: all that {} and its backups hold of participant {} "
-                                 "would be gone for good",
-                                 arguments.database, arguments.participant),
-                     "add it if this is meant");
+    throw UsageError(
+        "--yes",
+        fmt::format("is required to erase all data of participant {1} from {0} and its backups "
+                    "permanently",
+                    arguments.database, arguments.participant),
+        "add --yes to confirm");
   }
   const Forgotten forgotten = forget_participant(arguments.database, arguments.participant);
-  print_text("{}: participant {} is gone, from {} files\n", arguments.database,
+  print_text("{}: participant {} was erased from {} files\n", arguments.database,
              arguments.participant, forgotten.files);
   print_text(
-      "The disk may hold what was deleted until something else is written there, and so may its "
+      "The disk may hold deleted data until it is overwritten, and so may its "
       "snapshots and other backups of this computer.\n");
   for (const std::string& mention : forgotten.mentions) {
-    print_text("{}: {} has the code {} in what was typed; it stays, since later hashes cover it\n",
-               arguments.database, mention, arguments.participant);
+    print_text(
+        "{}: {} contains the code {} in a typed text, which stays because later hashes cover it\n",
+        arguments.database, mention, arguments.participant);
   }
   for (const RemainingCopy& copy : forgotten.remaining) {
     print_text("{}: {}\n", copy.file.string(), copy.what);
   }
   if (!forgotten.remaining.empty()) {
     throw Error(arguments.database,
-                fmt::format("{} files still hold something of {}, or cannot be read",
+                fmt::format("{} files still hold data of {}, or cannot be read",
                             forgotten.remaining.size(), arguments.participant),
-                "look at those above, remove what is of this study, and give the command again");
+                "inspect the files above, remove those of this study, and repeat the command");
   }
 }
 
@@ -279,9 +281,9 @@ void run_gaze(const RecordArguments& arguments) {
 
 void add_status(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = add_command(study, "status",
-                                  "Print which sessions a study's file holds, and how far they are",
-                                  "status study.sqlite --json");
+  CLI::App* command =
+      add_command(study, "status", "List the sessions of a study's file and their progress",
+                  "status study.sqlite --json");
   add_database(command, arguments->database);
   add_json_option(*command, arguments->json);
   command->callback([arguments] { run_status(*arguments); });
@@ -295,7 +297,7 @@ void add_verify(CLI::App& study) {
   add_database(command, arguments->database);
   command->add_option(
       "--head", arguments->head,
-      "A file of what study status printed earlier: the study must go on from there");
+      "A file with an earlier output of study status: the study must continue from it");
   add_json_option(*command, arguments->json);
   command->callback([arguments] { run_verify(*arguments); });
 }
@@ -316,11 +318,11 @@ void add_restore(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = add_command(
       study, "restore",
-      "Put a copy in the place of a study's file that is damaged or gone; what is there is renamed",
+      "Replace a damaged or missing study's file by a copy; the damaged file is renamed",
       "restore study.sqlite --from /media/backups/study.sqlite");
   add_database(command, arguments->database);
   command->add_option("--from", arguments->copy,
-                      "The copy (default: the newest backup beside the study that is not damaged)");
+                      "The copy (default: the newest undamaged backup beside the study)");
   command->callback([arguments] { run_restore(*arguments); });
 }
 
@@ -338,8 +340,9 @@ void add_merge(CLI::App& study) {
                    "SITE-CODE, so that sites may have the same codes")
       ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output, "The merged study, a new file")->required();
-  command->add_flag("--incomplete", arguments->incomplete,
-                    "Merge shards although others are missing; the result notes that it is a part");
+  command->add_flag(
+      "--incomplete", arguments->incomplete,
+      "Merge shards although others are missing; the merged file records that it is incomplete");
   command->callback([arguments] { run_merge(*arguments); });
 }
 
@@ -351,15 +354,15 @@ void add_forget(CLI::App& study) {
       "forget study.sqlite P007 --yes");
   add_database(command, arguments->database);
   command->add_option("CODE", arguments->participant, "The participant's code")->required();
-  command->add_flag("--yes", arguments->yes, "Confirm it: it cannot be undone");
+  command->add_flag("--yes", arguments->yes, "Confirm the erasure, which cannot be undone");
   command->callback([arguments] { run_forget(*arguments); });
 }
 
 void add_summary(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = add_command(
-      study, "summary", "Print one session on a page: trials, times, frames, gaze and notes",
-      "summary study.sqlite --participant P001");
+  CLI::App* command =
+      add_command(study, "summary", "Summarise one session: trials, times, frames, gaze and notes",
+                  "summary study.sqlite --participant P001");
   add_database(command, arguments->database);
   command->add_option("--participant", arguments->participant, "The participant's code")
       ->required();

@@ -29,16 +29,16 @@ struct ReplayArguments {
 
 std::string verdict(const ReplayedAttempt& attempt, bool is_approximate) {
   if (attempt.frames == 0) {
-    return "none of its frames was kept";
+    return "no frame was recorded";
   }
   if (attempt.hashes == 0) {
     return "no film was compared";
   }
   if (!attempt.first_difference) {
-    return "the same, bit for bit";
+    return "bit-identical";
   }
   return fmt::format("{} from frame {} at the latest",
-                     is_approximate ? "alike, but not bit for bit," : "differs",
+                     is_approximate ? "similar, but not bit-identical," : "differs",
                      *attempt.first_difference);
 }
 
@@ -89,25 +89,24 @@ void print_lines(const ReplayReport& report) {
   }
 }
 
-/// What a session does at its recorded answers depends on neither the program's build nor the
+/// A session's steps after its recorded answers depend on neither the program's build nor the
 /// processor.
 void require_same_events(const ReplayReport& report, const std::string& database) {
   if (!report.difference.empty()) {
-    throw Error(database, report.difference,
-                "foveola study verify says whether the record is whole");
+    throw Error(database, report.difference, "check the record with foveola study verify");
   }
 }
 
-/// Where the same program on the same processor shows another film, something is wrong.
+/// The same program on the same processor must show the same film.
 void require_same_films(const ReplayReport& report, const std::string& database) {
   const auto differing =
       std::count_if(report.attempts.begin(), report.attempts.end(),
                     [](const ReplayedAttempt& attempt) { return attempt.first_difference; });
   if (differing > 0 && report.approximate.empty()) {
     throw Error(database,
-                fmt::format("{} of {} replayed attempts differ from what was shown", differing,
+                fmt::format("{} of {} replayed attempts differ from the recorded films", differing,
                             report.attempts.size()),
-                "foveola study verify says whether the record is whole");
+                "check the record with foveola study verify");
   }
 }
 
@@ -141,7 +140,7 @@ void add_replay(CLI::App& study, const SceneFinderBeside& find_scene, const std:
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = add_command(
       study, "replay",
-      "Run a recorded session again, and compare its events and films with the recorded ones",
+      "Replay a recorded session, and compare its events and films with the recorded ones",
       "replay study.sqlite --participant P001 --trial 0 -o pictures");
   add_database(command, arguments->database);
   command->add_option("--participant", arguments->participant, "The participant's code")
@@ -156,7 +155,7 @@ void add_replay(CLI::App& study, const SceneFinderBeside& find_scene, const std:
       "--folder", arguments->folder,
       "The folder of the files that the protocol names (default: the database's folder)");
   command->add_option("-o,--output", arguments->output,
-                      "A folder that gets a picture of each attempt's last view");
+                      "A folder for a picture of each attempt's last view");
   add_threads_option(*command, arguments->threads);
   add_json_option(*command, arguments->json);
   command->callback([arguments, find_scene, stop] { run_replay(*arguments, find_scene, stop); });

@@ -26,7 +26,7 @@ constexpr int row_limit = 1'000'000;
 constexpr std::size_t longest_code = 32;
 
 struct RunArguments {
-  RunSettings settings;  ///< as far as it is not read from what follows
+  RunSettings settings;  ///< all except the options below
   std::string protocol;
   std::string database;
   bool is_pilot = false;
@@ -48,19 +48,21 @@ void require_code(const std::string& code) {
       });
   if (!is_code) {
     throw UsageError(
-        "--participant", fmt::format("'{}' is no code", code),
-        fmt::format("take up to {} letters, digits, - and _, but never a name", longest_code));
+        "--participant", fmt::format("'{}' is not a code", code),
+        fmt::format("write up to {} letters, digits, - and _, but never a name", longest_code));
   }
 }
 
-/// What a person's gaze goes through is the protocol's, the same for all whose data count.
+/// Sessions that count use the protocol's filter, the same for all of them.
 std::optional<GazeFilterSettings> gaze_filter_of(const RunArguments& arguments) {
   if (!arguments.gaze_filter) {
     return std::nullopt;
   }
   if (!arguments.is_pilot) {
-    throw UsageError("--gaze-filter", "a session that counts has the filter of its protocol",
-                     "write it into the protocol's [tracker.filter], or rehearse with --pilot");
+    throw UsageError(
+        "--gaze-filter",
+        "cannot be set for a session that counts, which uses its protocol's filter",
+        "write the filter into the protocol's [tracker.filter], or rehearse with --pilot");
   }
   return parse_gaze_filter(*arguments.gaze_filter);
 }
@@ -86,7 +88,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
   if (!arguments.receipt.empty()) {
     require_writable(arguments.receipt);
     if (std::filesystem::exists(arguments.receipt) && !arguments.settings.resumes) {
-      throw Error(arguments.receipt, "is there already", "name another file for this receipt");
+      throw Error(arguments.receipt, "exists already", "name another file for this receipt");
     }
     settings.receipt = arguments.receipt;
   }
@@ -109,7 +111,7 @@ void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
              name_of(report.phase), report.backup.string(),
              report.copy.empty() ? "" : fmt::format("; copy {}", report.copy.string()));
   if (report.phase == Phase::interrupted) {
-    print_text("To go on, give the same command with --resume.\n");
+    print_text("To continue, repeat the command with --resume.\n");
   }
 }
 
@@ -122,27 +124,27 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                   "run koskela2018 --db study.sqlite --participant P07 --headset");
   add_protocol(command, arguments->protocol);
   command
-      ->add_option(
-          "--db", arguments->database,
-          "The study's database file; made if there is none, else it must be of the same protocol")
+      ->add_option("--db", arguments->database,
+                   "The study's database file: a new file, or a study of the same protocol")
       ->required();
   command
       ->add_option("--participant", arguments->settings.participant,
                    "The participant's code (letters, digits, - and _), never a name")
       ->required();
-  command->add_flag("--pilot", arguments->is_pilot,
-                    "A rehearsal: its session is kept apart and not analysed, and a scene is shown "
-                    "anew when its file changes");
+  command->add_flag(
+      "--pilot", arguments->is_pilot,
+      "A rehearsal: its session is kept apart and not analysed, and a scene is reloaded "
+      "when its file changes");
   command->add_option(
       "--display", arguments->settings.display,
       "The display's profile: a name or a file (default: the protocol's, or desktop)");
   command->add_option("--tracker", arguments->settings.tracker,
-                      "The eye tracker's profile: a name or a file; pointer takes the mouse for "
-                      "the eye (default: the "
+                      "The eye tracker's profile: a name or a file; pointer uses the mouse in "
+                      "place of an eye (default: the "
                       "protocol's, or pointer)");
   add_headset_option(*command, arguments->settings.display, arguments->settings.tracker);
   command->add_option("--gaze-filter", arguments->gaze_filter,
-                      std::string("What a pilot's gaze goes through before frames use it (default: "
+                      std::string("The filter of a pilot's gaze (default: "
                                   "the protocol's): ") +
                           gaze_filter_notation);
   command->add_option("--window", arguments->window, "The window's size, WIDTHxHEIGHT");
@@ -151,43 +153,44 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   command->add_option("--monitor", arguments->monitor, "The monitor to fill, counted from 0")
       ->check(CLI::Range(0, monitor_limit))
       ->needs(full_screen);
-  command->add_option(
-      "--seed", arguments->settings.seed,
-      "The seed of orders and noise (default: drawn at random; the record keeps it)");
+  command->add_option("--seed", arguments->settings.seed,
+                      "The seed of orders and noise (default: drawn at random, and recorded)");
   command
       ->add_option("--first-row", arguments->settings.first_row,
-                   "The row of the design that the file's first participant gets, so that sites "
-                   "begin with different ones; the others follow it (default: 0)")
+                   "The row of the design of the file's first participant, so that sites "
+                   "begin with different rows; later participants get the next ones (default: 0)")
       ->check(CLI::Range(0, row_limit));
   add_threads_option(*command, arguments->settings.threads);
   CLI::Option* resume = command->add_flag("--resume", arguments->settings.resumes,
-                                          "Go on with this participant's unfinished session");
+                                          "Resume this participant's unfinished session");
   command
       ->add_flag("--undo-end", arguments->settings.undoes_end,
-                 "Take back the withdrawal or exclusion that ended it, and go on")
+                 "Undo the withdrawal or exclusion that ended it, and resume")
       ->needs(resume);
-  command->add_flag("--despite-changes", arguments->settings.despite_changes,
-                    "Accept another program, scene, display, machine or tracker than the session, "
-                    "or the study's others, had; the session's record will say so");
+  command->add_flag(
+      "--despite-changes", arguments->settings.despite_changes,
+      "Accept another program, scene, display, machine or tracker than those of the session "
+      "or of the study's other sessions; the session's record notes it");
   command->add_flag("--amended-protocol", arguments->takes_amendment,
-                    "Accept a protocol whose words or time-outs have changed since the study "
+                    "Accept a protocol whose texts or time-outs have changed since the study "
                     "began; the session's "
-                    "record will say so");
+                    "record notes it");
   command->add_flag("--blind", arguments->settings.is_blind,
                     "Hide the methods from the experimenter until the session is over; the "
-                    "session's record will say so");
+                    "session's record notes it");
   mark_output(
       command->add_option("--screens", arguments->screens,
-                          "A folder that gets a picture of every page the participant comes to"));
-  mark_output(command->add_option("--receipt", arguments->receipt,
-                                  "A file that gets what the participant consented to, and when, "
-                                  "for them to take along"));
+                          "A folder for a picture of every page that the participant comes to"));
+  mark_output(command->add_option(
+      "--receipt", arguments->receipt,
+      "A file for a receipt of the participant's consents, with their texts and times, "
+      "to take along"));
   mark_output(command->add_option("--backup-to", arguments->backup_folder,
-                                  "A folder, best on another disk, that gets a copy of the study "
-                                  "after the session, besides the backup"));
+                                  "A folder, preferably on another disk, for a copy of the study "
+                                  "after the session, in addition to the backup"));
   command->add_flag("--json", arguments->settings.json,
-                    "The experimenter's console for machines: a JSON object a line, and how the "
-                    "session stands every second");
+                    "The experimenter's console for machines: a JSON object per line, with the "
+                    "session's status every second");
   command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });
 }
 

@@ -19,7 +19,7 @@ namespace foveola::study {
 namespace {
 
 struct SimulateArguments {
-  SimulateSettings settings{.warns = true};  ///< all but what the next three say
+  SimulateSettings settings{.warns = true};  ///< all except the options below
   std::string protocol;
   std::string database;
   std::string shard;   ///< empty: all participants
@@ -58,17 +58,20 @@ SimulateSettings settings_of(const SimulateArguments& arguments) {
   return settings;
 }
 
-/// What is made of sessions, of which there are none.
+/// Throws UsageError for options of sessions, of which there are none.
 void require_only_preparing(const SimulateArguments& arguments) {
   if (!arguments.database.empty()) {
-    throw UsageError("--db", "is of a study, and --prepare makes none; leave one of them out");
+    throw UsageError("--db",
+                     "cannot be combined with --prepare, which makes no study; remove one of them");
   }
   if (!arguments.report.empty()) {
-    throw UsageError("--report", "is of a study, and --prepare makes none; leave one of them out");
+    throw UsageError("--report",
+                     "cannot be combined with --prepare, which makes no study; remove one of them");
   }
   if (arguments.settings.resume) {
-    throw UsageError("--resume",
-                     "is of a study; --prepare goes on with what the caches lack anyway");
+    throw UsageError(
+        "--resume",
+        "is not needed: --prepare always renders only what the caches lack; remove --resume");
   }
 }
 
@@ -88,7 +91,7 @@ std::string text_of(const SimulateArguments& arguments, const PrepareReport& rep
     return "Nothing to prepare: participants with an injected effect do not look at pictures\n";
   }
   if (report.stopped) {
-    return "Stopped. What was rendered is kept; the same command goes on.\n";
+    return "Stopped. Finished items are kept. To continue, repeat the command.\n";
   }
   return fmt::format("{} of {} {} rendered in {}{}\n", report.rendered, report.items,
                      arguments.settings.predicted ? "pilots" : "references",
@@ -110,11 +113,11 @@ void run_prepare(const SimulateArguments& arguments, const SceneFinderBeside& fi
 void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop) {
   if (arguments.database.empty()) {
-    throw UsageError("--db", "is required but to --prepare; name the study's file");
+    throw UsageError("--db", "is required except with --prepare; name the study's file");
   }
   if (!arguments.report.empty()) {
     if (!arguments.shard.empty()) {
-      throw UsageError("--report", "is of a whole study; leave --shard out, or this");
+      throw UsageError("--report", "cannot be combined with --shard; remove one of them");
     }
     reporter.check(arguments.report);
   }
@@ -132,17 +135,17 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& f
              report.trials, human_duration(report.wall_s), human_duration(report.simulated_s),
              arguments.settings.real_time ? "real" : "virtual");
   if (report.sessions_before > 0) {
-    print_text("{} sessions were over before\n", report.sessions_before);
+    print_text("{} sessions were finished before\n", report.sessions_before);
   }
   if (report.sessions_refused > 0) {
-    print_text("{} refused, since the tracker did not see the gaze well enough for the protocol\n",
+    print_text("{} refused, since the gaze was not tracked well enough for the protocol\n",
                report.sessions_refused);
   }
   if (report.sessions_withdrawn > 0) {
     print_text("{} participants withdrew\n", report.sessions_withdrawn);
   }
   if (stop.stop_requested()) {
-    print_text("Stopped. The same command with --resume goes on.\n");
+    print_text("Stopped. To continue, repeat the command with --resume.\n");
   }
   print_text("{}", about_report);
 }
@@ -156,22 +159,23 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                                   "simulate demo --db study.sqlite --participants 4 --seed 7");
   add_protocol(command, arguments->protocol);
   command->add_option("--db", arguments->database,
-                      "The study's database file; made if there is none, else it must be of the "
-                      "same protocol (required, but for --prepare)");
+                      "The study's database file: a new file, or a study of the "
+                      "same protocol (required, except with --prepare)");
   add_participants_and_seed(command, arguments->settings.participants, arguments->settings.seed);
   add_threads_option(*command, arguments->settings.threads);
-  command->add_option("--shard", arguments->shard,
-                      "Only the Kth of N parts of the participants, as K/N, in a file of its own: "
-                      "foveola study merge makes one study of all of them, as if they had been "
-                      "simulated together");
+  command->add_option(
+      "--shard", arguments->shard,
+      "Simulate only the Kth of N parts of the participants, as K/N, in a file of its own: "
+      "foveola study merge makes one study of all of them, as if they had been "
+      "simulated together");
   command->add_option(
       "--jobs", arguments->settings.jobs,
-      "The number of sessions side by side; with more than one, a session reaches the "
-      "disk when it is over");
+      "The number of concurrent sessions; with more than one, a session is written to the "
+      "disk at its end");
   command->add_option(
       "--scale", arguments->settings.scale,
       "Divide the pixels and the samples per second by this, for speed: a pixel's noise at "
-      "any second stays what it was");
+      "any second is unchanged");
   command->add_option("--samples-per-second", arguments->settings.samples_per_second,
                       "The machine's speed at full size, instead of the protocol's");
   command->add_flag("--predicted", arguments->settings.predicted,
@@ -179,7 +183,7 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                     "from them what participants see: a thousand times faster");
   command->add_flag(
       "--real-time", arguments->settings.real_time,
-      "Show the sessions in a real window, as to people: at this machine's speed, which --scale "
+      "Show the sessions in a real window, as for people: at this machine's speed, which --scale "
       "does not change");
   command->add_option(
       "--people", arguments->settings.people,
@@ -188,12 +192,12 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
   command->add_option("--inject", arguments->settings.injected, injected_effect_help);
   mark_output(command->add_option(
       "--report", arguments->report,
-      "A folder that gets every published number beside the study's, with differences and "
+      "A folder for every published number beside the study's, with differences and "
       "intervals"));
   command->add_flag("--resume", arguments->settings.resume,
-                    "Go on where the same command was stopped or killed");
+                    "Resume the same command after it was stopped or killed");
   command->add_flag("--prepare", arguments->prepare,
-                    "Simulate nobody, but render what the caches lack for it: the references, or "
+                    "Simulate nobody, but render what the caches lack: the references, or "
                     "the pilots of --predicted. With --shard, the Kth part of these, so that many "
                     "machines fill a cache that they share");
   add_json_option(*command, arguments->json);

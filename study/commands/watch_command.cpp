@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A watcher sees an event so much later at most, and costs its writer next to nothing.
+/// Maximum delay of an event for a watcher, at negligible cost to its writer.
 constexpr std::chrono::milliseconds poll_interval = 500ms;
 
 struct WatchArguments {
@@ -32,7 +32,7 @@ struct WatchArguments {
   bool json = false;
 };
 
-/// The participant who was begun last. Throws Error if there is none.
+/// Returns the last participant who began. Throws Error if there is none.
 std::string newest_participant(const StudyRecords& records, const std::string& database) {
   if (records.sessions.empty()) {
     throw Error(database, "has no session yet", "begin one with foveola study run");
@@ -40,13 +40,13 @@ std::string newest_participant(const StudyRecords& records, const std::string& d
   return records.sessions.back().participant;
 }
 
-/// Tells of a session's events as they come to its record.
+/// Prints a session's events as they are recorded.
 class Watch {
  public:
   Watch(const WatchArguments& arguments, const Protocol& protocol, std::string participant)
       : arguments_(arguments), protocol_(protocol), participant_(std::move(participant)) {}
 
-  /// What is new. Returns whether the session can still go on.
+  /// Prints new events. Returns whether the session can still continue.
   bool tell() {
     const RecordedSession session = read_session(arguments_.database, participant_);
     const Plan told_plan =
@@ -93,7 +93,7 @@ class Watch {
   const WatchArguments& arguments_;
   const Protocol& protocol_;
   std::string participant_;
-  std::size_t told_ = 0;  ///< how many events it has told of
+  std::size_t told_ = 0;  ///< number of printed events
 };
 
 void run_watch(const WatchArguments& arguments, const std::stop_token& stop) {
@@ -110,12 +110,11 @@ void run_watch(const WatchArguments& arguments, const std::stop_token& stop) {
 
 void add_watch(CLI::App& study, const std::stop_token& stop) {
   const auto arguments = std::make_shared<WatchArguments>();
-  CLI::App* command =
-      add_command(study, "watch", "Follow a session while it goes on, without touching its file",
-                  "watch study.sqlite");
+  CLI::App* command = add_command(
+      study, "watch", "Follow a running session, without touching its file", "watch study.sqlite");
   add_database(command, arguments->database);
   command->add_option("--participant", arguments->participant,
-                      "The participant's code (default: who was begun last)");
+                      "The participant's code (default: the last one begun)");
   add_json_option(*command, arguments->json);
   command->callback([arguments, stop] { run_watch(*arguments, stop); });
 }

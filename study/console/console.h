@@ -1,4 +1,4 @@
-// The experimenter's side of a session: what it tells them, and what they ask of it.
+// The experimenter's console: shows a session, and takes commands.
 #pragma once
 
 #include <string>
@@ -9,29 +9,29 @@
 
 namespace foveola::study {
 
-/// An event that is in the record.
+/// A recorded event, told to the experimenter.
 struct ToldEvent {
   Nanoseconds time{0};  ///< session clock
-  std::string name;     ///< as the record has it: "marked"
-  std::string phase;    ///< that it led to
+  std::string name;     ///< as recorded: "marked"
+  std::string phase;    ///< phase after the event
   std::string words;    ///< "outline was marked after 3.214 s."
 };
 
-/// All of it returns at once, whatever becomes of the terminal.
+/// No function waits for the terminal.
 class Console {
  public:
   virtual ~Console() = default;
 
-  /// A sentence, or several lines of them.
+  /// Prints one or more sentences.
   virtual void say(const std::string& text) = 0;
   virtual void tell(const ToldEvent& event) = 0;
-  /// How the session stands now. To be called several times a second.
+  /// Shows the session's status. Call several times a second.
   virtual void show(const SessionStatus& status) = 0;
-  /// What was asked for since the last call, in order: lines of parse_console_line().
+  /// Returns the commands since the last call, in order, as lines of parse_console_line().
   virtual std::vector<std::string> take() = 0;
 };
 
-/// For a session that nobody watches.
+/// A console without an experimenter.
 class SilentConsole final : public Console {
  public:
   void say(const std::string& /*text*/) override {}

@@ -15,15 +15,15 @@ namespace {
 std::string reply_to_unknown(const std::string& line) {
   const std::string usage = console_usage(line);
   if (line.empty() || usage.empty()) {
-    return line.empty() ? "" : fmt::format("What is '{}'? help says what there is.", line);
+    return line.empty() ? "" : fmt::format("'{}' is not a command; type help for a list.", line);
   }
-  return fmt::format("'{}' is not a whole command; type {}", line, usage);
+  return fmt::format("'{}' is incomplete; type {}", line, usage);
 }
 
 struct CommandWord {
   std::string_view word;
   ConsoleAction action;
-  std::string_view argument;  ///< empty: it takes none
+  std::string_view argument;  ///< empty: the command takes none
   std::string_view help;
 
   bool takes_code() const { return argument.starts_with("CODE"); }
@@ -31,23 +31,23 @@ struct CommandWord {
 };
 
 constexpr std::array words = {
-    CommandWord{"state", ConsoleAction::state, "", "where the session is"},
-    CommandWord{"next", ConsoleAction::next, "", "what comes then"},
+    CommandWord{"state", ConsoleAction::state, "", "shows the session's state"},
+    CommandWord{"next", ConsoleAction::next, "", "shows the next step"},
     CommandWord{"note", ConsoleAction::note, "TEXT", "keeps a note in the record"},
-    CommandWord{"pause", ConsoleAction::pause, "",
-                "a trial that has begun is timed again after it"},
-    CommandWord{"resume", ConsoleAction::resume, "", "after a pause"},
-    CommandWord{"retime", ConsoleAction::retime, "", "the timing failed: times the method again"},
+    CommandWord{"pause", ConsoleAction::pause, "", "a trial that has begun is retimed afterwards"},
+    CommandWord{"resume", ConsoleAction::resume, "", "continues after a pause"},
+    CommandWord{"retime", ConsoleAction::retime, "", "retimes the method after a failed timing"},
     CommandWord{"exclude", ConsoleAction::exclude, "CODE REASON",
                 "ends the session; its data stay"},
     CommandWord{"withdraw", ConsoleAction::withdraw, "CODE",
                 "ends the session: the participant stops taking part"},
-    CommandWord{"undo", ConsoleAction::undo, "", "takes back what has just ended the session"},
-    CommandWord{"quit", ConsoleAction::quit, "", "interrupts; --resume goes on later"},
-    CommandWord{"help", ConsoleAction::help, "", "these lines"},
+    CommandWord{"undo", ConsoleAction::undo, "", "undoes the session's end"},
+    CommandWord{"quit", ConsoleAction::quit, "",
+                "interrupts the session; --resume continues it later"},
+    CommandWord{"help", ConsoleAction::help, "", "shows these lines"},
 };
 
-/// The end of `words` if it is none of them.
+/// Returns the end of the words if it is unknown.
 const CommandWord* known_word(std::string_view word) {
   return std::find_if(words.begin(), words.end(),
                       [&](const CommandWord& one) { return one.word == word; });
@@ -62,7 +62,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
 }
 
-/// Takes the first word off the text.
+/// Removes and returns the text's first word.
 std::string_view take_word(std::string_view& text) {
   text = trimmed(text);
   const std::string_view word = text.substr(0, text.find_first_of(" \t"));
@@ -142,7 +142,7 @@ ConsoleAnswer answer_to(const std::string& line, const AskedSession& session) {
     case ConsoleAction::help:
       return {.reply = console_help()};
   }
-  throw std::logic_error("a console command that nobody answers");
+  throw std::logic_error("an unanswered console command");
 }
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// What the experimenter can ask for in the terminal, as a typed line, and what it leads to.
+// Parses the experimenter's typed commands, and answers them.
 #pragma once
 
 #include <optional>
@@ -25,38 +25,38 @@ enum class ConsoleAction {
 
 struct ConsoleCommand {
   ConsoleAction action = ConsoleAction::help;
-  std::string code;  ///< the participant's, of what ends a session
-  std::string text;  ///< a note's words, or the reason of an exclusion
+  std::string code;  ///< the participant's code, in commands that end a session
+  std::string text;  ///< a note's text, or the reason of an exclusion
 };
 
-/// Parses a line. Empty if it asks for nothing that is known, or lacks the code or text it needs.
+/// Parses a line. Empty if its command is unknown, or lacks its code or text.
 std::optional<ConsoleCommand> parse_console_line(std::string_view line);
 
-/// "exclude CODE REASON" for a line that begins with this word; empty for one of no known word.
+/// Returns the usage, as "exclude CODE REASON", of a line's command; empty if it is unknown.
 std::string console_usage(std::string_view line);
 
-/// The words of all commands, on one line.
+/// Returns the words of all commands, on one line.
 std::string console_words();
 
-/// A line for each command.
+/// Returns a line per command.
 std::string console_help();
 
-/// At most one of these.
+/// A reply, an event or neither.
 struct ConsoleAnswer {
-  std::string reply;           ///< what the experimenter reads; may be several lines
-  std::optional<Event> event;  ///< an event for the session, which may refuse it
+  std::string reply;           ///< text for the experimenter; may be several lines
+  std::optional<Event> event;  ///< event for the session, which may refuse it
   bool quits = false;
 };
 
-/// Where a session is that a line is about.
+/// State of the session that a command is about.
 struct AskedSession {
-  const std::string& participant;  ///< the code, without which no line ends the session
-  const SessionState& state;       ///< on the disk or not
+  const std::string& participant;  ///< the code that commands which end the session must name
+  const SessionState& state;       ///< including events that are not durable yet
   const Procedure& procedure;
   const Plan& plan;
 };
 
-/// An empty line has none of the three.
+/// Answers a line. The answer to an empty line is empty.
 ConsoleAnswer answer_to(const std::string& line, const AskedSession& session);
 
 }  // namespace foveola::study

@@ -7,12 +7,12 @@
 namespace foveola::study {
 namespace {
 
-/// What happened, by the event and the state after it.
+/// Describes each event, with the state after it.
 struct Happened {
   const SessionState& after;
   const Protocol& protocol;
 
-  /// The id of the mark that was last waited for.
+  /// Returns the id of the last awaited mark.
   const std::string& last_mark() const { return protocol.marks[after.mark - 1].id; }
 
   std::string operator()(const SessionStarted& /*event*/) const { return "The session begins."; }
@@ -29,7 +29,7 @@ struct Happened {
                      validated.passed ? "good enough" : "not good enough",
                      quality.figures->accuracy_deg, quality.figures->precision_rms_deg,
                      100.0 * quality.data_loss)
-               : "The gaze was not validated: the tracker saw no eye look at any target.";
+               : "The gaze was not validated: there was no valid gaze at any target.";
   }
   std::string operator()(const ReactionPressed& press) const {
     return press.time < press.shown ? "A reaction came too early."
@@ -53,15 +53,15 @@ struct Happened {
   }
   std::string operator()(const Rated& /*event*/) const { return "The trial was rated."; }
   std::string operator()(const RetimeRequested& /*event*/) const {
-    return "The trial is to be timed again.";
+    return "The trial will be retimed.";
   }
   std::string operator()(const PauseRequested& /*event*/) const { return "The session pauses."; }
   std::string operator()(const Interrupted& /*event*/) const {
     return "The session is interrupted.";
   }
-  std::string operator()(const Resumed& /*event*/) const { return "The session goes on."; }
-  /// The beginning: an amended protocol's note holds its whole text, and that of a session which
-  /// goes on all about its devices.
+  std::string operator()(const Resumed& /*event*/) const { return "The session continues."; }
+  /// Prints the note's beginning: an amended protocol's note has its whole text, a resumed
+  /// session's all facts of its devices.
   std::string operator()(const NoteWritten& note) const {
     constexpr std::size_t max_characters = 160;
     return "Note: " + beginning_of(note.text, max_characters);
@@ -105,7 +105,7 @@ std::string words_for_step(const AgendaStep& step, const Plan& plan) {
   return std::visit(Words{plan}, step);
 }
 
-/// Empty where the step says it.
+/// Returns an empty text if the step itself describes the phase.
 std::string words_for(Phase phase) {
   switch (phase) {
     case Phase::consent:

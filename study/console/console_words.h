@@ -1,6 +1,6 @@
-// A session in the experimenter's words: what happened, where it is, what comes.
+// Describes a session for the experimenter: its events, its state, its next steps.
 //
-// Methods are named here, and therefore nowhere near the participant.
+// Methods are named here, so participants must not see these texts.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace foveola::study {
 
-/// "outline was marked after 3.214 s.", "Note: the phone rang". after: the session's state after
-/// the event.
+/// Returns "outline was marked after 3.214 s." or "Note: the phone rang". after: the session's
+/// state after the event.
 std::string words_for(const Event& event, const SessionState& after, const Protocol& protocol);
 
-/// "marking, trial 3 of 15: arcade with fv, timing 1, attempt 1".
+/// Returns "marking, trial 3 of 15: arcade with fv, timing 1, attempt 1".
 std::string words_for(const SessionState& state, const Procedure& procedure, const Plan& plan);
 
-/// The plan as an experimenter may know it who is blind to the methods. Catch trials are as others.
+/// Returns the plan for an experimenter who is blind to the methods. Catch trials look like others.
 Plan without_methods(Plan plan);
 
-/// What comes after the step that the session is in.
+/// Returns a description of the step after the current one.
 std::string words_for_next(const SessionState& state, const Procedure& procedure, const Plan& plan);
 
 }  // namespace foveola::study

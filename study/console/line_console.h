@@ -9,10 +9,10 @@
 
 namespace foveola::study {
 
-/// Lines to read. How the session stands is not among them but for its warnings, as they arise.
+/// Lines of text. Of the status, only new warnings are printed.
 class LineConsole final : public Console {
  public:
-  /// writer must outlive it. input: the descriptor that commands come from; -1: none do.
+  /// writer must outlive it. input: descriptor of the commands; -1: none.
   LineConsole(LineWriter& writer, int input) : writer_(writer), reader_(input) {}
 
   void say(const std::string& text) override { writer_.write(text); }
@@ -29,11 +29,11 @@ class LineConsole final : public Console {
 /// "   12.345 s  outline was marked after 3.214 s."
 std::string line_of(const ToldEvent& event);
 
-/// A JSON object a line. Its "kind" is text, event, or status: that comes every second, and at once
-/// with a new warning. Commands are typed as for LineConsole.
+/// A JSON object per line. Its "kind" is text, event, or status. The status is written every
+/// second, and at once with a new warning. Commands are those of LineConsole.
 class JsonConsole final : public Console {
  public:
-  /// As of LineConsole.
+  /// As for LineConsole.
   JsonConsole(LineWriter& writer, int input) : writer_(writer), reader_(input) {}
 
   void say(const std::string& text) override;
@@ -44,13 +44,13 @@ class JsonConsole final : public Console {
  private:
   LineWriter& writer_;
   LineReader reader_;
-  std::optional<Nanoseconds> shown_;  ///< the time of the status that was written last
+  std::optional<Nanoseconds> shown_;  ///< time of the last written status
   std::vector<StatusWarning> warnings_;
 };
 
 nlohmann::ordered_json json_of(const ToldEvent& event);
 
-/// One line, whatever bytes its texts have.
+/// Returns a single line, whatever bytes its texts have.
 std::string json_line(const char* kind, const nlohmann::ordered_json& members);
 
 }  // namespace foveola::study

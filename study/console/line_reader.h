@@ -1,4 +1,4 @@
-// Lines of the experimenter's, read by a thread of its own.
+// Reads the experimenter's lines in a thread of its own.
 #pragma once
 
 #include <mutex>
@@ -12,10 +12,10 @@ namespace foveola::study {
 /// Reads lines from a file descriptor until the other end closes it.
 class LineReader {
  public:
-  /// descriptor: standard input's, say; it stays open. One that is closed has no lines.
+  /// descriptor: such as standard input; it stays open. A closed one has no lines.
   explicit LineReader(int descriptor);
 
-  /// All whole lines since the last call, in order.
+  /// Returns all complete lines since the last call, in order.
   std::vector<std::string> take();
 
  private:
@@ -24,8 +24,8 @@ class LineReader {
 
   std::mutex mutex_;
   std::vector<std::string> lines_;
-  std::string unfinished_;  ///< the reading thread's
-  std::jthread thread_;     ///< last: it ends before the rest does
+  std::string unfinished_;  ///< used by the reading thread only
+  std::jthread thread_;     ///< last: it ends before the other members do
 };
 
 }  // namespace foveola::study

@@ -32,7 +32,7 @@ void LineWriter::write(const std::string& text) {
 }
 
 void LineWriter::run() {
-  // Writing to a pipe that nobody reads is then an error instead of the program's end.
+  // Writing to a pipe without a reader must be an error, not the program's end.
   sigset_t broken_pipe;
   ::sigemptyset(&broken_pipe);
   ::sigaddset(&broken_pipe, SIGPIPE);
@@ -46,7 +46,7 @@ void LineWriter::run() {
   while (true) {
     changed_.wait(lock, [this] { return is_closing_ || !text_.empty(); });
     const SteadyTime now = std::chrono::steady_clock::now();
-    // Whatever waits then has not been offered to the reader yet.
+    // Later text has not been offered to the reader yet.
     if (is_closing_ && !std::exchange(has_seen_closing, true)) {
       last_taken = now;
     }

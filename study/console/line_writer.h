@@ -1,5 +1,5 @@
-// Lines for the experimenter, written by a thread of its own: a terminal that is stopped, closed or
-// far away must not hold up a participant's frames.
+// Writes lines for the experimenter in a thread of its own, so that a stopped, closed or remote
+// terminal does not delay a participant's frames.
 #pragma once
 
 #include <chrono>
@@ -14,18 +14,17 @@ namespace foveola::study {
 
 class LineWriter {
  public:
-  /// How long its end waits for a reader who takes nothing.
+  /// Maximum time that the destructor waits for a reader who takes nothing.
   static constexpr std::chrono::milliseconds patience{1000};
 
-  /// descriptor: standard output's, say; it stays open. Of one that nobody reads any more, what is
-  /// written is lost.
+  /// descriptor: such as standard output; it stays open. If its reader is gone, the text is lost.
   explicit LineWriter(int descriptor);
-  /// Waits until all is written, or nobody takes it.
+  /// Waits until everything is written, or its reader takes nothing more.
   ~LineWriter();
   LineWriter(const LineWriter&) = delete;
   LineWriter& operator=(const LineWriter&) = delete;
 
-  /// Does not wait. Each line of `text` is escaped() and ended.
+  /// Queues text without waiting. Each line of `text` is escaped() and ended.
   void write(const std::string& text);
 
  private:
@@ -34,17 +33,17 @@ class LineWriter {
   int descriptor_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::string text_;  ///< what was not written yet, after the first `written_` characters
+  std::string text_;  ///< the unwritten text follows the first `written_` characters
   std::size_t written_ = 0;
   bool is_closing_ = false;
   std::thread thread_;
 };
 
-/// A terminal that has room for any has room for so many bytes; a pipe for more.
+/// Number of bytes that fit whenever a terminal has room for any; a pipe has room for more.
 inline constexpr std::size_t max_taken_at_once = 256;
 
-/// Writes the beginning of `text` once `descriptor` takes any. Returns how many bytes were taken: 0
-/// if none were within `longest`, all if none ever will be again.
+/// Writes the beginning of `text` once `descriptor` accepts data. Returns the number of bytes
+/// written: 0 after `longest`, text.size() if the reader is gone.
 std::size_t write_taken(int descriptor, std::string_view text, std::chrono::milliseconds longest);
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// Frames and gaze as they come, counted for the experimenter.
+// Counts frames and gaze samples live, for the experimenter.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace foveola::study {
 
-/// All times are of one clock, whichever.
+/// All times are of one clock.
 class LiveFigures {
  public:
-  /// What was counted of the attempt before is forgotten.
+  /// Resets the counts of the attempt.
   void begin_attempt();
-  /// A frame of the attempt. is_late: it missed its refresh.
+  /// Counts a frame of the attempt. is_late: it missed its refresh.
   void add_attempt_frame(bool is_late);
-  /// After each frame, of an attempt or not. arrived: the gaze that came for it.
+  /// Call after each frame, inside or outside of attempts. arrived: the gaze samples of this frame.
   void add_frame(Nanoseconds shown, std::span<const GazeSample> arrived);
 
   FrameStatus frames(double refresh_rate_hz) const;

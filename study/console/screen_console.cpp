@@ -106,7 +106,7 @@ void ScreenConsole::follow(const TypedKey& key) {
   }
   if (line->is_pasted && !may_be_pasted(line->text)) {
     said_.push_back(
-        printable(fmt::format("'{}' is pasted, and only a note may be; type it", line->text)));
+        printable(fmt::format("'{}' was pasted; type commands, paste only notes", line->text)));
   } else {
     asked_for_.push_back(std::move(line->text));
   }
@@ -140,7 +140,7 @@ std::unique_ptr<Console> open_console(bool is_json, LineWriter& output) {
   if (std::unique_ptr<Console> screen = ScreenConsole::open(output)) {
     return screen;
   }
-  output.write("help says what can be typed here.");
+  output.write("Type help for a list of commands.");
   return lines(is_json, output, STDIN_FILENO);
 }
 

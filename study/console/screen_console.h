@@ -1,4 +1,4 @@
-// The experimenter's console as one screen of the terminal.
+// The experimenter's console as a full screen of the terminal.
 #pragma once
 
 #include <condition_variable>
@@ -15,13 +15,13 @@
 
 namespace foveola::study {
 
-/// Paints and reads keys in a thread of its own. At its end the terminal is as it was before, and
-/// what was said meanwhile stands there as LineConsole would have written it.
+/// Paints and reads keys in a thread of its own. At its end the terminal is restored, and shows the
+/// session's messages as LineConsole would have written them.
 class ScreenConsole final : public Console {
  public:
-  /// Null if standard input and output are no terminal that can be painted on. If they are, nothing
-  /// else may write or read there while there is a ScreenConsole.
-  /// afterwards: for standard output; must outlive it.
+  /// Returns null unless standard input and output are a terminal that can be painted on. Nothing
+  /// else may write or read there during the console's lifetime. afterwards: for standard output;
+  /// must outlive it.
   static std::unique_ptr<ScreenConsole> open(LineWriter& afterwards);
   ~ScreenConsole() override;
   ScreenConsole(const ScreenConsole&) = delete;
@@ -49,18 +49,17 @@ class ScreenConsole final : public Console {
   CommandEntry entry_;
   std::vector<std::string> asked_for_;
   bool is_to_paint_ = true;
-  bool has_tried_ = false;  ///< to open the terminal
+  bool has_tried_ = false;  ///< whether opening the terminal was tried
   bool is_open_ = false;
   std::jthread thread_;
 };
 
-/// output: for standard output; must outlive it. is_json: for machines. Otherwise a screen, if both
-/// are a terminal that can be painted on, or else lines, the first of which says how to ask for
-/// what can be typed.
+/// Returns a console on standard output. output must outlive it. is_json: JSON lines. Otherwise a
+/// screen if input and output are a terminal that can be painted on, or else lines, of which the
+/// first explains the commands.
 std::unique_ptr<Console> open_console(bool is_json, LineWriter& output);
 
-/// One that takes no commands, for what is said before there is a session and after it: lines, or
-/// JSON.
+/// Returns a console without commands, for messages before and after a session: lines, or JSON.
 std::unique_ptr<Console> open_output(bool is_json, LineWriter& output);
 
 }  // namespace foveola::study

@@ -11,7 +11,7 @@
 namespace foveola::study {
 namespace {
 
-/// "1:02:03".
+/// Returns "1:02:03".
 std::string clock_time(Nanoseconds time) {
   constexpr std::int64_t minute = 60;
   const std::int64_t all_s = std::chrono::duration_cast<std::chrono::seconds>(time).count();
@@ -23,12 +23,12 @@ std::string clipped(const std::string& text, std::size_t columns) {
   return text.substr(0, bytes_of_first(text, columns));
 }
 
-/// At least 0.
+/// Returns count - 1, at least 0.
 std::size_t less_one(std::size_t count) { return count - std::min<std::size_t>(count, 1); }
 
-/// What a text begins with, and how it looks.
+/// The beginning of a text, and its style.
 struct TextStart {
-  std::string first;  ///< further lines begin with as many spaces
+  std::string first;  ///< further lines are indented by as many spaces
   LineLook look = LineLook::plain;
 };
 
@@ -65,7 +65,7 @@ std::vector<ScreenLine> status_lines(const SessionStatus& status, std::size_t co
   return lines;
 }
 
-/// With an empty line before, if there are any.
+/// Returns the warnings after an empty line; empty if there are none.
 std::vector<ScreenLine> warning_lines(const SessionStatus& status, std::size_t columns) {
   std::vector<ScreenLine> lines;
   for (const StatusWarning& warning : status.warnings) {
@@ -77,7 +77,7 @@ std::vector<ScreenLine> warning_lines(const SessionStatus& status, std::size_t c
   return lines;
 }
 
-/// The commands, or what is typed: as many lines as that takes, and at most `rows`.
+/// Returns the commands, or the typed text: as many lines as needed, at most `rows`.
 std::vector<ScreenLine> last_lines(const ScreenContent& content, const ScreenSize& size) {
   std::vector<ScreenLine> lines;
   if (content.typed.empty()) {
@@ -86,13 +86,13 @@ std::vector<ScreenLine> last_lines(const ScreenContent& content, const ScreenSiz
     append_wrapped(lines, content.typed + "_   (Enter does it, Escape clears it)",
                    {.first = " > ", .look = LineLook::typed}, size.columns);
   }
-  // The end is where one types.
+  // The end has the cursor.
   const std::size_t hidden = lines.size() - std::min(lines.size(), size.rows);
   lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(hidden));
   return lines;
 }
 
-/// The newest, as many as there are rows for; the first row stays empty.
+/// Returns the newest messages for these rows; the first row stays empty.
 std::vector<ScreenLine> said_lines(std::span<const std::string> said, const ScreenSize& room) {
   std::vector<ScreenLine> lines;
   for (const std::string& text : said) {

@@ -1,5 +1,5 @@
-// The experimenter's screen as lines of text: what stands where, at any size of the terminal, and
-// the line that is typed in it.
+// Lays out the experimenter's screen as lines of text for any terminal size, and edits the typed
+// line.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ struct ScreenLine {
 
 struct ScreenContent {
   SessionStatus status;
-  std::span<const std::string> said;  ///< what happened and was answered, the newest last
-  std::string typed;                  ///< the command that is being typed
+  std::span<const std::string> said;  ///< messages and replies, the newest last
+  std::string typed;                  ///< the command being typed
 };
 
 struct ScreenSize {
@@ -31,32 +31,32 @@ struct ScreenSize {
   std::size_t rows = 24;
 };
 
-/// As many lines as the screen has rows, none with more characters than it has columns: the title,
-/// how the session stands, its warnings, the newest of what was said, and last the commands, or
-/// what is typed in their place. Where rows are few, what was said goes first.
+/// Returns as many lines as the screen has rows, none longer than its columns: the title, the
+/// status, its warnings, the newest messages, and last the commands or the typed line. Few rows
+/// leave out messages first.
 std::vector<ScreenLine> screen_lines(const ScreenContent& content, const ScreenSize& size);
 
-/// A text in lines of at most `columns` characters, broken at spaces where there are any.
+/// Wraps a text into lines of at most `columns` characters, at spaces if possible.
 std::vector<std::string> wrapped(std::string_view text, std::size_t columns);
 
 /// A key typed in a terminal.
 struct TypedKey {
   enum class Kind { character, enter, escape, erase };
   Kind kind = Kind::character;
-  char32_t character = 0;  ///< of that kind
+  char32_t character = 0;  ///< the character, if the kind is a character
   bool is_pasted = false;
 };
 
 /// A line for parse_console_line().
 struct EnteredLine {
   std::string text;
-  bool is_pasted = false;  ///< any of it
+  bool is_pasted = false;  ///< whether any part of it was pasted
 };
 
 class CommandEntry {
  public:
-  /// Returns the line that the key ends: Enter alone does, a pasted one is a space. Escape clears
-  /// what was typed.
+  /// Handles a key. Returns the line if the key is Enter; a pasted line break is a space. Escape
+  /// clears the line.
   std::optional<EnteredLine> follow(const TypedKey& key);
 
   const std::string& typed() const { return line_.text; }

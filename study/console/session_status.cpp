@@ -32,10 +32,10 @@ nlohmann::ordered_json json_of(const GazeStatus& gaze) {
   return json;
 }
 
-/// What is not a person's eye is not to be overlooked.
+/// Any substitute for a person's eye must not be overlooked.
 std::string in_large_letters(const std::string& eye) {
   if (eye == "pointer") {
-    return "THE MOUSE'S POINTER STANDS FOR THE EYE";
+    return "THE MOUSE POINTER REPLACES THE EYE";
   }
   if (eye == "simulated") {
     return "THE EYE IS SIMULATED";
@@ -68,7 +68,7 @@ const char* name_of(WarningKind kind) {
 std::string words_for(const FrameStatus& frames) {
   std::string words = frames.rate_hz ? fmt::format("{:.1f} a second of {:.4g}", *frames.rate_hz,
                                                    frames.refresh_rate_hz)
-                                     : "not a second yet";
+                                     : "measuring";
   if (frames.frames > 0) {
     words += fmt::format("; {} of {} late in this trial", frames.late, frames.frames);
   }
@@ -87,7 +87,7 @@ std::string words_for(const GazeStatus& gaze) {
 
 std::optional<StatusWarning> warning_of(const FrameStatus& frames) {
   constexpr double max_late = 0.01;
-  // A single one says nothing about the machine.
+  // A single late frame says nothing about the machine.
   constexpr std::uint64_t fewest = 3;
   if (frames.late < fewest ||
       static_cast<double>(frames.late) <= max_late * static_cast<double>(frames.frames)) {
@@ -96,7 +96,7 @@ std::optional<StatusWarning> warning_of(const FrameStatus& frames) {
   return StatusWarning{
       WarningKind::late_frames,
       fmt::format("{} of this trial's {} frames missed their refresh. The machine is too slow for "
-                  "this window, or busy with something else: pause, and look what else runs.",
+                  "this window, or busy: pause, and check for other programs.",
                   frames.late, frames.frames)};
 }
 

@@ -1,5 +1,5 @@
-// How a session stands at a moment, for the experimenter: what it waits for, and whether frames and
-// gaze are as they should be.
+// Status of a session for the experimenter: its phase, its next steps, its frames, gaze and
+// warnings.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,15 @@ namespace foveola::study {
 struct FrameStatus {
   std::optional<double> rate_hz;  ///< over the last second; empty in the first
   double refresh_rate_hz = 0.0;   ///< the display's
-  std::uint64_t frames = 0;       ///< of the attempt at a trial that goes on, or was the last
-  std::uint64_t late = 0;         ///< those of them that missed their refresh
+  std::uint64_t frames = 0;       ///< of the current attempt at a trial, or the last one
+  std::uint64_t late = 0;         ///< frames of them that missed their refresh
 };
 
 struct GazeStatus {
-  std::string eye;              ///< tracked, pointer, simulated or recorded
-  std::optional<double> valid;  ///< part of the last second's samples, in [0, 1]; empty: none came
-  std::optional<double> age_s;  ///< of the newest valid sample; empty: there was none
+  std::string eye;  ///< tracked, pointer, simulated or recorded
+  std::optional<double>
+      valid;  ///< fraction of the last second's samples, in [0, 1]; empty: no samples
+  std::optional<double> age_s;  ///< of the newest valid sample; empty: there is none
 };
 
 enum class WarningKind {
@@ -36,7 +37,7 @@ enum class WarningKind {
   slow_record
 };
 
-/// As machines read it: "late_frames".
+/// Returns the name for machines: "late_frames".
 const char* name_of(WarningKind kind);
 
 struct StatusWarning {
@@ -54,21 +55,21 @@ struct SessionStatus {
   FrameStatus frames;
   GazeStatus gaze;
   std::string last_mark;  ///< "outline was marked after 3.214 s."; empty before the first
-  std::vector<StatusWarning> warnings;  ///< what is wrong now
+  std::vector<StatusWarning> warnings;  ///< present warnings
 };
 
-/// "59.8 a second of 60; 2 of 812 late in this trial".
+/// Returns "59.8 a second of 60; 2 of 812 late in this trial".
 std::string words_for(const FrameStatus& frames);
-/// "tracked; 97 % valid, the newest 12 ms old", or in large letters what stands for the eye.
+/// Returns "tracked; 97 % valid, the newest 12 ms old", or, in capitals, the substitute for an eye.
 std::string words_for(const GazeStatus& gaze);
 
-/// Warns if more frames of the attempt are late than the analysis lets pass without a flag.
+/// Warns if more frames of the attempt are late than the analysis accepts without a flag.
 std::optional<StatusWarning> warning_of(const FrameStatus& frames);
 
-/// Warns if the participant, whose answer is waited for, has not pressed a key for minutes.
+/// Warns if the session has waited for the participant's key for minutes.
 std::optional<StatusWarning> warning_of(Nanoseconds since_last_key);
 
-/// The warnings of kinds that were not there before.
+/// Returns warnings of kinds that `before` does not have.
 std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,
                                   const std::vector<StatusWarning>& now);
 

@@ -26,24 +26,24 @@ namespace foveola::study {
 namespace {
 
 constexpr short warning_colours = 1;
-/// Marks what is pasted, in terminals that know it: xterm's mode 2004, "bracketed paste".
+/// Marks pasted text, in terminals that support it: xterm's mode 2004, "bracketed paste".
 constexpr const char* mark_pasted = "\x1b[?2004h";
 constexpr const char* mark_pasted_no_more = "\x1b[?2004l";
 constexpr int paste_begins = KEY_MAX + 1;
 constexpr int paste_ends = KEY_MAX + 2;
-constexpr int escape_delay_ms = 25;  ///< a key that begins with Escape sends its rest sooner
+constexpr int escape_delay_ms = 25;  ///< longer than the intervals of a key sequence after Escape
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// What ncurses writes goes there first, for writing to a terminal may wait forever.
+/// Buffers the output of ncurses, because writing to a terminal may wait forever.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
 
   Pipe() {
-    // More than any screen takes: it is emptied after each.
+    // More than any screen needs: it is emptied after each.
     constexpr int size = 1 << 20;
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) {
       ::fcntl(ends[1], F_SETPIPE_SZ, size);
@@ -106,8 +106,8 @@ attr_t attributes_of(LineLook look) {
   return A_NORMAL;
 }
 
-/// Of what is no UTF-8, a question mark for each byte. Only by wide characters ncurses 6.5 knows
-/// that this thread's locale is one of UTF-8.
+/// Invalid UTF-8 becomes a question mark per byte. Only wide characters tell ncurses 6.5 that this
+/// thread's locale is UTF-8.
 std::wstring wide(const std::string& text) {
   std::wstring characters;
   std::mbstate_t state{};
@@ -124,13 +124,13 @@ std::wstring wide(const std::string& text) {
 
 }  // namespace
 
-/// What a session changes of the terminal and of its signals.
+/// The terminal and signal settings that a session changes.
 class Terminal::Modes {
  public:
   Modes() : locale_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
-    // This thread's only: what is said is UTF-8, whatever the surroundings.
+    // For this thread only: text is UTF-8, whatever the environment.
     former_locale_ = locale_ != nullptr ? ::uselocale(locale_) : nullptr;
-    // Handlers of ncurses's would run in threads that are not its own. The size is asked for.
+    // ncurses's handlers would run in other threads. The size is polled instead.
     former_size_handler_ = std::signal(SIGWINCH, SIG_IGN);
     former_stop_handler_ = std::signal(SIGTSTP, SIG_IGN);
     ::tcgetattr(STDIN_FILENO, &former_);
@@ -177,12 +177,12 @@ struct Terminal::Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// "dumb", of many an editor, knows no place but the next.
+  /// "dumb", as in many editors, cannot position the cursor.
   bool can_be_painted_on() const { return screen != nullptr && ::tigetstr("cup") != nullptr; }
 };
 
 bool Terminal::is_there() {
-  // Whoever changes a terminal's modes from behind another process is stopped.
+  // A background process that changes a terminal's modes is stopped.
   return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1 &&
          ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
 }

@@ -1,4 +1,4 @@
-// The terminal as a screen (ncurses), of standard input and output.
+// The terminal of standard input and output as a screen, by ncurses.
 #pragma once
 
 #include <chrono>
@@ -10,33 +10,33 @@
 
 namespace foveola::study {
 
-/// Belongs to the thread that makes it, as ncurses does. While it lives, Ctrl+S and Ctrl+Z do
-/// nothing: neither may hold up a session by a slip. Ctrl+C is a signal as ever. Nothing waits for
-/// what is painted to be taken.
+/// Belongs to the thread that makes it, as ncurses does. During its lifetime Ctrl+S and Ctrl+Z do
+/// nothing, so that a slip does not stop the session; Ctrl+C is a signal as usual. Painting never
+/// waits for the terminal.
 class Terminal {
  public:
-  /// Whether standard input and output are a terminal, and this process is in front of it.
+  /// Returns whether standard input and output are a terminal with this process in its foreground.
   static bool is_there();
 
   Terminal();
-  /// The terminal is as it was before, if it takes anything within a second.
+  /// Restores the terminal if it accepts data within a second.
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// False if it is of a kind that cannot be painted on.
+  /// False if the terminal's kind cannot be painted on.
   bool is_open() const { return screen_ != nullptr; }
 
   /// Waits for a key. Returns false if the terminal is closed.
   bool wait(std::chrono::milliseconds longest) const;
-  /// Those that were typed since the last call.
+  /// Returns the keys since the last call.
   std::vector<TypedKey> keys();
-  /// Whether it has another size than at the last call.
+  /// Returns whether the size has changed since the last call.
   bool has_new_size();
   ScreenSize size() const { return size_; }
 
-  /// Hands on what was painted, as far as it is taken. Returns whether all was: before, painting
-  /// anew would only add to it.
+  /// Sends as much of the painted text as the terminal accepts. Returns whether all was sent; until
+  /// then, do not paint anew.
   bool send();
   void paint(const std::vector<ScreenLine>& lines);
 
@@ -50,7 +50,7 @@ class Terminal {
   std::unique_ptr<Screen> screen_;
   ScreenSize size_;
   bool is_pasting_ = false;
-  std::string painted_;  ///< what ncurses wrote and the terminal did not take yet
+  std::string painted_;  ///< output of ncurses that the terminal has not accepted yet
 };
 
 }  // namespace foveola::study

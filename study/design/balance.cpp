@@ -27,7 +27,7 @@ Plan tests_of(const Plan& plan) {
   return tests;
 }
 
-/// Counts a trial. `before` is the one before it in the same session; null for the first.
+/// Counts a trial. `before`: the previous trial of the session; null for the first.
 void count_trial(const Protocol& protocol, const PlannedTrial& trial, const PlannedTrial* before,
                  Balance& balance) {
   const std::size_t scene = scene_index(protocol, trial.scene);

@@ -1,4 +1,4 @@
-// The balance of the orders of a study's participants.
+// Counts how balanced the orders of a study's participants are.
 #pragma once
 
 #include <vector>
@@ -7,26 +7,25 @@
 
 namespace foveola::study {
 
-/// One row for each method or scene, in the protocol's order; as many columns.
+/// One row per method or scene, in the protocol's order; as many columns.
 using Counts = std::vector<std::vector<int>>;
 
-/// How often methods and scenes came at each position and after each other, in test trials only.
+/// Counts of positions and successions of methods and scenes, in test trials only.
 struct Balance {
   Counts method_at;                  ///< [method][position in a scene], over all scenes.
   std::vector<Counts> method_at_in;  ///< [scene][method][position]
-  Counts method_after;               ///< [method][the one before it in the same scene]
+  Counts method_after;               ///< [method][previous method in the same scene]
   Counts scene_at;                   ///< [scene][position]
-  Counts scene_after;                ///< [scene][the one before it]
+  Counts scene_after;                ///< [scene][previous scene]
 };
 
-/// The plans must be of the protocol.
+/// Counts the plans, which must be of the protocol.
 Balance balance_of(const Protocol& protocol, const std::vector<Plan>& plans);
 
-/// The largest count less the smallest.
+/// Returns the maximum count less the minimum.
 int largest_difference(const Counts& counts);
 
-/// The largest count less the smallest of what comes after what, without the diagonal, since
-/// nothing comes after itself.
+/// Returns the maximum count less the minimum, without the diagonal: nothing follows itself.
 int largest_difference_after(const Counts& counts);
 
 }  // namespace foveola::study

@@ -10,9 +10,9 @@ constexpr AssumedDuration consent{"reading the consent and agreeing", {20.0, 300
 constexpr AssumedDuration quick_answer{"an answer on a scale, in a number, by an option",
                                        {3.0, 20.0}};
 constexpr AssumedDuration written_answer{"an answer in words", {5.0, 120.0}};
-/// The time of a target as CalibrationTiming has it: settling and collecting, or giving up.
+/// The time of a target in CalibrationTiming: settling and collecting, or giving up.
 constexpr AssumedDuration target{"a target of a validation", {1.7, 4.0}};
-constexpr AssumedDuration press{"a press at what appears", {0.2, 1.0}};
+constexpr AssumedDuration press{"a press at the stimulus", {0.2, 1.0}};
 constexpr AssumedDuration choice{"choosing an object", {5.0, 60.0}};
 constexpr AssumedDuration readiness{"getting ready for a trial", {2.0, 20.0}};
 constexpr AssumedDuration soonest_mark{"a mark; at most until the time-out", {1.0, 0.0}};
@@ -38,14 +38,14 @@ Duration answering(const std::vector<Question>& questions) {
   return sum;
 }
 
-/// The time from the first frame until the last mark.
+/// Returns the time from the first frame to the last mark.
 Duration marking(const Protocol& protocol, const TrialSettings& settings) {
   const double marks = static_cast<double>(protocol.marks.size());
   const double timeout_s = settings.timing.mark_timeout_s;
   return {std::min(marks * soonest_mark.duration.least_s, timeout_s), timeout_s};
 }
 
-/// The duration of a trial without choosing the object.
+/// Returns the duration of a trial without choosing the object.
 Duration trial_duration(const Protocol& protocol, const std::string& scene,
                         const std::string& method) {
   const TrialSettings settings = settings_of(protocol, scene, method);

@@ -1,5 +1,4 @@
-// The duration of a session, from the protocol's numbers and the times that people are assumed to
-// need.
+// Estimates the duration of a session from the protocol's numbers and assumed times of people.
 #pragma once
 
 #include <span>
@@ -16,7 +15,7 @@ struct Duration {
   double most_s = 0.0;
 };
 
-/// An assumed duration of something that the protocol does not state.
+/// An assumed duration that the protocol does not state.
 struct AssumedDuration {
   std::string_view of;
   Duration duration;
@@ -30,9 +29,9 @@ struct SessionPart {
   Duration duration;
 };
 
-/// The parts of a session with their durations. At least: every validation passes at once. At most:
-/// each mark times out and every validation but the last fails. Pauses and retiming are not
-/// counted.
+/// Returns the parts of a session with their minimum and maximum durations. Minimum: every
+/// validation passes at once. Maximum: each mark times out and every validation but the last fails.
+/// Pauses and retiming are not counted.
 std::vector<SessionPart> session_parts(const Protocol& protocol);
 
 Duration total_of(const std::vector<SessionPart>& parts);

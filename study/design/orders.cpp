@@ -13,7 +13,7 @@ Permutation counted_up(int n) {
   return row;
 }
 
-/// The square's row, modulo their number.
+/// Returns the square's row, modulo their number.
 Permutation shifted(Permutation row, int by) {
   const int n = static_cast<int>(row.size());
   for (int& thing : row) {
@@ -22,7 +22,7 @@ Permutation shifted(Permutation row, int by) {
   return row;
 }
 
-/// 0, 1, n-1, 2, n-2, ...: the differences of its neighbours are all different.
+/// Returns 0, 1, n-1, 2, n-2, ...: all differences of neighbours are different.
 Permutation zigzag(int n) {
   Permutation row;
   for (int i = 0; i < n; ++i) {
@@ -39,7 +39,7 @@ Square shifts_of(const Permutation& first) {
   return square;
 }
 
-/// The square of an order; without rows for random orders.
+/// Returns the square of an order; without rows for random orders.
 Square square_of(Order order, int n) {
   switch (order) {
     case Order::fixed:

@@ -1,4 +1,4 @@
-// What participants are called: codes, never names.
+// Participants' codes, which are never names.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace foveola::study {
 
-/// "P001" for index 0.
+/// Returns "P001" for index 0.
 inline std::string participant_code(int participant_index) {
   return fmt::format("P{:03}", participant_index + 1);
 }

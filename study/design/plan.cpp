@@ -56,8 +56,8 @@ Plan test_trials(const Protocol& protocol, int row, Pcg32& generator) {
   return plan;
 }
 
-/// Each catch trial follows a test trial of its scene and method, so that none is the first and no
-/// two are adjacent.
+/// Inserts catch trials, each after a test trial of its scene and method, so that none is the first
+/// and no two are adjacent.
 Plan with_catch_trials(const Plan& tests, int count, Pcg32& generator) {
   Permutation places = drawn_order(static_cast<int>(tests.size()), generator);
   places.resize(static_cast<std::size_t>(count));
@@ -72,7 +72,7 @@ Plan with_catch_trials(const Plan& tests, int count, Pcg32& generator) {
   return plan;
 }
 
-/// Whether the object of the trial before may be kept.
+/// Returns whether the previous trial's object is kept.
 bool keeps_object(const PlannedTrial& before, const PlannedTrial& trial) {
   return before.scene == trial.scene &&
          (before.kind == TrialKind::practice) == (trial.kind == TrialKind::practice);

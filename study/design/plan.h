@@ -1,4 +1,4 @@
-// The plan of a session: its trials in their order, and all its steps.
+// Plans a session: its trials in their order, and all its steps.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace foveola::study {
 enum class TrialKind {
   test,
   practice,     ///< For practice; never analysed.
-  catch_trial,  ///< Nothing is rendered: a mark shows that nobody looked; never analysed.
+  catch_trial,  ///< Nothing is rendered: a mark is a false alarm; never analysed.
 };
 
-/// The name that records use: "test", "practice", "catch".
+/// Returns the name in records: "test", "practice", "catch".
 const char* name_of(TrialKind kind);
 
 /// One method in one scene.
@@ -32,22 +32,22 @@ struct PlannedTrial {
 /// A session's trials in their order.
 using Plan = std::vector<PlannedTrial>;
 
-// The kinds of steps that a session consists of.
+// The kinds of a session's steps.
 struct ConsentStep {};
 struct QuestionnaireStep {
   std::string questionnaire;  ///< An id of Protocol::questionnaires.
 };
 struct ValidationStep {
-  int attempts = 1;  ///< The largest number of validations of the gaze until one passes.
+  int attempts = 1;  ///< Maximum number of validations of the gaze until one passes.
 };
 
-/// The reaction test: key presses at something that appears.
+/// The reaction test: key presses at a stimulus.
 struct ReactionStep {
   int presses = 1;
 };
 struct TrialStep {
   std::size_t trial = 0;       ///< Index into the plan.
-  bool chooses_object = true;  ///< Otherwise the object that was chosen last is kept.
+  bool chooses_object = true;  ///< False: the last chosen object is kept.
 };
 using AgendaStep =
     std::variant<ConsentStep, QuestionnaireStep, ValidationStep, ReactionStep, TrialStep>;
@@ -55,25 +55,24 @@ using AgendaStep =
 /// All steps of a session. At least one.
 using Agenda = std::vector<AgendaStep>;
 
-/// The protocol's phases with the plan's trials in them. An object is chosen for each trial, or, if
-/// the protocol keeps it for a scene, when the trial before was in another scene or one of the two
-/// trials is practice.
+/// Returns the protocol's phases with the plan's trials in them. An object is chosen for each
+/// trial. If the protocol keeps it for a scene, it is chosen only if the previous trial was in
+/// another scene or one of the two trials is practice.
 Agenda agenda_of(const Protocol& protocol, const Plan& plan);
 
-/// The plan of row `row` of the protocol's design, with practice before and catch trials between
-/// its test trials. A catch trial has the scene and method of the test trial before it. Random
-/// orders, and the positions of catch trials, are drawn by seed and row. The plan depends on the
-/// arguments alone, on every platform. row >= 0; beyond design_rows the rows repeat, with other
+/// Returns the plan of row `row` of the protocol's design, with practice before and catch trials
+/// between its test trials. A catch trial has the scene and method of the previous test trial.
+/// Random orders, and the positions of catch trials, are drawn by seed and row. The plan depends on
+/// the arguments alone, on every platform. row >= 0; beyond design_rows the rows repeat, with other
 /// draws.
 Plan make_plan(const Protocol& protocol, std::uint64_t seed, int row);
 
-/// The number of rows of the protocol's design until its squares repeat; 0 if all orders are
-/// random.
+/// Returns the number of rows until the design's squares repeat; 0 if all orders are random.
 int design_rows(const Protocol& protocol);
 
-/// The row for the next participant: the first of the design's least used rows, and among the rows
-/// that repeat it the first that is free. `used` has the rows of completed and active sessions of
-/// people, in any order. first: the row, at least 0, that the first participant gets.
+/// Returns the next participant's row: the first of the design's least used rows, and of its
+/// repetitions the first free one. `used` has the rows of people's completed and active sessions,
+/// in any order. first: the row, at least 0, of the first participant.
 int least_used_row(const Protocol& protocol, const std::vector<int>& used, int first = 0);
 
 }  // namespace foveola::study

@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Nanoseconds max_unnoted_step = 5s;
-/// No computer sleeps for less, and no readings are so far apart.
+/// Shorter than any sleep of a computer, and longer than the interval of any two readings.
 constexpr Nanoseconds max_unnoted_sleep = 100ms;
 constexpr Nanoseconds max_reading_time = 1ms;
 
@@ -29,7 +29,7 @@ ClockReadings read_clocks() {
     const ClockReadings readings{.steady = time_by(CLOCK_MONOTONIC),
                                  .since_boot = time_by(CLOCK_BOOTTIME),
                                  .since_1970 = time_by(CLOCK_REALTIME)};
-    // A thread that was held up between two readings would take that for a step.
+    // A thread that is delayed between two readings would look like a step of a clock.
     if (time_by(CLOCK_MONOTONIC) - readings.steady < max_reading_time) {
       return readings;
     }

@@ -1,5 +1,5 @@
-// What the driver of a session needs of the world. Virtual time, real time in a window, a headset
-// and a replay differ in these ports alone: in their clock, in what they show, and in who answers.
+// Ports of a session's driver. Virtual time, a window, a headset and a replay differ only in these:
+// their clock, display and input.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class SessionDriver;
 class ClockPort {
  public:
   virtual ~ClockPort() = default;
-  /// The session's time; goes on from where it was when a session is resumed.
+  /// Returns the session's time; a resumed session's continues from its last event.
   virtual Nanoseconds now() const = 0;
 };
 
@@ -26,46 +26,45 @@ class ClockPort {
 class AttemptPort {
  public:
   virtual ~AttemptPort() = default;
-  /// Presents at least the next frame and, where frames can be skipped, goes on until one is
-  /// presented at `until` or later. Returns when the last one was presented.
+  /// Presents at least the next frame and, if frames can be skipped, continues until one is
+  /// presented at `until` or later. Returns the time at which the last one was presented.
   virtual Nanoseconds show(Nanoseconds until) = 0;
-  /// An event that ends the attempt is about to be recorded: hands to the record what it does not
-  /// have yet, since that event states what there is. Frames that are shown until the event is on
-  /// the disk are not recorded. May be called again.
+  /// Call before an event that ends the attempt is recorded: passes all its frames to the record,
+  /// because that event states their number. Frames shown until the event is durable are not
+  /// recorded. May be called again.
   virtual void complete_record() {}
   virtual std::uint64_t samples() const = 0;
   virtual std::uint64_t non_finite() const = 0;
 };
 
-/// What is shown. Called only with what is on the disk: nothing else may be seen.
+/// The display. It is told of durable state only: nothing else may be seen.
 class DisplayPort {
  public:
   virtual ~DisplayPort() = default;
-  /// An event is on the disk; its effects follow.
+  /// Shows a durable event; its effects follow.
   virtual void follow(const DurableEvent& event) = 0;
-  /// The session now asks for something, or something has ended; attempts have begun and ended by
-  /// themselves.
+  /// Shows an effect: a question, or the end of something. Attempts begin and end by themselves.
   virtual void carry_out(const Effect& effect) = 0;
-  /// Begins to render the trial that the driver is in. Empty if it has to wait, for instance for
-  /// a gaze: then it is asked for again before each frame.
+  /// Begins to render the driver's current trial. Empty if it must wait, for instance for gaze; the
+  /// driver then asks again before each frame.
   virtual std::unique_ptr<AttemptPort> begin_attempt() = 0;
-  /// Before each frame.
+  /// Call before each frame.
   virtual void begin_frame() {}
-  /// A frame outside of attempts. Returns when it was shown.
+  /// Shows a frame outside of attempts. Returns the time at which it was shown.
   virtual Nanoseconds show() = 0;
-  /// After each frame, also those of attempts.
+  /// Call after each frame, also those of attempts.
   virtual void end_frame(Nanoseconds /*shown*/) {}
 };
 
-/// Whoever answers: a person's keys and the experimenter's console, or a simulated participant.
+/// Input: a person's keys and the experimenter's console, or a simulated participant.
 class InputPort {
  public:
   virtual ~InputPort() = default;
-  /// Feeds to the driver what was answered, pressed or said since the last call. Called before each
-  /// frame, also while effects are still to come.
+  /// Feeds the answers, keys and commands since the last call to the driver. Called before each
+  /// frame, also while effects are pending.
   virtual void act(SessionDriver& driver) = 0;
-  /// When the mark's key goes down, if that is known beforehand: frames need not be shown for
-  /// longer than that.
+  /// Returns the time of the mark's key press if it is known in advance: frames need not be shown
+  /// beyond it.
   virtual std::optional<Nanoseconds> next_press() const { return std::nullopt; }
 };
 

@@ -1,5 +1,4 @@
-// How fast a finger is: something appears after a while that nobody can guess, and a key is pressed
-// at it.
+// Times one press of a reaction test: a stimulus appears after an unpredictable wait.
 #pragma once
 
 #include <optional>
@@ -11,23 +10,24 @@
 
 namespace foveola::study {
 
-/// One press, or a false start. Whoever drives it keeps the clock and the display.
+/// One press, or a false start. The caller keeps the clock and the display.
 class ReactionTest {
  public:
-  /// It appears after a wait that is drawn from `random`, uniformly between the settings' limits.
+  /// The stimulus appears after a wait that is drawn from `random`, uniformly between the settings'
+  /// limits.
   ReactionTest(const ReactionSettings& settings, Nanoseconds start, Pcg32& random);
 
-  /// When the display should show it.
+  /// Returns the due time of the stimulus.
   Nanoseconds due() const { return due_; }
-  /// Whether the display should show it by now.
+  /// Returns whether the stimulus is due.
   bool appears_at(Nanoseconds now) const { return now >= due_; }
-  /// The display has shown it since `time`; the first call counts.
+  /// Records that the stimulus is visible since `time`; only the first call counts.
   void was_shown(Nanoseconds time);
-  /// The key was pressed; the first call counts.
+  /// Records the key press; only the first call counts.
   void was_pressed(Nanoseconds time);
 
-  /// The press, once it is known whether it was one at what appeared. Of a false start before the
-  /// thing was even due, `shown` is when it would have been.
+  /// Returns the press once it is known whether it followed the stimulus. If a false start precedes
+  /// the due time, `shown` is the due time.
   std::optional<ReactionPressed> result() const;
 
  private:

@@ -47,7 +47,7 @@ void SessionDriver::begin() {
     if (state().is_over()) {
       feed(EndUndone{});
     } else if (state().phase != Phase::interrupted) {
-      feed(Interrupted{});  // it died before it could say so
+      feed(Interrupted{});  // the last program died without recording it
     }
     write_notes();
     const std::string& agreed_to = session_.position.consent_sha256;
@@ -175,7 +175,7 @@ void SessionDriver::begin_attempt() { attempt_ = display_.begin_attempt(); }
 
 void SessionDriver::end_attempt() {
   is_to_render_ = false;
-  // There is none if it was another program's, which died, or if it never came to begin.
+  // There is no attempt if it was that of a program that died, or if it never began.
   if (attempt_) {
     outcome_.samples += attempt_->samples();
     outcome_.non_finite += attempt_->non_finite();

@@ -1,5 +1,5 @@
-// Drives a session through its procedure, in whatever time and before whomever: feeds events to the
-// state machine and to the record, and lets them have their effects once they are on the disk.
+// Drives a session through its procedure: feeds events to the state machine and the record, and
+// carries out their effects once they are durable. The ports decide about time and participant.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ namespace foveola::study {
 struct DrivenSession {
   const Protocol& protocol;  ///< protocol and plan must outlive the driver
   const Plan& plan;
-  SessionPosition position;        ///< where it goes on: before its end, or at one that is undone
-  std::vector<std::string> notes;  ///< written when the session begins or goes on
+  SessionPosition position;  ///< where it resumes: before its end, or at an end that is undone
+  std::vector<std::string> notes;  ///< written when the session begins or resumes
 };
 
 struct SessionOutcome {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
-  std::size_t trials = 0;        ///< how many were completed in this run
-  Nanoseconds duration{0};       ///< how long this run took, by the session's clock
-  std::uint64_t samples = 0;     ///< samples traced in the attempts that are over
+  std::size_t trials = 0;        ///< number of trials completed in this run
+  Nanoseconds duration{0};       ///< duration of this run, by the session's clock
+  std::uint64_t samples = 0;     ///< samples traced in finished attempts
   std::uint64_t non_finite = 0;
 };
 
@@ -36,40 +36,40 @@ class SessionDriver {
   SessionDriver(DrivenSession session, const ClockPort& clock, DisplayPort& display,
                 InputPort& input, SessionRecorder& recorder);
 
-  /// Drives it until a port leaves it, or `stop` is requested: then it is recorded as interrupted.
-  /// Rethrows what kept the record from being written.
+  /// Runs until a port leaves it, or `stop` is requested, which is recorded as an interruption.
+  /// Rethrows the error that kept the record from being written.
   SessionOutcome run(const std::stop_token& stop);
 
-  // What the ports may ask and do.
+  // Functions for the ports.
 
-  /// Records the event and takes the session's step; its effects come once it is on the disk.
-  /// Returns false, and does nothing, if it is not allowed in this state.
+  /// Records the event and takes the session's step; its effects follow once it is durable. Returns
+  /// false, and does nothing, if it is not allowed in this state.
   bool feed(const Event& event);
-  /// The key for the mark that is waited for went down at `time`: a mark, or its time-out if it
-  /// came too late. Returns whether it is a mark.
+  /// Handles a press of the awaited mark's key at `time`: a mark, or its time-out if it is too
+  /// late. Returns whether it is a mark.
   bool mark(Nanoseconds time);
-  /// Interrupts the session, whose last events then are on the disk, and leaves it.
+  /// Interrupts the session, waits until its events are durable, and leaves it.
   void interrupt();
-  /// Nothing more is to be shown: the session is over, or interrupted.
+  /// Ends the run: the session is over, or interrupted.
   void leave() { is_left_ = true; }
 
   const Procedure& procedure() const { return log_.procedure(); }
-  /// After all that was fed, on the disk or not.
+  /// State after all events, durable or not.
   const SessionState& state() const { return log_.state(); }
-  /// What is on the disk: nothing else may be seen.
+  /// State after the durable events: nothing else may be seen.
   const SessionState& seen() const { return seen_; }
-  /// Whether effects are still to come: until then nobody has seen what an answer would be to.
+  /// Whether effects are pending: until then nobody has seen the question of an answer.
   bool has_effects_to_come() const { return log_.has_effects_to_come(); }
-  /// Whether the session waits for something in this phase, and that has been seen.
+  /// Whether the session waits in this phase, and shows so.
   bool waits_in(Phase phase) const { return state().phase == phase && !has_effects_to_come(); }
 
-  /// The trial that is seen; index into the plan. There must be one.
+  /// Index in the plan of the visible trial. There must be one.
   std::size_t trial_index() const;
   const PlannedTrial& trial() const { return session_.plan[trial_index()]; }
   AttemptKey attempt_key() const { return {.trial = trial_index(), .attempt = seen_.attempt}; }
-  /// When the participant has looked around for long enough to rate the trial.
+  /// Time from which the participant may rate the trial.
   Nanoseconds look_around_until() const { return look_around_until_; }
-  /// What the gaze goes through.
+  /// The correction of the gaze.
   const std::optional<GazeCorrection>& correction() const { return correction_; }
 
  private:
@@ -95,8 +95,8 @@ class SessionDriver {
   SessionLog log_;
   SessionState seen_;
   std::optional<GazeCorrection> correction_;
-  std::unique_ptr<AttemptPort> attempt_;  ///< while an attempt goes on
-  bool is_to_render_ = false;             ///< whether an attempt goes on, or waits to begin
+  std::unique_ptr<AttemptPort> attempt_;  ///< set during an attempt
+  bool is_to_render_ = false;             ///< whether an attempt is running, or is due to begin
   Nanoseconds look_around_until_{0};
   std::uint64_t events_fed_ = 0;
   SessionOutcome outcome_;

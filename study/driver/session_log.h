@@ -1,4 +1,4 @@
-// A session on its way to the disk: an event has its effects only once it is there.
+// Writes a session's events; each takes effect only once it is durable.
 #pragma once
 
 #include <deque>
@@ -10,7 +10,7 @@
 
 namespace foveola::study {
 
-/// An event that is on the disk, what it led to, and what the controller does now.
+/// A durable event, with the state after it and its effects.
 struct DurableEvent {
   Nanoseconds time{0};  ///< session clock
   Event event;
@@ -18,30 +18,30 @@ struct DurableEvent {
   std::vector<Effect> effects;
 };
 
-/// Takes the session's steps at once, and waits for the disk beside whoever feeds it: a frame must
-/// not wait for a commit.
+/// Takes the session's steps at once, and does not wait for the disk: a commit must not delay a
+/// frame.
 class SessionLog {
  public:
-  /// state: to go on from. recorder: must outlive this.
+  /// state: to resume from. recorder: must outlive this.
   SessionLog(Procedure procedure, SessionState state, SessionRecorder& recorder);
 
   const Procedure& procedure() const { return procedure_; }
-  /// After all that was fed, on the disk or not.
+  /// State after all events, durable or not.
   const SessionState& state() const { return state_; }
 
-  /// An event that carries a time happened then, another one `now`. Returns false, and does
+  /// Records an event, at its own time if it carries one, else at `now`. Returns false, and does
   /// nothing, if it is not allowed in this state.
   bool feed(Nanoseconds now, const Event& event);
 
-  /// Whether effects are still to come: until then the participant has not seen what an answer
-  /// would be to.
+  /// Whether effects are pending: until then the participant has not seen the question of an
+  /// answer.
   bool has_effects_to_come() const;
 
-  /// The events that have reached the disk since the last call, in order. Rethrows what kept one
-  /// from it.
+  /// Returns the events that became durable since the last call, in order. Rethrows the error of
+  /// one that could not be written.
   std::vector<DurableEvent> take_durable();
 
-  /// The same, once all of them are there.
+  /// As take_durable, after waiting for all of them.
   std::vector<DurableEvent> wait_for_all();
 
  private:

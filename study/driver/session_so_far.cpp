@@ -25,22 +25,24 @@ std::optional<KnownSession> find_session(const StudyStore& store, const std::str
 void require_persons_session(const KnownSession& session, const Resumption& resumption) {
   const std::string where = "participant " + session.participant;
   if (session.kind == SessionKind::simulated) {
-    throw Error(where, "is a simulated one", "take a code that nobody has");
+    throw Error(where, "is simulated", "choose an unused code");
   }
   const bool can_be_undone = session.phase == Phase::withdrawn || session.phase == Phase::excluded;
   if (has_ended(session.phase) && !(can_be_undone && resumption.undoes_end)) {
-    throw Error(where, fmt::format("has had a session, which is {}", name_of(session.phase)),
-                can_be_undone ? "take a code that nobody has; if it was ended by mistake, --resume "
+    throw Error(where, fmt::format("has a session already, which is {}", name_of(session.phase)),
+                can_be_undone ? "choose an unused code; if it was ended by mistake, --resume "
                                 "with --undo-end takes the end back"
-                              : "a person takes part once; take a code that nobody has");
+                              : "a person takes part once; choose an unused code");
   }
   if (resumption.undoes_end && !can_be_undone) {
-    throw Error(where, fmt::format("has a session that was not ended ({})", name_of(session.phase)),
-                "leave --undo-end out");
+    throw Error(
+        where,
+        fmt::format("has a session without a withdrawal or exclusion ({})", name_of(session.phase)),
+        "remove --undo-end");
   }
   if (!resumption.resumes) {
     throw Error(where, fmt::format("has an unfinished session ({})", name_of(session.phase)),
-                "go on with it by --resume");
+                "resume it with --resume");
   }
   if (session.kind != resumption.kind) {
     const bool is_pilot = session.kind == SessionKind::pilot;
@@ -51,10 +53,11 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
 
 void require_same_program(const SessionSoFar& so_far) {
   if (const std::string now = program_name(build_info()); so_far.program != now) {
-    throw Error("participant " + so_far.session.participant,
-                fmt::format("has a session by {}, and this is {}", so_far.program, now),
-                "go on with that program, or with this one by --despite-changes: the record will "
-                "name both");
+    throw Error(
+        "participant " + so_far.session.participant,
+        fmt::format("has a session of {}, but this is {}", so_far.program, now),
+        "resume it with that program, or with this one by --despite-changes; the record will "
+        "name both");
   }
 }
 
@@ -65,8 +68,8 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
                                            const Resumption& resumption) {
   const std::optional<KnownSession> session = find_session(store, participant);
   if (!session && resumption.resumes) {
-    throw Error("--resume", "participant " + participant + " has no session to go on with",
-                "begin one without --resume");
+    throw Error("--resume", "participant " + participant + " has no session to resume",
+                "begin a session without --resume");
   }
   std::optional<SessionSoFar> so_far;
   if (session) {
@@ -78,7 +81,7 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
       require_same_program(*so_far);
     }
     require_same_version(store.record_file().string(), store.sessions(),
-                         "go on with that version, or with this one by --despite-changes");
+                         "continue with that version, or with this one by --despite-changes");
   }
   return so_far;
 }

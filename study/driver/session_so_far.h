@@ -1,4 +1,4 @@
-// What a participant's session was when its program stopped, from the record.
+// Restores the state of a participant's stopped session from the record.
 #pragma once
 
 #include <optional>
@@ -11,39 +11,39 @@ namespace foveola::study {
 
 struct SessionPosition {
   SessionState state;
-  Nanoseconds time{0};  ///< session clock: time of the last event
-  std::optional<GazeCorrection>
-      correction;              ///< what the gaze goes through since the last validation
-  std::string consent_sha256;  ///< of the text that was agreed to last; empty: none, or unknown
+  Nanoseconds time{0};                       ///< session clock: time of the last event
+  std::optional<GazeCorrection> correction;  ///< the gaze's correction since the last validation
+  std::string consent_sha256;  ///< of the last text that was agreed to; empty: none, or unknown
 };
 
-/// What `events` lead to. whose: names the session in errors. Throws Error if one of the events
-/// does not follow from those before.
+/// Returns the state after `events`. whose: names the session in errors. Throws Error if an event
+/// does not follow from the earlier ones.
 SessionPosition position_after(const Procedure& procedure, const std::vector<LoggedEvent>& events,
                                const std::string& whose);
 
 struct SessionSoFar {
   KnownSession session;
-  std::string program;  ///< the one that recorded it last, by program_name()
+  std::string program;  ///< program_name() of the last program that recorded it
   Plan plan;
   SessionPosition position;
 };
 
 struct Resumption {
   SessionKind kind = SessionKind::human;  ///< of the run
-  bool resumes = false;                   ///< whether the experimenter wants to go on with it
+  bool resumes = false;                   ///< whether the experimenter asks to resume it
   bool despite_changes = false;           ///< even if another program began it, or the study
-  bool undoes_end = false;  ///< takes back a withdrawal or an exclusion, its last event
+  bool undoes_end = false;                ///< undoes a withdrawal or an exclusion, its last event
 };
 
-/// What a session in `store` was. Throws Error if its record cannot have come about.
+/// Returns a session in `store`. Throws Error if its record is impossible.
 SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
                        const KnownSession& session);
 
-/// Empty if the participant has no session yet and none is to be resumed. Throws Error, with what
-/// can be done, if it is over, if it is unfinished but not to be resumed, if there is none to be
-/// resumed, if it is of another kind, if another program recorded it last (of another version, or
-/// built with other tools), or if another version began any session of the study.
+/// Returns the participant's session; empty if there is none and none is to be resumed. Throws
+/// Error, with the remedy, if it is over, if it is unfinished but not to be resumed, if there is
+/// none to be resumed, or if it is of another kind. Also if another program recorded it last (of
+/// another version, or built with other tools), or if another version began any session of the
+/// study.
 std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protocol& protocol,
                                            const std::string& participant,
                                            const Resumption& resumption);

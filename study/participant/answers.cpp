@@ -16,7 +16,7 @@ namespace {
 [[noreturn]] void refuse(const Protocol& protocol, const std::string& toml_path,
                          const std::string& what) {
   throw Error(ProtocolPlaces(protocol).of(toml_path), "simulated participants cannot judge " + what,
-              "say which judgement simulates it (of a mark: simulated = \"outline\" or "
+              "name the judgement that simulates it (of a mark: simulated = \"outline\" or "
               "\"material\"; of a rating on a scale: simulated = \"artifacts\" or \"quality\"), or "
               "draw its values with study simulate --inject order:1");
 }

@@ -1,4 +1,4 @@
-// Independent streams of random numbers of one simulated participant's seed.
+// Derives independent random streams from one simulated participant's seed.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ enum class Chance : std::uint32_t {
   injected_rating_trial,
 };
 
-/// A hash of a text, the same on every platform.
+/// Returns a hash of a text, the same on every platform.
 inline std::uint32_t key_of(const std::string& text) {
   std::uint32_t key = 0;
   for (const char character : text) {
@@ -36,7 +36,8 @@ inline std::uint32_t key_of(const std::string& text) {
   return key;
 }
 
-/// The stream for `purpose` at `place`, such as {attempt, glance}: a function of these alone.
+/// Returns the stream for `purpose` at `place`, such as {attempt, glance}: a function of these
+/// alone.
 inline Pcg32 chance(std::uint64_t seed, Chance purpose,
                     std::initializer_list<std::uint32_t> place = {}) {
   std::uint32_t low = mix(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(purpose));

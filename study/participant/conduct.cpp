@@ -6,8 +6,8 @@
 namespace foveola::study {
 namespace {
 
-/// What they look for until they make this mark. Whoever makes one that nobody judges, at a drawn
-/// time, keeps the eyes on the object as for its material.
+/// The task until this mark is made. With drawn times, for a mark that is not judged, the eyes stay
+/// on the object as for its material.
 Task task_of(const MarkEntry& mark) { return judgement_of(mark).value_or(Task::mark_material); }
 
 const Questionnaire& form_in(const Protocol& protocol, const SessionMoment& moment) {

@@ -1,4 +1,4 @@
-// How simulated participants take part, in virtual time and in real time alike.
+// Decides the actions of simulated participants, in virtual time and in real time alike.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,20 @@
 
 namespace foveola::study {
 
-/// They look this often. People integrate over about as long, and each look costs as much as
+/// Interval between looks. It is about the eye's integration time, and each look costs as much as
 /// tracing several frames.
 constexpr double glance_interval_s = 0.1;
 
-/// Until a participant is ready for a trial: head and eye have turned to the object.
+/// Time until a participant is ready for a trial: head and eye have turned to the object.
 constexpr double settling_s = 1.0;
 
-/// How what a simulated participant does reaches the session: fed to its driver at once, or typed
-/// as keys. What a phase asks for may be called frame after frame until the phase is over.
+/// Passes a simulated participant's actions to the session: fed to its driver at once, or typed as
+/// keys. A phase's action may be called frame after frame until the phase is over.
 class ParticipantActions {
  public:
   virtual ~ParticipantActions() = default;
 
-  /// Who takes part, as soon as nothing else asks the participant.
+  /// Returns the participant, once no thread is using it.
   virtual Participant& participant() = 0;
 
   virtual void consent() = 0;
@@ -36,39 +36,39 @@ class ParticipantActions {
   virtual void react(std::uint32_t conduct) = 0;
   /// Ends the session between two trials.
   virtual void withdraw() = 0;
-  /// Once for an attempt at a trial, before its object is chosen or it is started.
+  /// Called once for an attempt at a trial, before its object is chosen or it is started.
   virtual void begin_attempt(const Attempt& attempt) = 0;
   virtual void choose_object() = 0;
   virtual void start_trial() = 0;
-  /// Asks for the trial to be timed again.
+  /// Asks for the trial to be retimed.
   virtual void ask_for_retime() = 0;
-  /// Once for a task of an attempt, before it is looked for or around.
+  /// Called once for a task of an attempt, before the participant looks.
   virtual void begin_task(Task task) = 0;
   virtual void look_for_mark() = 0;
   virtual void look_around() = 0;
   virtual void rate() = 0;
-  /// Goes on after a pause.
+  /// Continues after a pause.
   virtual void resume() = 0;
-  /// Leaves the session, which is over.
+  /// Leaves the finished session.
   virtual void leave() = 0;
 };
 
-/// A session at the moment in which its participant acts.
+/// State of a session when its participant acts.
 struct SessionMoment {
   const Procedure& procedure;
   const SessionState& state;
   Nanoseconds now{0};                ///< session clock
-  Nanoseconds look_around_until{0};  ///< session clock: the trial is rated from then on
+  Nanoseconds look_around_until{0};  ///< session clock: earliest time of the rating
 };
 
-/// Decides what a simulated participant does in each phase of a session.
+/// Chooses a simulated participant's action in each phase of a session.
 class SimulatedConduct {
  public:
   /// protocol, plan: must outlive this.
   SimulatedConduct(const Protocol& protocol, const Plan& plan, const SessionSeed& seed)
       : protocol_(protocol), plan_(plan), seed_(seed) {}
 
-  /// Does what the session waits for; nothing if it waits for nothing of its participant.
+  /// Performs the action that the session waits for, if any.
   void act(const SessionMoment& moment, ParticipantActions& actions);
 
  private:
@@ -80,7 +80,7 @@ class SimulatedConduct {
   /// Begins the trial's attempt unless it has begun. Returns false if the participant withdraws.
   bool enter_attempt(const SessionMoment& moment, ParticipantActions& actions);
   /// Begins the `index`-th task of the attempt unless it has begun. Returns false if the
-  /// participant asks to time the trial again.
+  /// participant asks to retime the trial.
   bool enter_task(Task task, std::size_t index, const SessionMoment& moment,
                   ParticipantActions& actions);
   /// Whether the participant made the last mark and noticed that it was too early.
@@ -93,7 +93,8 @@ class SimulatedConduct {
   const Plan& plan_;
   SessionSeed seed_;
   std::optional<AttemptOfTrial> attempt_;
-  std::optional<TaskOfAttempt> task_;  ///< number: the mark's index; count of marks: the rating
+  std::optional<TaskOfAttempt>
+      task_;  ///< number: the mark's index, or the count of marks for the rating
 };
 
 }  // namespace foveola::study

@@ -21,7 +21,7 @@ struct ObservedSession {
   std::vector<std::string> marks;  ///< The ids of a trial's marks, in their order.
 };
 
-/// A member of the population, with the injected effect if there is one.
+/// Returns a member of the population, with the injected effect if there is one.
 std::unique_ptr<SimulatedObserver> make_observer(const Population& population,
                                                  const std::optional<InjectedEffect>& effect,
                                                  SceneKnowledge knowledge,

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-// A number's place in a Population.
+// Returns a reference to the number of a Population.
 double& number_in(Population& people, double GazeHabits::* number) { return people.gaze.*number; }
 double& number_in(Population& people, double DecisionHabits::* number) {
   return people.decision.*number;
@@ -37,7 +37,7 @@ double& number_in(Population& people, double Background::* number) {
 }
 double& number_in(Population& people, double Vision::* number) { return people.vision.*number; }
 
-/// The place of a number in a file and in a Population, and its range.
+/// A number's place in a file and in a Population, and its range.
 struct Parameter {
   std::string_view table;
   std::string_view key;
@@ -50,7 +50,7 @@ struct Parameter {
 
 constexpr double tiny = 1e-6;
 
-// The members' order is that of Population.
+// In the order of Population's members.
 constexpr auto parameters = std::to_array<Parameter>(
     {{"gaze", "shortest_fixation_s", 0.02, 10.0, &GazeHabits::shortest_fixation_s},
      {"gaze", "longest_fixation_s", 0.02, 10.0, &GazeHabits::longest_fixation_s},
@@ -82,7 +82,7 @@ constexpr auto parameters = std::to_array<Parameter>(
      {"decision", "lapse_s", 0.0, 60.0, &DecisionHabits::lapse_s},
      {"decision", "early_part", 0.0, 1.0, &DecisionHabits::early_part},
      {"decision", "early_factor", 1.0, 1e6, &DecisionHabits::early_factor},
-     // Below 1, or a person who is always early would be timed for ever.
+     // Below 1: a person who is always early would be retimed forever.
      {"decision", "early_noticed_part", 0.0, 0.9, &DecisionHabits::early_noticed_part},
 
      {"rating", "second_point_jnd", tiny, 1e6, &RatingHabits::second_point_jnd},
@@ -121,7 +121,7 @@ fs::path people_file(const std::string& name_or_path) {
   const std::vector<std::string> names = people_names();
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
     throw Error(
-        fmt::format("people '{}'", name_or_path), "are not known",
+        fmt::format("people '{}'", name_or_path), "is not a known population",
         did_you_mean(name_or_path, names,
                      fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
   }
@@ -132,7 +132,7 @@ std::string name_of(const Parameter& parameter) {
   return fmt::format("{}.{}", parameter.table, parameter.key);
 }
 
-/// { value = 0.2, source = "assumed" }
+/// Reads { value = 0.2, source = "assumed" }.
 StatedNumber read_number(TomlReader& table, const Parameter& parameter) {
   StatedNumber number{.name = name_of(parameter)};
   TomlReader inner = table.table(required(parameter.key));
@@ -142,7 +142,7 @@ StatedNumber read_number(TomlReader& table, const Parameter& parameter) {
   return number;
 }
 
-/// Reads the numbers of one table, whose parameters follow one another.
+/// Reads the numbers of one table, whose parameters are adjacent.
 void read_table(TomlReader& file, std::string_view name, People& people) {
   TomlReader table = file.table(required(name));
   for (const Parameter& parameter : parameters) {
@@ -157,7 +157,7 @@ void read_table(TomlReader& file, std::string_view name, People& people) {
   const GazeHabits& gaze = people.population.gaze;
   if (name == "gaze" && gaze.shortest_fixation_s > gaze.longest_fixation_s) {
     table.fail(table.source("longest_fixation_s"),
-               "the longest fixation is shorter than the shortest", "exchange them");
+               "the maximum fixation is shorter than the minimum", "exchange them");
   }
 }
 
@@ -185,12 +185,13 @@ std::string toml_with_number(const People& people, const std::string& name, doub
       std::find_if(parameters.begin(), parameters.end(),
                    [&](const Parameter& candidate) { return name_of(candidate) == name; });
   if (parameter == parameters.end()) {
-    throw Error(fmt::format("parameter '{}'", name), "is not one of a population",
+    throw Error(fmt::format("parameter '{}'", name), "is not a number of a population",
                 "see the names in data/participants/adults.toml");
   }
   if (!(value >= parameter->minimum && value <= parameter->maximum)) {
-    throw Error(fmt::format("parameter '{}'", name), fmt::format("cannot be {}", value),
-                fmt::format("choose one from {} to {}", parameter->minimum, parameter->maximum));
+    throw Error(
+        fmt::format("parameter '{}'", name), fmt::format("is not within its range: {}", value),
+        fmt::format("choose a value from {} to {}", parameter->minimum, parameter->maximum));
   }
   toml::table content{{"title", fmt::format("{}, {} {}", people.title, name, value)}};
   for (const Parameter& stated_one : parameters) {

@@ -1,4 +1,4 @@
-// Reads the population of simulated participants from its file, where each number states its
+// Reads the population of simulated participants from its file, in which each number states its
 // source.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace foveola::study {
 
-/// A parameter of people, as a file states it.
+/// A parameter of people, as stated in a file.
 struct StatedNumber {
   std::string name;  ///< With its table and unit: "decision.integration_s".
   double value = 0.0;
@@ -24,16 +24,16 @@ struct People {
   std::string toml;                   ///< The file's content, for the record.
 };
 
-/// Reads the file of this name in data/participants, without .toml, or at this path, which has a
-/// slash in it or ends with .toml. Throws Error, with file:line:column, for bad TOML, a number that
-/// is missing, unknown, out of range or without a source, and a shortest fixation that is longer
-/// than the longest.
+/// Reads the file of this name in data/participants, without .toml, or at this path, which contains
+/// a slash or ends with .toml. Throws Error, with file:line:column, for bad TOML, a number that is
+/// missing, unknown, out of range or without a source, and a minimum fixation longer than the
+/// maximum.
 People read_people(const std::string& name_or_path);
 
-/// The names of the files in data/participants, in alphabetical order.
+/// Returns the names of the files in data/participants, in alphabetical order.
 std::vector<std::string> people_names();
 
-/// The content of a file of the same people with another value of the number of this name, whose
+/// Returns the content of a file of the same people with another value of the named number, whose
 /// source says that it was changed. Throws Error for an unknown name and a value out of range.
 std::string toml_with_number(const People& people, const std::string& name, double value);
 

@@ -73,7 +73,7 @@ std::optional<Nanoseconds> SimulatedParticipant::consider(const Evidence& eviden
     return std::nullopt;
   }
   if (*task_ == Task::look_around) {
-    if (std::isfinite(evidence.artifacts_jnd)) {  // not of a look beyond the view
+    if (std::isfinite(evidence.artifacts_jnd)) {  // not for a look beyond the view
       artifact_powers_ += std::pow(evidence.artifacts_jnd, population_.rating.pooling_exponent);
       ++looks_;
     }

@@ -1,4 +1,4 @@
-// A model of a person that judges the presented pixels.
+// Models a person who judges the presented pixels.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace foveola::study {
 
-/// The reference image that a scene converges to. The simulation knows it; the study does not.
+/// The converged image of a scene. The simulation knows it; the study does not.
 struct KnownScene {
   const RgbImage* panorama = nullptr;  ///< Linear radiance, equirect.
   double exposure_stops = 0.0;
@@ -19,7 +19,7 @@ using SceneKnowledge = std::function<KnownScene(const std::string& scene)>;
 
 /// Marks an outline when its contrast stands out of the noise, the difference from the expected
 /// image, and a material when that difference is no longer noticed; both after a reaction time.
-/// Rates by the difference noticed while looking around. The same seed is the same person.
+/// Rates by the difference noticed while looking around. Equal seeds are equal persons.
 class SimulatedParticipant : public SimulatedObserver {
  public:
   SimulatedParticipant(const Population& population, SceneKnowledge knowledge, std::uint64_t seed);
@@ -39,8 +39,8 @@ class SimulatedParticipant : public SimulatedObserver {
   std::optional<Nanoseconds> see(const Stimulus& stimulus) override;
   bool wants_retime() const override { return decision_.wants_retime(); }
   bool wants_to_withdraw(int /*trials_before*/) const override { return false; }
-  /// Judges ratings where is_judged() says so; answers the others as if they were asked on a form,
-  /// which require_judgements() allows only for answers in words.
+  /// Judges ratings if is_judged() says so. Answers the others as on a form; require_judgements()
+  /// allows only free text for these.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
@@ -48,7 +48,7 @@ class SimulatedParticipant : public SimulatedObserver {
   ScanPath& path() override { return path_; }
 
  private:
-  /// The cells that a task is judged by on one scale, and their expected values in the view.
+  /// The cells of a task on one scale, and their expected values in the view.
   struct Scale {
     Cells cells;
     Visibility visibility;
@@ -57,7 +57,7 @@ class SimulatedParticipant : public SimulatedObserver {
   };
   struct Area {
     Task task = Task::mark_outline;
-    Vec3 looked_at{0.0F};  ///< Where the area is; the object, or, while looking around, the gaze.
+    Vec3 looked_at{0.0F};  ///< Centre of the area: the object, or, while looking around, the gaze.
     std::optional<Viewport> view;
     std::vector<Scale> scales;
   };
@@ -65,12 +65,11 @@ class SimulatedParticipant : public SimulatedObserver {
   double difference_jnd(const Stimulus& stimulus, const Area& area) const;
   std::vector<PatchEnergies> energies(const Stimulus& stimulus, const Scale& scale,
                                       bool with_contrast) const;
-  /// The cells around `looked_at` that the task is judged by, on all scales.
+  /// Returns the task's cells around `looked_at`, on all scales.
   std::vector<Scale> judged_scales(const Vec3& looked_at) const;
-  /// The expected values in the stimulus's view, computed anew only when it or what is judged
-  /// changes.
+  /// Returns the expected values in the stimulus's view, cached until the view or the area changes.
   const Area& expect(const Stimulus& stimulus);
-  /// Whether what is seen now is judged: while looking around not during a saccade, nor just after.
+  /// Whether this moment is judged: while looking around, not during a saccade nor just after.
   bool judges(Nanoseconds now);
   double noticed_jnd(Pcg32& random) const;
 

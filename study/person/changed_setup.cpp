@@ -65,7 +65,7 @@ void require_same_setup(const SetupChanges& changes, const std::string& particip
   if (!changes.demanded.empty()) {
     throw Error("participant " + participant,
                 fmt::format("would have other equipment: {}", fmt::join(changes.demanded, "; ")),
-                "restore it, or accept it by --despite-changes: the record will say so");
+                "restore it, or accept it by --despite-changes, which the record notes");
   }
 }
 

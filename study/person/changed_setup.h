@@ -1,4 +1,4 @@
-// What a session runs on, compared with what it, or those before it, ran on.
+// Compares a session's equipment with its own at the beginning, or with that of earlier sessions.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@
 namespace foveola::study {
 
 struct SetupChanges {
-  std::vector<std::string> demanded;  ///< that have to be accepted before the session begins
-  std::vector<std::string> others;    ///< that are to be known
+  std::vector<std::string> demanded;  ///< changes that must be accepted before the session begins
+  std::vector<std::string> others;    ///< changes that are only reported
 };
 
-/// Of a session by `participant` that is to run on `now`, in words. A session that is continued is
-/// compared with itself, and all has to be the same but what depends on the moment; one that begins
-/// is compared with those of people, and what `gate` demands has to be the same.
+/// Describes in words the changes from earlier sessions to the setup `now`, which `participant` is
+/// about to use. A resumed session is compared with itself: everything but momentary facts must be
+/// equal. A new session is compared with those of people: everything that `gate` demands must be
+/// equal.
 SetupChanges setup_changes(const std::vector<SessionSetup>& sessions,
                            const std::string& participant, const std::string& now,
                            const PreflightGate& gate);
 
-/// Throws Error, which names them, if there are demanded ones.
+/// Throws Error, which names the demanded changes, if there are any.
 void require_same_setup(const SetupChanges& changes, const std::string& participant);
 
-/// The note of a session that has them nevertheless.
+/// Returns the session's note of changes that the experimenter accepted.
 std::string note_of_changes(const std::vector<std::string>& changes);
 
 }  // namespace foveola::study

@@ -19,16 +19,16 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds all_trials = 8s;
 constexpr Nanoseconds shortest_trial = 400ms;
 constexpr Nanoseconds longest_trial = 1s;
-/// Until the first frames have shown how many samples fit into one.
+/// Lasts until the number of samples per frame has settled.
 constexpr Nanoseconds warming_up = 250ms;
 
-/// Keeps nothing: what is measured here is no one's session.
+/// Discards everything: the measurement is not a session.
 class NoRecorder final : public SessionRecorder {
  public:
   std::future<void> record(SessionEntry /*entry*/) override { return already_recorded(); }
 };
 
-/// Sums over frames.
+/// Accumulates over frames.
 class Measurement {
  public:
   explicit Measurement(const PreflightSubject& subject) : subject_(subject) {}
@@ -72,14 +72,14 @@ class Measurement {
             .is_dark = true};
   }
 
-  /// Returns when the last frame was shown. The first one only begins the time.
+  /// Returns the time at which the last frame was shown. The first frame only starts the clock.
   template <typename Counted>
   Nanoseconds show_for(LiveAttempt& attempt, Nanoseconds duration, const std::stop_token& stop,
                        const Counted& counted) {
     Nanoseconds shown = attempt.show({});
     for (const Nanoseconds begin = shown; shown - begin < duration;) {
       if (stop.stop_requested()) {
-        throw Error("preflight", "was stopped", "nothing was begun or recorded");
+        throw Error("preflight", "stopped by the experimenter", "nothing was begun or recorded");
       }
       const Nanoseconds before = shown;
       shown = attempt.show({});

@@ -1,4 +1,4 @@
-// Measures, in the window and with the tracker of a session, what its trials will have.
+// Measures the speed and latency of a session's trials, with its own window and tracker.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace foveola::study {
 
-/// What is measured; all of it must outlive the measurement.
+/// Inputs of the measurement; all must outlive it.
 struct PreflightSubject {
   const Protocol& protocol;
   const SceneStages& stages;
@@ -33,17 +33,17 @@ struct MeasuredTrials {
   LiveGaze gaze;
 };
 
-/// Renders every scene with every method for a moment, under a page and in the dark, since nobody
-/// may see a method before its trial: 8 seconds in all, but 0.4 for each at least. What the display
-/// learns of drawing, trials then know. Throws Error if stopped.
+/// Renders every scene with every method, for 8 s in all but at least 0.4 s each. A page covers the
+/// picture, which stays black: nobody may see a method before its trial. The trials use the drawing
+/// times that the display learns here. Throws Error if stopped.
 MeasuredTrials measure_trials(const PreflightSubject& subject, const std::stop_token& stop);
 
-/// The monitor that the window is on, as far as the system describes it; its size and rate are not
-/// measured yet. full_screen_on: the monitor that it fills. To be asked in the window's own thread.
+/// Describes the window's monitor as far as the system knows it; size and rate are not measured
+/// yet. full_screen_on: the monitor that the window fills. Call it in the window's own thread.
 FoundDisplay found_display(const Window& window, const std::optional<int>& full_screen_on,
                            const DisplayProfile& stated);
 
-/// The same with what the session's display has measured.
+/// Returns `found` with the values that the session's display has measured.
 FoundDisplay as_measured(FoundDisplay found, const SessionDisplay& display);
 
 }  // namespace foveola::study

@@ -62,8 +62,8 @@ bool is_nobodys_eye(TrackerSource source) {
 void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
   if (kind == SessionKind::human && is_nobodys_eye(tracker.source)) {
     throw Error("--tracker",
-                fmt::format("the profile {} is of a {} eye", tracker.name, eye_of(tracker.source)),
-                "name the tracker that is there, or rehearse with --pilot");
+                fmt::format("the gaze of profile {} is {}", tracker.name, eye_of(tracker.source)),
+                "name the connected tracker, or rehearse with --pilot");
   }
 }
 

@@ -1,5 +1,4 @@
-// What a run's settings and its protocol ask for: the display, the tracker, and what the gaze goes
-// through.
+// Selects the display, the tracker and the gaze filter of a run, from its settings and protocol.
 #pragma once
 
 #include <string>
@@ -10,21 +9,21 @@
 
 namespace foveola::study {
 
-/// Each that is not in the settings is the protocol's, or the usual one. Throw Error if there is no
-/// such profile.
+/// The settings take precedence over the protocol, and the protocol over the default. These throw
+/// Error if there is not such a profile.
 DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol);
 TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol);
 
-/// The protocol with the settings' filter of the gaze. Throws Error if it cannot be read.
+/// Returns the protocol with the settings' gaze filter. Throws Error if it cannot be read.
 Protocol protocol_of(const RunSettings& settings);
 
-/// The size of the narrowest 360-degree image of any trial, in pixels.
+/// Returns the size of the narrowest 360-degree image of any trial, in pixels.
 IVec2 smallest_film(const Protocol& protocol);
 
-/// Whether it is nobody's who sits there: simulated, or recorded before.
+/// Returns whether the gaze is not a person's: simulated or recorded.
 bool is_nobodys_eye(TrackerSource source);
 
-/// Throws Error if a person's session that counts would have nobody's eye; a rehearsal may.
+/// Throws Error if a session that counts would not have a person's gaze. Rehearsals need none.
 void require_real_gaze(const TrackerProfile& tracker, SessionKind kind);
 
 /// The session's note if it has nobody's eye, which must not be taken for a person's; else empty.

@@ -41,7 +41,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// The state that the session goes on in.
+/// The state in which the session resumes.
 SessionState once_resumed(SessionState state) {
   if (state.phase == Phase::interrupted || state.phase == Phase::paused || state.is_over()) {
     state.phase = state.resumes_at;
@@ -49,16 +49,16 @@ SessionState once_resumed(SessionState state) {
   return state;
 }
 
-/// The session counts with its pictures or without: it goes on to its backup.
+/// The session is valid without its pictures, and continues to its backup.
 void say_if_pictures_are_lost(SessionDisplay& display, Console& console) {
   try {
     display.finish_pictures();
   } catch (const Error& error) {
-    console.say(fmt::format("Not every page became a picture: {}", error.what()));
+    console.say(fmt::format("Some pictures of pages are missing: {}", error.what()));
   }
 }
 
-/// All that one session takes, in the thread beside the window's.
+/// One session, in a thread beside the window's.
 class PersonRun {
  public:
   PersonRun(const RunSettings& settings, const Protocol& protocol,
@@ -124,12 +124,12 @@ class PersonRun {
                                                   .has_focus = worn_ || window.has_focus()},
                                                  *console, recorder)
                                        .run(stop);
-    console.reset();  // What comes now stands below what was said.
+    console.reset();  // Later lines are printed below the console's.
     say_if_pictures_are_lost(display, *console_);
     return outcome.phase;
   }
 
-  /// Whether there is a session in the record.
+  /// Whether the record has the session.
   bool has_begun() const { return row_ != 0; }
 
   bool is_blind() const {
@@ -137,8 +137,8 @@ class PersonRun {
   }
 
  private:
-  /// Says what was found. Throws Error if the protocol asks for more; a rehearsal goes on whatever
-  /// is found.
+  /// Reports the findings. Throws Error if the protocol demands more; rehearsals continue
+  /// regardless.
   nlohmann::ordered_json preflight(const SceneStages& stages, const Workers& workers,
                                    const Clock& clock, WindowEvents& events,
                                    SessionDisplay& display, const WindowEyeTracker& gaze,
@@ -174,7 +174,7 @@ class PersonRun {
     return preflight_json(found, checks);
   }
 
-  /// A rehearsal that begins is compared with nothing.
+  /// A new rehearsal is not compared.
   void compare_setup(const std::string& devices) {
     if (settings_.kind != SessionKind::human && !so_far_) {
       return;
@@ -194,7 +194,7 @@ class PersonRun {
     }
   }
 
-  /// Null: keys turn it.
+  /// Null: keys turn the head.
   HeadTracker* head() { return worn_ ? &*worn_ : nullptr; }
 
   std::string devices_json(const SessionDisplay& display, const HeadsetPresenter* headset,
@@ -227,7 +227,7 @@ class PersonRun {
     }
   }
 
-  /// None but in a rehearsal.
+  /// Null except in rehearsals.
   std::unique_ptr<StageReloader> reloader_of(const SceneStages& stages) const {
     if (settings_.kind != SessionKind::pilot) {
       return nullptr;
@@ -240,7 +240,7 @@ class PersonRun {
     try {
       return std::make_unique<StageReloader>(stages, find, settings_.threads);
     } catch (const Error& refusal) {
-      console_->say(fmt::format("Changes of the scenes will not be shown: {}", refusal.what()));
+      console_->say(fmt::format("Scenes will not be reloaded: {}", refusal.what()));
       return nullptr;
     }
   }
@@ -270,10 +270,10 @@ class PersonRun {
     const KnownSession& known = so_far_->session;
     const Procedure procedure = procedure_of(protocol_, plan_);
     const SessionState state = once_resumed(so_far_->position.state);
-    console_->say(fmt::format("Participant {} goes on after {:.0f} s.", known.participant,
+    console_->say(fmt::format("Participant {} resumes after {:.0f} s.", known.participant,
                               seconds(so_far_->position.time)));
     const Plan told = is_blind() ? without_methods(plan_) : plan_;
-    console_->say(fmt::format("Now comes {}; then {}.", words_for(state, procedure, told),
+    console_->say(fmt::format("Next: {}; then {}.", words_for(state, procedure, told),
                               words_for_next(state, procedure, told)));
     row_ = known.id;
     std::vector<std::string> notes = notes_of_eye(tracker_);
@@ -304,7 +304,7 @@ class PersonRun {
   }
 
   const RunSettings& settings_;
-  Protocol protocol_;  ///< with the words that are shown
+  Protocol protocol_;  ///< with the texts that are shown
   const SceneFinderBeside& find_scene_;
   const std::vector<SceneSource>& sources_;
   DisplayProfile profile_;
@@ -316,20 +316,20 @@ class PersonRun {
   std::unique_ptr<Console> console_;  ///< before and after the session
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
-  std::int64_t row_ = 0;                       ///< the session's row in the store
-  std::vector<std::string> accepted_changes_;  ///< notes of those of scenes and equipment
+  std::int64_t row_ = 0;  ///< the session's row in the store
+  std::vector<std::string>
+      accepted_changes_;  ///< notes of accepted changes to scenes and equipment
 };
 
-/// Nothing was acknowledged to the participant before it was durable.
+/// Everything acknowledged to the participant is durable.
 std::string how_to_go_on(const RunSettings& settings, const StudyStore& store) {
   const bool is_lost = store.record_file() != fs::weakly_canonical(settings.database);
-  return is_lost
-             ? fmt::format(
-                   "what {} did up to then is in {}: give the same command with that "
-                   "file and --resume",
-                   settings.participant, store.record_file().string())
-             : fmt::format("what {} did up to then is in {}: give the same command with --resume",
-                           settings.participant, settings.database.string());
+  return is_lost ? fmt::format(
+                       "what {} did up to then is in {}: repeat the command with that "
+                       "file and --resume",
+                       settings.participant, store.record_file().string())
+                 : fmt::format("what {} did up to then is in {}: repeat the command with --resume",
+                               settings.participant, settings.database.string());
 }
 
 }  // namespace
@@ -369,8 +369,8 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
       if (!run.has_begun()) {
         throw;
       }
-      throw Error(fmt::format("the session of {} was cut off", settings.participant), fault.what(),
-                  how_to_go_on(settings, store));
+      throw Error(fmt::format("the session of {} was interrupted", settings.participant),
+                  fault.what(), how_to_go_on(settings, store));
     }
     report.is_blind = run.is_blind();
     write_receipt(settings, store);

@@ -1,4 +1,4 @@
-// A person's session from the command line to the backup.
+// Runs a person's session, from its settings to its backup.
 #pragma once
 
 #include <cstdint>
@@ -20,28 +20,29 @@ struct RunSettings {
   std::string participant;         ///< a code: letters, digits, - and _
   SessionKind kind = SessionKind::human;
   std::optional<std::uint64_t> seed;  ///< seed of orders and noise; default: drawn at random
-  std::optional<int> first_row;  ///< of the design; empty: that of the file's first person, or 0
-  std::string display;           ///< a profile; empty: the protocol's, or desktop
-  std::string tracker;           ///< pointer or a profile; empty: the protocol's, or pointer
-  /// Of a pilot's gaze, in place of the protocol's; empty: the protocol's.
+  std::optional<int>
+      first_row;        ///< row of the design; empty: that of the file's first person, or 0
+  std::string display;  ///< a profile; empty: the protocol's, or desktop
+  std::string tracker;  ///< pointer or a profile; empty: the protocol's, or pointer
+  /// A pilot's gaze filter; empty: the protocol's.
   std::optional<GazeFilterSettings> gaze_filter;
   IVec2 window{1280, 720};     ///< size of the window; not used in full screen
-  std::optional<int> monitor;  ///< fills this monitor
-  int threads = 0;             ///< 0: one for every core
-  bool resumes = false;        ///< goes on with the participant's unfinished session
-  bool undoes_end = false;     ///< which a withdrawal or an exclusion was
-  bool is_blind = false;       ///< the experimenter does not read the methods before its end
-  /// Even if the program, the scenes or the equipment have changed since.
+  std::optional<int> monitor;  ///< the monitor to fill; empty: a window
+  int threads = 0;             ///< 0: one per core
+  bool resumes = false;        ///< resumes the participant's unfinished session
+  bool undoes_end = false;     ///< undoes the session's withdrawal or exclusion
+  bool is_blind = false;       ///< the console hides the methods until the session's end
+  /// Resumes or begins even if the program, the scenes or the equipment have changed.
   bool despite_changes = false;
-  OtherProtocol other_protocol =
-      OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
-  /// Every page that the participant comes to is written there as a picture.
+  OtherProtocol other_protocol = OtherProtocol::refuse;  ///< if the protocol differs from the one
+                                                         ///< that the database was begun with
+  /// Folder for pictures of every page that the participant comes to.
   std::optional<std::filesystem::path> screens;
-  /// The experimenter's console is for machines: a JSON object a line.
+  /// The experimenter's console reads and writes a JSON object per line.
   bool json = false;
-  /// Gets a receipt of the participant's consent, once that was given.
+  /// File for a receipt of the participant's consent, once given.
   std::optional<std::filesystem::path> receipt;
-  /// Gets a copy of the study after the session, besides its backup.
+  /// Folder for a copy of the study after the session, in addition to its backup.
   std::optional<std::filesystem::path> backup_folder;
 };
 
@@ -49,13 +50,13 @@ struct RunReport {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
   bool is_blind = false;         ///< by the settings, or since the session began
   std::filesystem::path backup;
-  std::filesystem::path copy;  ///< in the backup_folder; empty if there is none
+  std::filesystem::path copy;  ///< file in backup_folder; empty if there is none
 };
 
-/// Runs in the program's first thread, whose is the window. The experimenter's console is standard
-/// input and output: a screen if both are a terminal, lines otherwise. Throws Error for what is
-/// wrong with the settings, the files, the window or the participant's session so far; then nothing
-/// was begun.
+/// Call in the program's first thread, which owns the window. The experimenter's console is
+/// standard input and output: a screen if both are a terminal, lines otherwise. Throws Error,
+/// before anything is begun, if the settings, the files, the window or the participant's earlier
+/// sessions do not allow the session.
 RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_scene,
                      const std::stop_token& stop);
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// What a protocol's text says of itself and of the consent.
+/// Name and consent of a protocol, from its text.
 struct ShownProtocol {
   std::string name;
   std::string title;
@@ -37,8 +37,8 @@ ShownProtocol shown_protocol(const std::string& text) {
           .sha256 = sha256(std::string_view(text))};
 }
 
-/// shown: the study's protocol and the amendments up to the consent. Older records do not say which
-/// text was agreed to: the last one stands in them.
+/// shown: the study's protocol and the amendments up to the consent. Older records do not name the
+/// text that was agreed to; the last one is taken for them.
 std::string part_of(const std::vector<ShownProtocol>& shown, const ConsentGiven& consent) {
   const auto agreed_to =
       std::find_if(shown.rbegin(), shown.rend(), [&](const ShownProtocol& protocol) {
@@ -102,8 +102,8 @@ fs::path copy_if_asked(const StudyStore& store, const RunSettings& settings) {
     return copy;
   } catch (const std::exception& fault) {
     print_text(stderr, "foveola: warning: {}\n",
-               printable(fmt::format("{}: got no copy of {} ({}); make one with foveola study "
-                                     "backup --to once that is mended",
+               printable(fmt::format("{}: no copy of {} was written ({}); mend that, then "
+                                     "run foveola study backup --to",
                                      settings.backup_folder->string(), settings.database.string(),
                                      fault.what())));
     return {};
@@ -118,7 +118,7 @@ fs::path back_up(const StudyStore& store, const RunSettings& settings) {
   } catch (const std::exception& fault) {
     throw Error(fmt::format("all that {} did is in {}, but its backup failed", settings.participant,
                             settings.database.string()),
-                fault.what(), "make one with foveola study backup once that is mended");
+                fault.what(), "mend that, then run foveola study backup");
   }
   return backup;
 }

@@ -1,4 +1,4 @@
-// What is made of a session once it has ended: a receipt of its consent, and copies of the study.
+// Writes the files of an ended session: the receipt of its consent, and copies of the study.
 #pragma once
 
 #include <filesystem>
@@ -19,15 +19,15 @@ std::optional<std::string> consent_receipt(const std::string& begun_with,
                                            const std::string& participant,
                                            const std::vector<LoggedEvent>& events);
 
-/// Writes RunSettings::receipt, if one is asked for and consent was given. Throws Error.
+/// Writes RunSettings::receipt if it is set and consent was given. Throws Error.
 void write_receipt(const RunSettings& settings, const StudyStore& store);
 
-/// Returns the copy in RunSettings::backup_folder; empty if none is asked for. The session counts
-/// with the copy or without: if it cannot be made, a warning says so, and the path is empty.
+/// Returns the copy in RunSettings::backup_folder; empty if that is not set or the copy fails. A
+/// failure is only a warning, as the session is valid without the copy.
 std::filesystem::path copy_if_asked(const StudyStore& store, const RunSettings& settings);
 
 /// Returns a new backup of the study. Throws Error, which says that the session itself is safe, if
-/// there can be none.
+/// the backup fails.
 std::filesystem::path back_up(const StudyStore& store, const RunSettings& settings);
 
 }  // namespace foveola::study

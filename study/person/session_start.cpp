@@ -16,7 +16,7 @@
 namespace foveola::study {
 namespace {
 
-/// The design rows of people whose sessions were completed or may still be.
+/// Design rows of people whose sessions are complete or can still be completed.
 std::vector<int> used_rows(const StudyStore& store) {
   std::vector<int> rows;
   for (const KnownSession& session : store.sessions()) {
@@ -29,7 +29,7 @@ std::vector<int> used_rows(const StudyStore& store) {
   return rows;
 }
 
-/// The row of the design that the first person of the study had; 0 before anybody.
+/// Design row of the study's first person; 0 if there is none.
 int first_row_of(const StudyStore& store) {
   for (const KnownSession& session : store.sessions()) {
     if (session.kind == SessionKind::human) {

@@ -6,7 +6,7 @@
 namespace foveola::study {
 namespace {
 
-/// A little to the right of the aim's gaze, or to its left.
+/// Returns a direction a little to the right of the aim's gaze, or to its left.
 Vec3 beside_gaze(const Aim& aim, float shift) {
   const Vec3 right = glm::normalize(glm::cross(aim.gaze, aim.viewport.head() * Vec3(0, 1, 0)));
   return glm::normalize(aim.gaze + shift * right);

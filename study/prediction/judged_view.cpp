@@ -12,12 +12,13 @@
 namespace foveola::study {
 namespace {
 
-/// A square view around `middle` that reaches radius_rad to all sides; nothing is judged in it yet.
+/// Returns a square view around `middle` that extends by radius_rad to all sides, without judged
+/// cells.
 JudgedView view_around(const Vec3& middle, double radius_rad, double pixel_rad) {
   constexpr double widest_rad = 1.4;
   const double half_size = std::tan(std::min(radius_rad, widest_rad));
   const auto side = static_cast<int>(std::ceil(2.0 * half_size / pixel_rad));
-  // As many whole pixels as are at least needed, each of the size of the display's.
+  // The minimum number of whole pixels, each of the display's size.
   const double fov_rad = 2.0 * std::atan(0.5 * side * pixel_rad);
   return {.viewport = Viewport(head_orientation(azimuth_elevation(middle)), fov_rad, fov_rad),
           .width = side,
@@ -31,7 +32,7 @@ void judge(Cells cells, bool with_contrast, JudgedView& view) {
       {.cells = std::move(cells), .pixels = std::move(pixels), .with_contrast = with_contrast});
 }
 
-/// The angle of a pixel in the middle of the display.
+/// Returns the angle of a pixel at the display's centre.
 double display_pixel_rad(const DisplaySettings& display) {
   const Viewport view(head_orientation({}), radians(display.horizontal_fov_deg),
                       radians(display.vertical_fov_deg), display.lens);

@@ -1,5 +1,5 @@
-// The views that a pilot is judged in: just large enough for the cells that are judged, with pixels
-// as large as those of the display's middle.
+// Makes the views in which a pilot is judged: just large enough for the judged cells, with pixels
+// as large as those at the display's centre.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace foveola::study {
 
-/// Cells and where their pixels are.
+/// Cells and their pixels.
 struct JudgedCells {
   Cells cells;
   CellPixels pixels;
@@ -25,7 +25,7 @@ struct JudgedView {
   Viewport viewport;
   int width = 0;  ///< pixels
   int height = 0;
-  std::vector<JudgedCells> judged;  ///< the judged cells on each scale
+  std::vector<JudgedCells> judged;  ///< the cells on each scale
 };
 
 /// A cone of directions.
@@ -37,23 +37,24 @@ struct Cone {
 /// The name of a view sampler: uniform over a rectangle of the image that the cone lies in.
 std::string crop_sampler(const Cone& cone);
 
-/// Where samples go while a head faces `object` (unit length, world) and the eye looks at its
-/// middle.
+/// Returns the aim while a head faces `object` (unit length, world) and the eye looks at its
+/// centre.
 Aim aim_at(const Vec3& object, const DisplaySettings& display);
 
-/// What is judged of an object, its outline first, then its material on each scale, on the display
-/// of a head that faces it: pixel for pixel, since how much resampling averages is a matter of how
-/// the film's pixels lie between the display's.
+/// Returns the view of an object, its outline's cells first, then its material's on each scale, on
+/// the display of a head that faces it. It has the display's pixels exactly, since averaging by
+/// resampling depends on the film's pixels between the display's.
 JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
                           const DisplaySettings& display);
 
-/// The middles of patches of about view_patch_deg that cover all directions: rows of equal
-/// elevation, each divided into equal azimuths. highest_deg: of the middles, above the horizon or
-/// below it.
+/// Returns the centres of patches of about view_patch_deg that cover all directions: rows of equal
+/// elevation, each divided into equal azimuths. highest_deg: maximum elevation of the centres above
+/// and below the horizon.
 std::vector<Vec3> surround_places(const Vision& vision, double highest_deg);
 
-/// For each of these patches, in their order, some cells in its middle on each scale, which stand
-/// for it; in views just large enough, with pixels as large as those of the display's middle.
+/// Returns, for each of these patches, in their order, a view of a few representative cells at its
+/// centre on each scale. Views are just large enough, with pixels as large as those at the
+/// display's centre.
 std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display,
                                        const std::vector<Vec3>& places);
 

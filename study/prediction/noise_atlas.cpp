@@ -22,18 +22,18 @@
 namespace foveola::study {
 namespace {
 
-/// For an object at full size: samples per pixel of each of its two converged pictures, and how
-/// many noisy ones there may be. A scaled film has so few pixels that more of both are needed.
+/// For an object at full size: samples per pixel of each of its two converged pictures, and the
+/// maximum number of noisy ones. A scaled film has so few pixels that more of both are needed.
 constexpr double object_convergence = 8.0;
 constexpr double object_pictures = 4.0;
 
-/// A rating is made of many places: fewer samples will do for each.
+/// A rating averages many places, so that fewer samples per place suffice.
 constexpr double surround_convergence = 4.0;
 constexpr SampleCountLevels pilot_levels{};
-/// What resampling reads beside a pixel.
+/// Pixels beside its own that resampling reads.
 constexpr int margin_px = 2;
 
-/// Counted up whenever the tables of the same settings come out differently.
+/// Incremented whenever the same settings give different tables.
 constexpr int tables_version = 7;
 
 void require_predictable(const Protocol& protocol) {
@@ -47,16 +47,16 @@ void require_predictable(const Protocol& protocol) {
   }
 }
 
-/// An object, ready to be judged.
+/// An object with its judged views.
 struct JudgedObject {
   const OfferedObject* object = nullptr;
   JudgedView view;
-  Cone cone;  ///< cone around all that is judged
-  /// By the settings that it is shown with.
+  Cone cone;  ///< cone around all judged cells
+  /// By the display settings.
   std::map<std::string, ConvergedMeans> expected;
 };
 
-/// The objects of a scene that any trial looks at.
+/// Returns the objects of a scene that any trial looks at.
 std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
                                                  const std::string& scene) {
   std::vector<const OfferedObject*> wanted;
@@ -72,12 +72,12 @@ std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
   return wanted;
 }
 
-/// What of a scene can be made by itself, whatever else is: its surround, and each such object.
+/// Number of a scene's independent items: its surround, and each such object.
 std::int64_t item_count(const AtlasSetting& setting, const std::string& scene) {
   return 1 + std::ssize(wanted_objects(setting, scene));
 }
 
-/// The tables of one scene.
+/// Makes the tables of one scene.
 class SceneAtlas {
  public:
   SceneAtlas(const AtlasSetting& setting, const std::string& scene, const std::stop_token& stop)
@@ -96,8 +96,8 @@ class SceneAtlas {
     }
   }
 
-  /// Makes what is not in the cache of some items, the surround and then the objects; returns of
-  /// how many. progress: called with the fraction done.
+  /// Makes the items that are not in the cache, the surround and then the objects. Returns their
+  /// number. progress: called with the fraction done.
   std::int64_t make(const ItemRange& items, const std::function<void(double)>& progress) {
     std::int64_t made = 0;
     if (items.begin == 0 && items.end > 0) {
@@ -116,7 +116,7 @@ class SceneAtlas {
     return made + std::ssize(objects_made);
   }
 
-  /// Adds all items, which were made.
+  /// Adds all items, which must have been made.
   void add_to(NoiseAtlas& atlas) const {
     atlas.surround[scene_] = known_.at(key_of_surround());
     for (const std::string& method : setting_.protocol.methods) {
@@ -131,7 +131,7 @@ class SceneAtlas {
   }
 
  private:
-  /// Whether it was not in the cache.
+  /// Returns whether it was not in the cache.
   bool make_surround() {
     const std::string key = key_of_surround();
     if (is_known(key)) {
@@ -141,10 +141,10 @@ class SceneAtlas {
     return true;
   }
 
-  /// Makes the wanted pictures with `method` of some objects. Their noise is that of the protocol's
-  /// first method after as many samples in the same place: methods differ in where their samples
-  /// go, and hardly in how much noise so many leave. One pilot will do for all objects if the first
-  /// method's samples go to the same places whatever is looked at.
+  /// Makes the wanted pictures of some objects with `method`. Their noise is that of the protocol's
+  /// first method after as many samples in the same place. Methods differ in the places of their
+  /// samples, and hardly in the noise of a given number of samples. One pilot serves all objects if
+  /// the first method's samples do not depend on the object.
   void make_objects(const std::string& method, const ItemRange& objects,
                     std::set<std::size_t>& made) {
     const auto sampler = make_sampler(setting_.protocol, first_method());
@@ -175,7 +175,7 @@ class SceneAtlas {
     return !follows_aim(sampler, aim_to(ahead), aim_to(-ahead));
   }
 
-  /// Whether they are in the cache. Methods that are shown alike have the same tables, which are
+  /// Returns whether they are in the cache. Methods with the same display share tables, which are
   /// read once.
   bool is_known(const std::string& key) {
     if (known_.contains(key)) {
@@ -193,7 +193,7 @@ class SceneAtlas {
     known_[key] = tables;
   }
 
-  /// The objects of which each picture is wanted, by the picture's number.
+  /// Returns the objects of each wanted picture, by the picture's number.
   std::map<std::uint32_t, std::vector<std::size_t>> wanted_pictures(
       const std::string& method) const {
     std::map<std::uint32_t, std::vector<std::size_t>> wanted;
@@ -218,7 +218,7 @@ class SceneAtlas {
 
   Aim aim_to(const Vec3& direction) const { return aim_at(direction, setting_.protocol.display); }
 
-  /// The tables of some objects in one picture, by samples that are aimed at the first of them.
+  /// Returns the tables of some objects in one picture, with samples aimed at the first of them.
   std::vector<ScaleTables> measure(std::span<const std::size_t> group, const std::string& method,
                                    std::uint32_t picture, ViewSampler& sampler) {
     const TrialSettings shown = shown_with(method);
@@ -238,7 +238,7 @@ class SceneAtlas {
     return measure_noise(pilot, sampler, pilot_levels, picture, mask, views, expected);
   }
 
-  /// How far cells reach beyond the radius that their middles are in.
+  /// Distance by which cells exceed the radius of their centres.
   double cell_reach_rad(const OfferedObject& object) const {
     const Vision& vision = setting_.vision;
     const double outline_deg = object.radius_deg / vision.recognition_line_pairs;
@@ -257,7 +257,7 @@ class SceneAtlas {
             .stop = stop_};
   }
 
-  /// Once for all methods that are shown alike.
+  /// Computed once for all methods with the same display.
   const ConvergedMeans& expected_of(JudgedObject& judged, const TrialSettings& shown) const {
     const auto [found, is_new] = judged.expected.try_emplace(key_of_setting(shown));
     if (is_new) {
@@ -343,8 +343,8 @@ class SceneAtlas {
   std::vector<JudgedObject> objects_;
 };
 
-/// Makes the shard's part of all scenes' items that are not in the cache, and calls `use` with each
-/// scene that it has some of.
+/// Makes the shard's items of all scenes that are not in the cache, and calls `use` with each scene
+/// that has any.
 PreparedItems make_pilots(const AtlasSetting& setting, const Shard& shard,
                           const std::stop_token& stop,
                           const std::function<void(const SceneAtlas& scene)>& use) {

@@ -1,5 +1,5 @@
-// How noisy a protocol's scenes are with each of its methods: all that predicted looks, which are
-// not rendered, know of pictures.
+// Tabulates the noise of a protocol's scenes with each of its methods, for predicted looks, which
+// render nothing.
 #pragma once
 
 #include <cstdint>
@@ -17,56 +17,55 @@
 
 namespace foveola::study {
 
-/// The noise in one picture of one object, with one method that is aimed at its middle.
+/// The noise in one picture of one object, with one method aimed at its centre.
 struct ObjectNoise {
   NoiseTable outline;
   std::vector<NoiseTable> material;  ///< the material's noise on each scale
 };
 
-/// Where a trial looks: its scene, method and object.
+/// A trial's scene, method and object.
 using PicturedPlace = std::tuple<std::string, std::string, std::string>;
 
-/// The numbers of the pictures that trials see of each place.
+/// The picture numbers that trials see of each place.
 using PicturesWanted = std::map<PicturedPlace, std::set<std::uint32_t>>;
 
-/// How many pictures of a place there may be. What differs between them is left to chance in a
-/// trial, which sees one: noise that comes from few bright paths is less than its mean in most
-/// pictures. A scaled film has so few pixels that its pictures differ more.
+/// Returns the maximum number of pictures of a place. A trial sees one picture, so that differences
+/// between pictures are random: noise from few bright paths is less than its mean in most pictures.
+/// A scaled film has so few pixels that its pictures differ more.
 std::uint32_t picture_count(const Vision& vision);
 
 struct NoiseAtlas {
-  /// Of each place the wanted pictures, by their numbers.
+  /// The wanted pictures of each place, by number.
   std::map<PicturedPlace, std::map<std::uint32_t, ObjectNoise>> objects;
-  /// By scene: the noise of surround patches on each scale, with samples that are spread evenly.
-  /// The patches are the same on all scales.
+  /// By scene: the noise of surround patches on each scale, with evenly spread samples. The patches
+  /// are the same on all scales.
   std::map<std::string, std::vector<NoiseTable>> surround;
 };
 
-/// What an atlas is made of; it refers to all of it.
+/// Inputs of an atlas; it refers to them.
 struct AtlasSetting {
   const Protocol& protocol;
   const SceneStages& stages;
   const Vision& vision;
-  double highest_seen_deg = 90.0;  ///< above the horizon, or below it, whoever looks around
+  double highest_seen_deg = 90.0;  ///< maximum gaze elevation above and below the horizon
   const PicturesWanted& wanted;  ///< of the protocol's scenes and methods, and the scenes' objects
   const Workers& workers;
-  std::filesystem::path cache;  ///< folder of the tables that were made before
+  std::filesystem::path cache;  ///< folder of earlier tables
 };
 
 /// Renders the wanted pilots, or takes their tables from the cache; shows progress. Throws Error if
-/// stopped, or for a protocol with adaptive sampling: where its samples go is not known
-/// beforehand.
+/// stopped, or for a protocol with adaptive sampling, whose samples cannot be predicted.
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop);
 
-/// What can be rendered by itself, and was to be there afterwards.
+/// Counts of separately rendered items.
 struct PreparedItems {
   std::int64_t items = 0;
-  std::int64_t rendered = 0;  ///< the others were there before
+  std::int64_t rendered = 0;  ///< items that were not in the cache
 };
 
-/// Renders what the cache lacks of the shard's part of the same pilots, into the cache. What they
-/// are dealt by is the surround of each scene, and each object that is looked at, whatever the
-/// cache has. Throws Error as make_noise_atlas.
+/// Renders the shard's part of the same pilots into the cache, as far as they are missing. Shards
+/// divide the surround of each scene and each object that is looked at, whatever the cache has.
+/// Throws Error as make_noise_atlas.
 PreparedItems prepare_pilots(const AtlasSetting& setting, const Shard& shard,
                              const std::stop_token& stop);
 

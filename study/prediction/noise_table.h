@@ -1,5 +1,5 @@
-// How noisy each patch of one picture is after so many samples, the data of predicted looks, and
-// their cache on the disk.
+// Tables of the noise of one picture's patches over the number of samples, and their cache on the
+// disk.
 #pragma once
 
 #include <filesystem>
@@ -14,24 +14,22 @@
 
 namespace foveola::study {
 
-/// Noise over the density of samples, at densities that grow by half an octave from one level to
-/// the next.
+/// Noise over the density of samples, at densities that grow by half an octave per level.
 struct PatchNoise {
   Vec3 direction{0.0F};       ///< unit length, world
-  double cells = 0.0;         ///< how many cells it stands for, as PatchEnergies::cells
+  double cells = 0.0;         ///< number of represented cells, as PatchEnergies::cells
   double contrast = 0.0;      ///< as PatchEnergies::contrast
   ChannelValues unsampled{};  ///< the noise of black, JND^2
   double first_per_sr = 0.0;  ///< density at the first level, samples per steradian
-  std::vector<ChannelValues>
-      noise_times_density;  ///< JND^2 samples per steradian, one for each level
+  std::vector<ChannelValues> noise_times_density;  ///< JND^2 samples per steradian, one per level
 };
 using NoiseTable = std::vector<PatchNoise>;
 
-/// The noise of a patch after `samples_per_sr`, interpolated; below the first level between its and
-/// black's, beyond the last one falling with the number of samples.
+/// Returns the noise of a patch after `samples_per_sr`: interpolated; below the first level between
+/// its noise and black's; beyond the last one falling as one over the samples.
 ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
 
-/// The mean of patches that are sampled alike, each counted by its cells. table: not empty.
+/// Returns the mean of equally sampled patches, weighted by their cells. table: not empty.
 PatchNoise mean_of(const NoiseTable& table);
 
 /// A table for each scale, in which the mean of a view's patches on that scale stands for the patch
@@ -40,20 +38,20 @@ PatchNoise mean_of(const NoiseTable& table);
 std::vector<NoiseTable> mean_patches(const std::vector<std::vector<NoiseTable>>& views,
                                      const std::vector<Vec3>& places);
 
-/// The patches' energies but for their noise, which changes with the samples.
+/// Returns the patches' energies without their noise, which changes with the samples.
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table);
 
 class TableCache {
  public:
-  /// folder: made when something is kept. build: its tables are not those of another whose last
-  /// bits may differ.
+  /// folder: made when a table is kept. build: its tables are kept apart from those of builds with
+  /// other rounding.
   explicit TableCache(std::filesystem::path folder, const BuildInfo& build = build_info())
       : folder_(std::move(folder)), arithmetic_(arithmetic_name(build)) {}
 
-  /// The tables that were kept under `key`; empty if there are none, or if they are damaged: then
-  /// they are simply made again.
+  /// Returns the tables kept under `key`; empty if there are none or they are damaged, which means
+  /// to make them again.
   std::optional<std::vector<NoiseTable>> find(const std::string& key) const;
-  /// Keeps the tables whole or not at all. Throws Error if the folder cannot be written.
+  /// Keeps the tables, completely or not at all. Throws Error if the folder cannot be written.
   void keep(const std::string& key, const std::vector<NoiseTable>& tables) const;
 
  private:

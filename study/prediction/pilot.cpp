@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t pass_samples = 1 << 20;
 
-// Keep these pictures' noise apart, and from that of previews and references.
+// Keeps the noise of these pictures independent of each other's, and of previews and references.
 constexpr std::uint32_t pilot_stream = 0x70696C6FU;
 constexpr std::uint32_t converged_stream = 0x636F6E76U;
 
@@ -25,7 +25,7 @@ double pixel_sr(const FilmSettings& film) {
   return 4.0 * std::numbers::pi / (static_cast<double>(film.width) * film.height);
 }
 
-/// A render in which only a mask's pixels are traced. The mask must outlive it.
+/// Returns a render in which only a mask's pixels are traced. The mask must outlive it.
 ProgressiveRender masked_render(const PilotSetting& setting, const SampleMask& mask,
                                 std::uint32_t seed) {
   ProgressiveRender render(setting.tracer,
@@ -37,18 +37,18 @@ ProgressiveRender masked_render(const PilotSetting& setting, const SampleMask& m
   return render;
 }
 
-/// Goes on until so many of the sampler's points were drawn. Throws Error if stopped.
+/// Renders until this many of the sampler's points were drawn. Throws Error if stopped.
 void continue_to(std::uint64_t points, const PilotSetting& setting, const ViewSampler& sampler,
                  ProgressiveRender& render) {
   while (render.points_drawn() < points) {
     if (setting.stop.stop_requested()) {
-      throw Error("pilot render", "stopped before it was finished");
+      throw Error("pilot render", "was stopped before its end");
     }
     render.advance(sampler, std::min(pass_samples, points - render.points_drawn()));
   }
 }
 
-/// Views of one size share what is kept between pictures, so they are best shown one after another.
+/// Shows views; best all those of one size in succession, as they share cached data.
 class Display {
  public:
   Display(const EquirectFilm& film, const PilotSetting& setting) : film_(film), setting_(setting) {}
@@ -78,12 +78,12 @@ class Display {
   int height_ = 0;
 };
 
-/// Of one view on one scale.
+/// Returns the expected means of one view on one scale.
 ExpectedMeans expected_of(const ConvergedMeans& expected, std::size_t view, std::size_t scale) {
   return {expected.first[view][scale], expected.second[view][scale]};
 }
 
-/// Products of differences are negative only by chance, where there is hardly any.
+/// Products of differences are negative only by chance, where there is hardly any difference.
 ChannelValues not_negative(ChannelValues noise) {
   for (double& value : noise) {
     value = std::max(0.0, value);
@@ -91,7 +91,7 @@ ChannelValues not_negative(ChannelValues noise) {
   return noise;
 }
 
-/// Before anything was sampled: black, with all that does not depend on samples.
+/// Returns the table without samples: black, with all values that do not depend on samples.
 NoiseTable unsampled_table(const JudgedCells& judged, const ExpectedMeans& expected,
                            double jnd_lab) {
   const ChannelValues black = opponent_channels(Rgb(0.0F), jnd_lab);
@@ -135,7 +135,7 @@ double geometric_mean_density(const ViewSampler& sampler, const ScaleTables& tab
 
 using ScaleEnergies = std::vector<PatchEnergies>;
 
-/// What is to be seen in the view of this number on each scale.
+/// Returns the energies in the view on each scale.
 std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
                                 const ConvergedMeans& expected, std::size_t index) {
   const auto presented = display.means(view);
@@ -148,12 +148,12 @@ std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
   return seen;
 }
 
-/// Notes what a picture after `samples` says about a level.
+/// Stores the noise of a picture after `samples` as a level.
 void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t level,
                const ScaleEnergies& seen, NoiseTable& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table[i].noise_times_density.empty()) {
-      continue;  // the method does not go there
+      continue;  // the method does not sample there
     }
     const double per_sr =
         static_cast<double>(samples) * density_around(sampler, table[i].direction);
@@ -164,8 +164,8 @@ void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t le
   }
 }
 
-/// The samples after which each level is looked at. The density is rounded to quarter octaves, so
-/// that views of about the same density are looked at in the same pictures.
+/// Returns the sample counts at which each level is judged. The density is rounded to quarter
+/// octaves, so that views of about the same density share pictures.
 std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
                                             const SampleCountLevels& levels,
                                             double density_per_sr) {
@@ -179,7 +179,7 @@ std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
   return sample_counts;
 }
 
-/// Makes room for the levels in the patches that the method goes to.
+/// Allocates the levels of the patches that the method samples.
 void begin_levels(const ViewSampler& sampler, const std::vector<std::uint64_t>& sample_counts,
                   ScaleTables& tables) {
   for (NoiseTable& table : tables) {
@@ -191,7 +191,7 @@ void begin_levels(const ViewSampler& sampler, const std::vector<std::uint64_t>& 
   }
 }
 
-/// A level of a view, and when it is there.
+/// A level of a view, and its sample count.
 struct DueLook {
   std::uint64_t samples = 0;
   std::size_t view = 0;
@@ -208,7 +208,7 @@ CellMeans means_of(Display& display, std::span<const JudgedView> views) {
   return means;
 }
 
-/// Twice the means after all samples less those after half of them.
+/// Returns twice the means after all samples less those after half of them.
 CellMeans extrapolated(const CellMeans& half, CellMeans all) {
   for (std::size_t view = 0; view < all.size(); ++view) {
     for (std::size_t scale = 0; scale < all[view].size(); ++scale) {
@@ -257,7 +257,7 @@ std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSa
     tables.push_back(unsampled_tables(views[view], expected, view, setting.jnd_lab));
     const double density = geometric_mean_density(sampler, tables.back());
     if (density == 0.0) {
-      continue;  // the method never goes there
+      continue;  // the method never samples there
     }
     const std::vector<std::uint64_t> sample_counts =
         sample_counts_of(setting.film, levels, density);

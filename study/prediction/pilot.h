@@ -1,5 +1,5 @@
-// A pilot render: the samples of a method as they really fall, traced only where they will be
-// judged, to know how noisy that is after how many of them.
+// Renders pilots: the samples of a method as they really fall, traced only where they are judged,
+// to measure the noise after each number of samples.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace foveola::study {
 
-/// What is rendered and how it is shown.
+/// Inputs of a pilot and its display.
 struct PilotSetting {
   const PathTracer& tracer;
   const Workers& workers;
@@ -28,37 +28,37 @@ struct PilotSetting {
   std::stop_token stop;
 };
 
-/// When a pilot is looked at: after about so many samples a pixel, in the geometric mean over the
-/// view's judged patches, growing by half an octave from level to level.
+/// Sample counts at which a pilot is judged: about this many samples per pixel, in the geometric
+/// mean over the view's judged patches, growing by half an octave per level.
 struct SampleCountLevels {
   double first_per_pixel = 1.0 / 32.0;
   int count = 15;  ///< up to 4 samples per pixel, beyond which noise falls as one over the samples
 };
 
-/// The means of cells in a picture, of each view on each scale.
+/// Means of cells in a picture: [view][scale][cell].
 using CellMeans = std::vector<std::vector<std::vector<ChannelValues>>>;
-/// The tables of one view, on each scale.
+/// The tables of one view, one per scale.
 using ScaleTables = std::vector<NoiseTable>;
 
-/// What views converge to, in two images whose noise is independent, so that they need few samples:
-/// see ExpectedMeans.
+/// Converged cell means in two images with independent noise, so that they need few samples: see
+/// ExpectedMeans.
 struct ConvergedMeans {
   CellMeans first;
   CellMeans second;
 };
 
-/// What the views converge to, by a sampler that was aimed and is uniform over the image where they
-/// are, around `middle`, where a pixel gets so many samples for each of the two; only the mask's
-/// pixels are traced. A display shows noisy pixels darker or lighter than their mean, by as much as
-/// one over their samples: what it shows after half of them tells how much, and this is taken away.
+/// Returns the converged means of the views, by a sampler that was aimed and is uniform over the
+/// image around `middle`, with the given samples per pixel for each of the two. Only the mask's
+/// pixels are traced. A display shows noisy pixels darker or lighter than their mean, with a bias
+/// of one over their samples; the image after half of them estimates the bias, which is subtracted.
 /// The noise is independent of every pilot's. Throws Error if stopped.
 ConvergedMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
                                const Vec3& middle, double per_pixel, const SampleMask& mask,
                                std::span<const JudgedView> views);
 
-/// The tables of each view, of the patches that have pixels in it, for one picture: each `picture`
-/// has other random numbers. expected: of the same views. A view's tables do not depend on which
-/// others are made with it. Throws Error if stopped.
+/// Returns the tables of each view, for its patches with pixels, for one picture: each `picture`
+/// has other random numbers. expected: of the same views. A view's tables do not depend on the
+/// other views. Throws Error if stopped.
 std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
                                        const SampleCountLevels& levels, std::uint32_t picture,
                                        const SampleMask& mask, std::span<const JudgedView> views,

@@ -8,7 +8,7 @@
 namespace foveola::study {
 namespace {
 
-/// A look is made again once there are so many times more samples.
+/// Growth of the samples after which a look is computed anew.
 constexpr double noticeable_growth = 1.01;
 
 }  // namespace
@@ -160,7 +160,7 @@ double PredictedFilm::artifacts_jnd(const Vec3& gaze) {
     begin_looking_around();
   }
   const NoiseTable& places = trial_.surround.front();
-  if (places.empty()) {  // of a display without enough pixels
+  if (places.empty()) {  // a display without enough pixels
     return std::numeric_limits<double>::infinity();
   }
   const auto nearest =

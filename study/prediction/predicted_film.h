@@ -1,5 +1,4 @@
-// The film of a predicted attempt, which is not rendered: the samples that each patch has got, and
-// the noise that so many leave.
+// Predicts an attempt's film without rendering it: the samples of each patch, and their noise.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +12,17 @@
 
 namespace foveola::study {
 
-/// How densely the patches of a table were sampled, by a sampler that is aimed again and again.
+/// Accumulates the sample densities of a table's patches, for a sampler that is aimed repeatedly.
 class PatchSamples {
  public:
   /// Both must outlive this.
   PatchSamples(const NoiseTable& table, const ViewSampler& sampler);
 
   void add(double samples) { pending_ += samples; }
-  /// The sampler is about to be aimed elsewhere, or was: what was added before went where it was
-  /// aimed then.
+  /// Call before or after the sampler is aimed elsewhere: earlier samples were taken with the old
+  /// aim.
   void settle();
-  /// Samples per steradian of each patch.
+  /// Returns the samples per steradian of each patch.
   std::span<const double> per_sr();
 
  private:
@@ -32,19 +31,20 @@ class PatchSamples {
   const NoiseTable& table_;
   const ViewSampler& sampler_;
   std::vector<double> settled_;
-  std::vector<double> rates_;  ///< per sample, of the present aim; empty until they are needed
+  std::vector<double> rates_;  ///< per sample, of the present aim; empty until needed
   std::vector<double> sums_;
   double pending_ = 0.0;
 };
 
-/// How densely a sampler that is aimed again and again sampled one place after another.
+/// Accumulates the sample densities of one place after another, for a sampler that is aimed
+/// repeatedly.
 class SamplesByAim {
  public:
-  /// Aims the sampler, which must outlive this, as it likes.
+  /// Changes the sampler's aim; it must outlive this.
   explicit SamplesByAim(ViewSampler& sampler) : sampler_(sampler) {}
 
   void add(double samples, const Aim& aim);
-  /// Samples per steradian at `direction`.
+  /// Returns the samples per steradian at `direction`.
   double per_sr(const Vec3& direction);
 
  private:
@@ -56,50 +56,48 @@ class SamplesByAim {
 
   ViewSampler& sampler_;
   std::vector<Aimed> aimed_;
-  Vec3 direction_{0.0F};      ///< Where it was last asked for:
-  std::size_t settled_ = 0;   ///< so many of aimed_, which get no more samples,
-  double settled_sum_ = 0.0;  ///< have so many samples per steradian there.
+  Vec3 direction_{0.0F};      ///< Place of the last query:
+  std::size_t settled_ = 0;   ///< number of aimed_ that get no more samples,
+  double settled_sum_ = 0.0;  ///< and their samples per steradian there.
 };
 
-/// What one trial is predicted with, but for the sampler and its picture of the object; it refers
-/// to all of it.
+/// Inputs of a prediction, without the sampler and its picture of the object; it refers to them.
 struct PredictedTrial {
   const Vision& vision;
   const std::vector<NoiseTable>& surround;
   const Visibility& outline_visibility;
-  const std::vector<Visibility>&
-      material_visibilities;  ///< visibilities of the material on each scale
+  const std::vector<Visibility>& material_visibilities;  ///< of the material, one per scale
   const std::vector<Visibility>& view_visibilities;
   double outline_signal_to_noise = 5.0;  ///< see outline_signal_to_noise()
-  bool follows_gaze = true;  ///< whether the sampler goes elsewhere when only the gaze moves
+  bool follows_gaze = true;  ///< whether the sampler samples elsewhere when only the gaze moves
 };
 
-/// One attempt's film, as far as it is known without rendering it.
+/// One attempt's film, predicted without rendering.
 class PredictedFilm {
  public:
-  /// facing: while marks are made, the head faces the object and the gaze is near it. picture: of
-  /// the trial's object. trial, picture and sampler must outlive this.
+  /// facing: the head faces the object while marks are made, with the gaze near it. picture: of the
+  /// trial's object. trial, picture and sampler must outlive this.
   PredictedFilm(const PredictedTrial& trial, const ObjectNoise& picture, ViewSampler& sampler,
                 const Aim& facing);
 
-  /// So many samples go where `aim` says.
+  /// Adds samples taken with the aim `aim`.
   void add(double samples, const Aim& aim);
 
-  /// What a look at the film shows of what `task` asks for.
+  /// Returns the evidence of a look at the film for `task`.
   Evidence look(Task task, const Vec3& gaze);
 
  private:
-  /// What is judged on one scale, as far as it is rendered.
+  /// The patches of one scale, as far as they are rendered.
   struct Judged {
     Judged(const NoiseTable& table, const ViewSampler& sampler);
-    /// What there is to see in it now.
+    /// Returns their present energies.
     std::span<const PatchEnergies> seen();
 
     const NoiseTable& table;
     PatchSamples samples;
     std::vector<PatchEnergies> patches;
   };
-  /// A look that need not be made again while hardly anything changed.
+  /// A cached look, reused while hardly anything changed.
   struct Look {
     Task task = Task::mark_outline;
     Vec3 gaze{0.0F};
@@ -108,8 +106,8 @@ class PredictedFilm {
   };
 
   void aim(const Aim& aim);
-  /// What went to the periphery while marks were made, all of it as if the gaze had stayed in the
-  /// object's middle: there a wandering gaze makes little difference.
+  /// Adds the periphery's samples of the marking phase, as if the gaze had stayed at the object's
+  /// centre: there a wandering gaze makes little difference.
   void begin_looking_around();
   double material_jnd(const Vec3& gaze);
   double artifacts_jnd(const Vec3& gaze);
@@ -120,7 +118,7 @@ class PredictedFilm {
   const Aim facing_;
   Judged outline_;
   std::vector<Judged> material_;
-  std::optional<SamplesByAim> around_;  ///< once it is looked around
+  std::optional<SamplesByAim> around_;  ///< set once looking around begins
   std::vector<double> jnd_of_scales_;
   double samples_ = 0.0;
   Look last_look_;

@@ -1,4 +1,4 @@
-// Which pixels of a film are worth tracing when only parts of it will be judged.
+// Selects the pixels of a film that are worth tracing if only parts of it are judged.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@ namespace foveola::study {
 
 class SampleMask {
  public:
-  /// A mask for a film of width x height pixels; holds nothing yet.
+  /// An empty mask for a film of width x height pixels.
   SampleMask(int width, int height);
 
-  /// Adds the pixels whose middles lie within radius_rad of `middle` (unit length, world), and
+  /// Adds the pixels whose centres lie within radius_rad of `middle` (unit length, world), and
   /// those up to `margin` pixels beside them, which a resampled view reads too.
   void add(const Vec3& middle, double radius_rad, int margin, const Workers& workers);
 
-  /// Takes the samples away that fall elsewhere.
+  /// Removes the samples outside of the mask.
   void keep(std::vector<ViewSample>& samples) const;
 
   std::size_t count() const;

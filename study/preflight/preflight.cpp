@@ -7,8 +7,7 @@
 namespace foveola::study {
 namespace {
 
-// How far what is found may be off what is stated, as a part of it. The sizes that monitors report
-// are rounded, and people measure theirs with a ruler.
+// Relative tolerance of sizes: monitors report rounded ones, and people measure with a ruler.
 constexpr double size_tolerance = 0.05;
 constexpr double rate_tolerance = 0.05;
 
@@ -20,7 +19,7 @@ void compare_pixels(const DisplayProfile& stated, const FoundDisplay& found,
                     std::vector<std::string>& differences) {
   const IVec2 stated_px(stated.width_px, stated.height_px);
   if (stated.kind == DisplayKind::openxr) {
-    return;  // they are what its runtime says
+    return;  // its runtime's values are the stated ones
   }
   const IVec2& shown_px = stated.kind == DisplayKind::headset ? found.window_px : found.monitor_px;
   if (shown_px != stated_px) {

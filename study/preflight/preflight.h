@@ -1,4 +1,4 @@
-// What is measured of a machine and its devices before a person's session begins.
+// Measurements of a machine and its devices before a person's session.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct TrialSpeed {
   std::string scene;
   std::string method;
   std::uint64_t frames = 0;
-  std::uint64_t late = 0;  ///< missed their refresh
+  std::uint64_t late = 0;  ///< frames that missed their refresh
   double duration_s = 0.0;
   std::uint64_t samples = 0;
 
@@ -26,24 +26,24 @@ struct TrialSpeed {
   }
 };
 
-/// What came from the eye tracker meanwhile.
+/// Gaze samples of the eye tracker during the measurement.
 struct LiveGaze {
   std::uint64_t samples = 0;
   std::uint64_t valid = 0;
   double duration_s = 0.0;
   std::optional<double> median_age_s;  ///< of the newest valid sample, frame by frame
-  std::string status;                  ///< why none come, if the tracker knows
+  std::string status;                  ///< why no samples come, if the tracker knows
 
   double rate_hz() const {
     return duration_s > 0.0 ? static_cast<double>(samples) / duration_s : 0.0;
   }
-  /// The part that is not valid, in [0, 1]; 1 if none came.
+  /// Returns the fraction of invalid samples, in [0, 1]; 1 without samples.
   double loss() const {
     return samples > 0 ? 1.0 - static_cast<double>(valid) / static_cast<double>(samples) : 1.0;
   }
 };
 
-/// The display that the window is on, as the system describes it.
+/// The window's display, as the system describes it.
 struct FoundDisplay {
   IVec2 window_px{0};  ///< the window's size
   bool is_full_screen = false;
@@ -53,26 +53,26 @@ struct FoundDisplay {
 };
 
 struct Preflight {
-  std::vector<TrialSpeed> speeds;  ///< at least one, of every scene with every method
+  std::vector<TrialSpeed> speeds;  ///< of every scene with every method; not empty
   TrackerProfile tracker;
   LiveGaze gaze;
   DisplayProfile display;
   FoundDisplay found_display;
-  DVec2 view_deg{0.0};               ///< the angles that the window shows, across and up
-  IVec2 film_px{0};                  ///< the 360-degree image's size, the narrowest of all trials'
+  DVec2 view_deg{0.0};               ///< the window's angles, across and up
+  IVec2 film_px{0};                  ///< size of the narrowest 360-degree image of any trial
   std::uint64_t free_bytes = 0;      ///< on the disk of the study's file
-  std::optional<bool> is_clock_set;  ///< whether the system synchronises it; empty: it does not say
+  std::optional<bool> is_clock_set;  ///< whether the system synchronises it; empty: unknown
 };
 
-/// How the display differs from what its profile states, in words; empty if it does not. Angles of
-/// a monitor are wrong by as much as its pixels are larger or smaller than stated.
+/// Describes the differences of the display from its profile; empty if there are none. Angles of a
+/// monitor are wrong by as much as its pixels are larger or smaller than stated.
 std::vector<std::string> display_differences(const DisplayProfile& stated,
                                              const FoundDisplay& found);
 
-/// Whether the profile's display is a headset, while the window is on something else.
+/// Returns whether the profile's display is a headset, but the window is on another display.
 bool stands_in_for_headset(const DisplayProfile& stated, const FoundDisplay& found);
 
-/// Whose eye it is: "simulated", "recorded", "pointer" or "tracked".
+/// Returns the source of the gaze: "simulated", "recorded", "pointer" or "tracked".
 const char* eye_of(TrackerSource source);
 
 }  // namespace foveola::study

@@ -16,22 +16,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Usual limits, ours, where the protocol asks for none: those that the analysis flags, or that a
-// validation of the gaze has.
+// Default limits of Foveola, where the protocol has none: those that the analysis flags, or those
+// of the gaze's validation.
 constexpr double default_late_percent = 1.0;
 constexpr double default_gaze_loss = 0.3;
 constexpr double default_gaze_age_s = 0.05;
 constexpr double default_free_gb = 1.0;
-/// Of the 360-degree image on the horizon. Where an eye looks it resolves thirty times finer, so
-/// that coarser pixels are seen as blocks however long is rendered.
+/// Of the 360-degree image on the horizon. The fovea resolves thirty times finer, so that coarser
+/// pixels look like blocks after any rendering time.
 constexpr double default_film_pixel_deg = 0.5;
-/// The part of its profile's rate at which a tracker should run.
+/// Minimum rate of a tracker, as a fraction of its profile's.
 constexpr double default_gaze_rate = 0.9;
 
 constexpr double bytes_per_gb = 1e9;
 constexpr IVec2 min_window_px{160, 120};
 
-/// By the protocol's limit if it has one, else by the usual one.
+/// Judges by the protocol's limit if it has one, else by the default one.
 PreflightVerdict judged(bool has_gate, bool is_good) {
   return is_good    ? PreflightVerdict::good
          : has_gate ? PreflightVerdict::refused
@@ -58,7 +58,7 @@ PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gat
           .verdict = judged(gate.max_late_percent.has_value(), worst->late_percent() <= limit)};
 }
 
-/// The slowest scene of each method, in the order in which the methods were measured.
+/// Returns the slowest scene of each method, in the order of the measurements.
 std::vector<TrialSpeed> slowest_by_method(const std::vector<TrialSpeed>& speeds) {
   std::vector<TrialSpeed> slowest;
   for (const TrialSpeed& speed : speeds) {
@@ -156,7 +156,7 @@ PreflightCheck check_angles(const Preflight& preflight, const PreflightGate& gat
   return check;
 }
 
-/// Nothing can be judged in a window that is hardly there, whatever a protocol asks for.
+/// A window that is too small cannot be judged, whatever the protocol requires.
 PreflightCheck check_window(const Preflight& preflight, const PreflightGate& gate) {
   const FoundDisplay& found = preflight.found_display;
   const bool has_gate = gate.full_screen;
@@ -170,7 +170,7 @@ PreflightCheck check_window(const Preflight& preflight, const PreflightGate& gat
           .verdict = judged(true, is_large && (found.is_full_screen || !has_gate))};
 }
 
-/// No protocol asks for it: the film is its own.
+/// No protocol limits it: the film is the protocol's own.
 PreflightCheck check_film(const Preflight& preflight) {
   const double pixel_deg = 360.0 / preflight.film_px.x;
   return {.name = "film",
@@ -241,7 +241,7 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-/// Within a frame, for all to see.
+/// Returns the lines within a frame.
 std::string framed(const std::vector<std::string>& lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) {
@@ -258,8 +258,8 @@ std::string framed(const std::vector<std::string>& lines) {
 std::string eye_line(const TrackerProfile& tracker) {
   const std::string eye = eye_of(tracker.source);
   return eye == "pointer"
-             ? upper_case("the mouse's pointer stands for the eye")
-             : upper_case(fmt::format("the eye is {}: nobody's gaze is measured", eye));
+             ? upper_case("the mouse pointer replaces the eye")
+             : upper_case(fmt::format("the eye is {}: no person's gaze is measured", eye));
 }
 
 }  // namespace
@@ -282,8 +282,8 @@ void require_gate(const std::vector<PreflightCheck>& checks) {
   }
   if (!missed.empty()) {
     throw Error("preflight",
-                fmt::format("misses what the protocol asks for: {}", fmt::join(missed, ", ")),
-                "nothing was begun; mend what the table says, or rehearse with --pilot");
+                fmt::format("misses the protocol's limits: {}", fmt::join(missed, ", ")),
+                "nothing was begun; mend the faults in the table, or rehearse with --pilot");
   }
 }
 
@@ -340,10 +340,10 @@ std::string preflight_banner(const Preflight& preflight, bool is_pilot) {
     }
   }
   if (has_headset_stand_in) {
-    lines.push_back(upper_case(
-        fmt::format("this window stands in for the headset {}", preflight.display.name)));
+    lines.push_back(
+        upper_case(fmt::format("this window replaces the headset {}", preflight.display.name)));
     if (is_pilot) {
-      lines.emplace_back("To rehearse as on a monitor: --display desktop --tracker pointer");
+      lines.emplace_back("To rehearse on a monitor: --display desktop --tracker pointer");
     }
   }
   return lines.empty() ? "" : framed(lines);

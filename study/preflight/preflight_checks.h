@@ -1,4 +1,4 @@
-// Whether what was measured before a session is good enough, and how that is said and kept.
+// Checks the preflight measurements against limits, and reports them.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace foveola::study {
 
 enum class PreflightVerdict {
   good,
-  warned,   ///< it misses a usual limit, which is ours
-  refused,  ///< it misses what the protocol asks for
+  warned,   ///< beyond a default limit of Foveola
+  refused,  ///< beyond the protocol's limit
 };
 
 struct PreflightCheck {
@@ -26,19 +26,19 @@ struct PreflightCheck {
 
 std::vector<PreflightCheck> check_preflight(const Preflight& preflight, const PreflightGate& gate);
 
-/// Throws Error, which names them, if checks miss what the protocol asks for.
+/// Throws Error, which names the checks, if any misses the protocol's limit.
 void require_gate(const std::vector<PreflightCheck>& checks);
 
-/// "preflight" of SessionFacts::devices: the figures and what came of them.
+/// Returns "preflight" of SessionFacts::devices: the measured values and the results of the checks.
 nlohmann::ordered_json preflight_json(const Preflight& preflight,
                                       const std::vector<PreflightCheck>& checks);
 
-/// A table of lines for the experimenter.
+/// Returns a table of lines for the experimenter.
 std::string preflight_table(const std::vector<PreflightCheck>& checks);
 
-/// What is to be read before all else, in large letters: that the eye is not a participant's, or
-/// that a monitor stands in for a headset; empty if there is nothing of the kind. is_pilot: then it
-/// names what a monitor can be rehearsed with.
+/// Returns the most important warning in capitals: the eye is not a participant's, or a monitor
+/// replaces a headset; empty if neither. is_pilot: also names the profiles for rehearsing on a
+/// monitor.
 std::string preflight_banner(const Preflight& preflight, bool is_pilot);
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// The state of the machine's disk and clock.
+// Reads the state of the machine's disk and clock.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace foveola::study {
 
-/// What an ordinary user may still write, in bytes, on the disk of the file at `path`, which need
-/// not exist; its folder must.
+/// Returns the bytes that an ordinary user may still write on the disk of the file at `path`, which
+/// need not exist; its folder must.
 std::uint64_t free_bytes_for(const std::filesystem::path& path);
 
-/// Whether something synchronises the system's clock, as the kernel says; empty if it does not say.
+/// Returns whether the kernel reports a synchronised clock; empty if it does not report.
 std::optional<bool> is_clock_synchronised();
 
-/// By which rule the first core's frequency is set, as the kernel says; empty if it does not say.
+/// Returns the kernel's frequency governor of the first core; empty if it does not report.
 std::string cpu_governor();
 
 }  // namespace foveola::study

@@ -70,7 +70,7 @@ bool matches(const std::string& key, std::string_view pattern) {
                                 : key == pattern;
 }
 
-/// An answer of the options without a value is recorded by the label.
+/// Returns whether the key is an option's label that is recorded, as the option has no value.
 bool is_recorded(const std::string& key, const Leaves& before, const Leaves& after) {
   constexpr std::string_view label = "].label";
   if (!key.ends_with(label)) {
@@ -116,7 +116,7 @@ ProtocolChanges changes_between(const std::string& before, const std::string& af
 
 ProtocolChanges changes_of_questionnaire(const std::string& before, const std::string& after,
                                          const std::string& name) {
-  // As if it stood in the protocol.
+  // As if it were in the protocol.
   const std::string key = "questionnaire[0]";
   ProtocolChanges changes =
       changes_between(leaves_of(before, name, key), leaves_of(after, name, key));

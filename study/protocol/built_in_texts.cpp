@@ -6,7 +6,7 @@ namespace foveola::study {
 namespace {
 
 constexpr std::array built_in{
-    // What every form says.
+    // Texts of every form.
     BuiltInText{"form_title", "{title} ({question} of {questions})"},
     BuiltInText{"form_optional", "(You may leave this out.)"},
     BuiltInText{
@@ -37,7 +37,7 @@ constexpr std::array built_in{
     BuiltInText{"loading_title", "One moment"},
     BuiltInText{"loading", "The next scene is being prepared."},
     BuiltInText{"loading_keys", ""},
-    // There are no built-in words for consent: only the study can say what participants agree to.
+    // Consent has no built-in text: only the study knows its content.
     BuiltInText{"consent_title", "Consent"},
     BuiltInText{"consent", ""},
     BuiltInText{"consent_confirm", "Do you agree to take part?"},

@@ -1,4 +1,4 @@
-// The built-in English words of the participant's screens.
+// The built-in English texts of the participant's screens.
 #pragma once
 
 #include <span>
@@ -13,11 +13,11 @@ struct BuiltInText {
 
 std::span<const BuiltInText> built_in_texts();
 
-/// What takes the place of some of them for who wears a headset and holds its controllers: buttons
-/// by the names of the headset's actions.
+/// Returns the texts that replace some of these in a headset: buttons by the names of the headset's
+/// actions.
 std::span<const BuiltInText> built_in_texts_in_headset();
 
-/// The ids of texts that Foveola 0.1.0 showed. Protocols in its records may have them.
+/// Returns the ids of texts that Foveola 0.1.0 showed. Protocols in its records may have them.
 std::span<const std::string_view> retired_text_ids();
 
 }  // namespace foveola::study

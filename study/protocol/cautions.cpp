@@ -19,7 +19,8 @@ namespace {
 
 using Directions = std::vector<float>;
 
-/// Where a method samples, for two views and gazes: the same of two methods only if they are one.
+/// Returns a method's sampling directions for two views and gazes: equal for two methods only if
+/// they are the same.
 Directions directions_of(const Protocol& protocol, const std::string& method) {
   constexpr std::size_t samples = 256;
   std::vector<Vec2> points;
@@ -71,7 +72,7 @@ void add_same_methods(const Protocol& protocol, const ProtocolPlaces& places,
           Error(
               places.of(fmt::format("methods[{}]", i)),
               fmt::format("'{}' is the same method as '{}', with the same settings", method, *same),
-              "leave one out, unless a method is to be compared with itself")
+              "remove one of them, unless a method is to be compared with itself")
               .what());
     }
     others.push_back(method);
@@ -83,13 +84,13 @@ void add_method_notes(const Protocol& protocol, const ProtocolPlaces& places,
   for (std::size_t i = 0; i < protocol.methods.size(); ++i) {
     for (const std::string& note : method_notes(protocol.methods[i])) {
       warnings.emplace_back(
-          Error(places.of(fmt::format("methods[{}]", i)), note, "write the shares that you mean")
+          Error(places.of(fmt::format("methods[{}]", i)), note, "write shares that add up to 1")
               .what());
     }
   }
 }
 
-/// What of a scene its pictures depend on most: its file, and where one stands in it.
+/// Returns the facts that distinguish a scene's pictures: its file and its viewpoint.
 auto view_of(const SceneSource& scene) {
   std::error_code ignored;
   const fs::path file = fs::weakly_canonical(scene.file, ignored);
@@ -110,13 +111,13 @@ void add_same_scenes(const Protocol& protocol, const std::vector<SceneSource>& s
                 fmt::format("the scene '{}' is '{}' under another name: the same view of the "
                             "file {}",
                             entry.name, known->second, scenes[i].file.string()),
-                "leave one out, unless participants are to see it twice")
+                "remove one of them, unless participants are to see it twice")
               .what());
     }
   }
 }
 
-/// A study's exposure is never chosen by what is seen, which changes with every look.
+/// A study's exposure is never automatic, as that would change with every look.
 void add_unsaid_exposures(const Protocol& protocol, const std::vector<SceneSource>& scenes,
                           std::vector<std::string>& warnings) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -124,8 +125,8 @@ void add_unsaid_exposures(const Protocol& protocol, const std::vector<SceneSourc
     if (!scenes[i].exposure_stops) {
       warnings.emplace_back(
           Error(fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column),
-                fmt::format("nothing says how bright the scene '{}' is shown: it is shown as it "
-                            "is, at 0 stops",
+                fmt::format("the scene '{}' has no exposure: it is shown at "
+                            "0 stops",
                             entry.name),
                 "write exposure_stops into its descriptor, as foveola scene describe does")
               .what());
@@ -139,13 +140,14 @@ void add_few_scenes(const Protocol& protocol, const ProtocolPlaces& places,
   if (are_random && !protocol.analysis.primary.empty() &&
       protocol.scenes.size() < min_random_scenes) {
     warnings.emplace_back(
-        Error(places.of("analysis"),
-              fmt::format("{} too few to speak of others like them: a 95 % interval covers less",
-                          protocol.scenes.size() == 1
-                              ? std::string("one scene is")
-                              : fmt::format("{} scenes are", protocol.scenes.size())),
-              fmt::format("have {} scenes, or speak of these alone: scenes = \"fixed\"",
-                          min_random_scenes))
+        Error(
+            places.of("analysis"),
+            fmt::format(
+                "{} too few to generalise to other scenes: a 95 % confidence interval undercovers",
+                protocol.scenes.size() == 1 ? std::string("one scene is")
+                                            : fmt::format("{} scenes are", protocol.scenes.size())),
+            fmt::format("use {} scenes, or limit the results to these: scenes = \"fixed\"",
+                        min_random_scenes))
             .what());
   }
 }

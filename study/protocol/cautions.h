@@ -1,4 +1,4 @@
-// What a protocol may say and hardly means: worth a warning before anybody takes part.
+// Warns of valid protocols that are probably not meant so.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace foveola::study {
 
-/// With fewer scenes, an interval for others like them covers less than its 95 %: 92 % with three,
-/// 87 % with two (data/golden/README.md).
+/// Minimum number of random scenes: with fewer, the interval for other scenes undercovers: 92 %
+/// with three, 87 % with two (data/golden/README.md).
 inline constexpr std::size_t min_random_scenes = 5;
 
-/// Warnings, each as "FILE:LINE:COLUMN: WHAT; WHAT TO DO", of methods that choose the same samples
-/// with the same settings, of hybrids whose weights do not add up to 1, of a scene under two names
-/// or without an exposure, of few scenes for a plan that takes them for random, and of screens
-/// whose words stay English. `scenes` are the protocol's, in its order.
+/// Returns warnings, each as "FILE:LINE:COLUMN: FAULT; REMEDY". They are about methods that choose
+/// the same samples with the same settings, hybrids whose weights do not add up to 1, a scene under
+/// two names or without an exposure, few scenes for a plan with random ones, and screens whose
+/// texts stay English. `scenes` are the protocol's, in its order.
 std::vector<std::string> cautions(const Protocol& protocol, const std::vector<SceneSource>& scenes);
 
 }  // namespace foveola::study

@@ -21,11 +21,11 @@ constexpr std::array measure_kinds{Word<MeasureKind>{"time", MeasureKind::time},
                                    Word<MeasureKind>{"rating", MeasureKind::rating},
                                    Word<MeasureKind>{"answer", MeasureKind::answer}};
 
-/// A label for each point, or for the two ends.
+/// Returns a label for each point, or for the two ends.
 std::string labelled_points(const Measure& measure) {
   const std::vector<double> points = measure.points();
   const std::vector<std::string>& labels = measure.question.labels;
-  // A scale of too many points to list has the labels of its ends.
+  // A scale with too many points to list has labels at its ends.
   if (labels.size() == 2 || (points.empty() && !labels.empty())) {
     return fmt::format("{:g} {} to {:g} {}", measure.question.minimum, labels.front(),
                        measure.question.maximum, labels.back());

@@ -33,10 +33,10 @@ namespace foveola::study {
 namespace {
 
 void read_all_settings(TomlReader& reader, Protocol& protocol) {
-  protocol.machine =
-      read_machine(reader.table("machine",
-                                "The machine whose speed simulated participants see, whatever "
-                                "computer runs the simulation. People see the real one."));
+  protocol.machine = read_machine(
+      reader.table("machine",
+                   "The machine's speed for simulated participants, independent of the "
+                   "computer that runs the simulation. People see the real speed."));
   protocol.display = read_display(reader.table("display", "The display."), folder_of(protocol));
   protocol.film = read_film(
       reader.table("film", "The film: the 360-degree image that samples are summed in."), {});
@@ -44,10 +44,10 @@ void read_all_settings(TomlReader& reader, Protocol& protocol) {
   protocol.timing = read_timing(reader.table("timing", "Time-outs and times."), {});
   protocol.reference = read_reference(reader.table(
       "reference", "The quality of the reference images that simulated participants expect."));
-  protocol.preflight =
-      read_preflight(reader.table("preflight",
-                                  "What has to hold before a person's session begins; what is "
-                                  "left out is measured and recorded, but not asked for."));
+  protocol.preflight = read_preflight(
+      reader.table("preflight",
+                   "Requirements before a person's session begins. Quantities without a "
+                   "requirement are measured and recorded only."));
   read_overrides(reader, protocol);
 }
 
@@ -55,13 +55,13 @@ void read_all_settings(TomlReader& reader, Protocol& protocol) {
 void refuse_old_tables(TomlReader& reader, const toml::table& table) {
   if (const toml::node* const background = table.get("background")) {
     reader.fail(background->source(),
-                "[[background]] is of an older Foveola: questionnaires have ids now",
+                "[[background]] is a table of an older Foveola; questionnaires now have ids",
                 "write [[questionnaire]] with id = \"background\", and each of these tables as a "
                 "[[questionnaire.question]] below it");
   }
 }
 
-/// The first letter alone in brackets, as in "[J] Ja"; empty if there is none.
+/// Returns the first single letter in brackets, as in "[J] Ja"; empty if there is none.
 std::string letter_key_in(std::string_view words) {
   for (std::size_t open = words.find('['); open != std::string_view::npos;
        open = words.find('[', open + 1)) {
@@ -78,7 +78,7 @@ std::string letter_key_in(std::string_view words) {
   return {};
 }
 
-/// Throws Error for words that name a key to which no page answers.
+/// Throws Error for texts that name keys which no page accepts.
 void require_true_keys(const Protocol& protocol) {
   const ProtocolPlaces places(protocol);
   const std::span<const std::string_view> retired = retired_text_ids();
@@ -91,13 +91,13 @@ void require_true_keys(const Protocol& protocol) {
     }
     if (const std::string letter = letter_key_in(words); !letter.empty()) {
       throw Error(places.of("texts." + id),
-                  fmt::format("names the key [{}], to which no page answers", letter),
-                  "name the keys that the built-in words name (foveola study keys)");
+                  fmt::format("names the key [{}], which no page accepts", letter),
+                  "name the keys of the built-in texts (foveola study keys)");
     }
   }
 }
 
-/// Throws Error for ids of marks and ratings that an analysis cannot name its files by.
+/// Throws Error for ids of marks and ratings that cannot be parts of an analysis's file names.
 void require_names_of_files(const Protocol& protocol) {
   constexpr std::size_t max_id_length = 64;
   const ProtocolPlaces places(protocol);
@@ -107,7 +107,7 @@ void require_names_of_files(const Protocol& protocol) {
       throw Error(places.of(key),
                   fmt::format("the id '{}' has {} characters, and the analysis names files by it",
                               id, id.size()),
-                  fmt::format("write at most {}", max_id_length));
+                  fmt::format("shorten it to at most {}", max_id_length));
     }
     const bool is_of_response = id == looking_around_id ||
                                 std::ranges::any_of(protocol.ratings, [&](const Question& rating) {
@@ -115,17 +115,17 @@ void require_names_of_files(const Protocol& protocol) {
                                 });
     if (is_of_response) {
       throw Error(places.of(key), fmt::format("the id '{}' is that of a response time", id),
-                  "choose another");
+                  "choose another id");
     }
     const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
       return ::strcasecmp(other.c_str(), id.c_str()) == 0;
     });
     if (same != known.end()) {
       throw Error(places.of(key),
-                  fmt::format("the id '{}' differs from '{}' in capital letters only, and so would "
+                  fmt::format("the id '{}' differs from '{}' in letter case only, and so would "
                               "the analysis's files",
                               id, *same),
-                  "give each its own");
+                  "give each an id of its own");
     }
     known.push_back(id);
   };
@@ -156,7 +156,7 @@ fs::path find_protocol(const std::string& name_or_path) {
     const std::vector<std::string> there = toml_names_if_any(folder);
     names.insert(names.end(), there.begin(), there.end());
   }
-  throw Error(name_or_path, "there is no such protocol",
+  throw Error(name_or_path, "is not a known protocol",
               did_you_mean(name_or_path, names,
                            fmt::format("give a .toml file or one of {}", fmt::join(names, ", "))));
 }
@@ -295,7 +295,7 @@ SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
     throw Error(place, error.what());
   }
   if (source.objects.empty()) {
-    throw Error(place, fmt::format("the scene '{}' names no objects to choose", entry.name),
+    throw Error(place, fmt::format("the scene '{}' has no objects to choose", entry.name),
                 "'foveola scene describe' writes a descriptor with [[object]] entries beside its "
                 "file");
   }

@@ -1,4 +1,4 @@
-// The protocol of a study: the researcher's TOML file as validated values.
+// A study's protocol: the researcher's TOML file as validated values.
 #pragma once
 
 #include <filesystem>
@@ -21,17 +21,17 @@
 
 namespace foveola::study {
 
-/// A scene that the protocol names, with the place in the file.
+/// A scene that the protocol names, with its place in the file.
 struct SceneEntry {
   std::string name;
   int line = 0;
   int column = 0;
 };
 
-/// A file that a method reads, as it was when the protocol was loaded.
+/// A method's file, as it was when the protocol was loaded.
 struct MethodFile {
   std::string method;  ///< One of Protocol::methods.
-  std::string file;    ///< As the method's text names it, relative to the protocol's folder.
+  std::string file;    ///< As named in the method's text, relative to the protocol's folder.
   std::string sha256;
   std::shared_ptr<const WeightImage> weights;
 };
@@ -47,82 +47,81 @@ struct DisplaySettings {
   std::optional<DisplayProfile> profile;
   int view_width = 112;  ///< In pixels.
   int view_height = 112;
-  /// Fields of view without the lens. If the protocol says only one, its pixels are square.
+  /// Fields of view without the lens. If the protocol has only one, its pixels are square.
   double horizontal_fov_deg = 100.0;
   double vertical_fov_deg = 100.0;
-  RadialLens lens;              ///< The lens before the eye that the protocol shows.
-  bool fill_unsampled = false;  ///< From the film's pyramid; else they are black.
+  RadialLens lens;              ///< The lens before the eye that the protocol simulates.
+  bool fill_unsampled = false;  ///< From the film's pyramid; false: they are black.
 };
 
 struct FilmSettings {
   int width = 320;  ///< Pixels of the 360-degree image.
   int height = 160;
-  int max_depth = 4;  ///< Largest number of surface vertices of a path.
-  /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. At 0, as
-  /// published, all get them.
+  int max_depth = 4;  ///< Maximum number of surface vertices of a path.
+  /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. 0, as
+  /// published: all pixels get samples.
   double adaptive_contrast = 0.0;
 
   friend bool operator==(const FilmSettings&, const FilmSettings&) = default;
 };
 
-/// The memory in bytes that a film takes once samples fell everywhere: 32 bytes a pixel
-/// (FilmTile::Pixel), and 512 bytes above each 8 x 8 pixels and each 32 x 32 (FilmTile::Node).
+/// Returns the memory in bytes of a fully sampled film: 32 bytes per pixel (FilmTile::Pixel), and
+/// 512 bytes for each 8 x 8 pixels and each 32 x 32 (FilmTile::Node).
 constexpr double memory_of(const FilmSettings& film) {
   return (32.0 + 512.0 / 64.0 + 512.0 / 1024.0) * film.width * film.height;
 }
 
-/// Validation of the gaze: before the trials, participants look at targets, and the session goes on
+/// Validation of the gaze: before the trials, participants look at targets. The session continues
 /// only if the tracker's accuracy, precision and loss of data are good enough.
 struct ValidationSettings {
   int points = 9;  ///< 9 or 5 targets.
   GazeGate gate;
   bool correct = false;  ///< Calibrate first, and correct the gaze by the result.
-  int attempts = 3;      ///< After this many failed attempts the session ends.
+  int attempts = 3;      ///< The session ends after this many failed attempts.
 };
 
 struct TrackerSettings {
   std::optional<TrackerProfile> profile;
   SimulatedTrackerSettings simulated;  ///< The tracker of simulated participants; seed 0.
   std::optional<ValidationSettings> validation;
-  /// What the gaze goes through before frames use it. The record keeps it as it came, too, and that
-  /// is what is validated.
+  /// Filter of the gaze before frames use it. The record also keeps the unfiltered gaze, which is
+  /// validated.
   GazeFilterSettings filter;
 };
 
-/// What the picture does while the participant answers a trial's ratings.
+/// The picture's behaviour while the participant answers a trial's ratings.
 enum class WhileRating {
-  converges,  ///< More samples come, as before.
-  held,       ///< It stays as it was when the first question came.
+  converges,  ///< More samples are added, as before.
+  held,       ///< It stays as it was at the first question.
   blank,      ///< It is black.
 };
 
 struct Timing {
   double mark_timeout_s = 120.0;  ///< From the first frame; later marks are right-censored.
-  double rating_s = 4.0;          ///< The least time for looking around before rating.
+  double rating_s = 4.0;          ///< Minimum time for looking around before rating.
   WhileRating while_rating = WhileRating::converges;
 
   friend bool operator==(const Timing&, const Timing&) = default;
 };
 
-/// How participants' orders are made.
+/// The source of participants' orders.
 enum class Order {
-  fixed,     ///< As the protocol lists it.
+  fixed,     ///< As listed in the protocol.
   random,    ///< Drawn anew for every participant, as published.
   latin,     ///< The rows of a cyclic Latin square.
   williams,  ///< The rows of a Williams square, which is balanced for carry-over.
 };
 
-/// A moment that the participant marks while a trial is rendered; the marks come in the protocol's
-/// order.
+/// A moment that the participant marks while a trial is rendered, in the protocol's order.
 struct MarkEntry {
   std::string id;           ///< As "outline" or "material".
   std::string instruction;  ///< The text that the participant reads before the trial.
-  /// The judgement by which simulated participants make the mark: "outline" or "material"; empty if
+  /// Judgement by which simulated participants make the mark: "outline" or "material"; empty if
   /// there is none.
   std::string simulated;
 };
 
-/// For how long a trial's object is kept.
+/// The scope of a chosen object.
 enum class ObjectChoice { per_scene, per_method };
 
 /// The settings of one trial.
@@ -152,36 +151,37 @@ struct ReactionSettings {
   double longest_wait_s = 3.0;
 };
 
-/// What follows when a mark shows that a participant did not see the trial's object.
+/// Consequence of a mark while the participant did not see the trial's object.
 enum class Remedy {
-  flag,    ///< A note in the record says so, and the analysis.
-  retime,  ///< The trial is timed again as well, up to max_retimings times.
+  flag,    ///< A note in the record and the analysis.
+  retime,  ///< The trial is also retimed, up to max_retimings times.
 };
 
-/// How often a trial is timed again because the object was not looked at: whoever then still looks
-/// elsewhere has a reason for it.
+/// Maximum number of retimings because the object was not looked at: participants who then still
+/// look elsewhere have a reason.
 inline constexpr int max_retimings = 2;
 
-/// What follows when a participant did not look at a trial's object.
+/// Consequences of not looking at a trial's object.
 struct LookingSettings {
   Remedy object_out_of_view = Remedy::flag;  ///< The view did not show the object at a mark.
   Remedy gaze_elsewhere = Remedy::flag;      ///< The gaze was elsewhere for most of the trial.
 };
 
-/// What has to hold before a person's session begins; what is empty is not asked for.
+/// Requirements before a person's session begins; empty ones are not checked.
 struct PreflightGate {
   std::optional<double> max_late_percent;        ///< Frames that miss their refresh, in each scene.
   std::optional<double> min_samples_per_second;  ///< Of the slowest method and scene.
   std::optional<double> min_gaze_rate_hz;
-  std::optional<double> max_gaze_loss;   ///< The part of samples that are not valid, in [0, 1].
-  std::optional<double> max_gaze_age_s;  ///< The median age of the newest sample in a frame.
+  std::optional<double> max_gaze_loss;   ///< Fraction of invalid samples, in [0, 1].
+  std::optional<double> max_gaze_age_s;  ///< Median age of the newest sample in a frame.
   std::optional<double> min_free_gb;     ///< On the disk of the study's file, in 10^9 bytes.
-  bool tracked_eye = false;              ///< Neither simulated nor recorded nor the pointer.
-  bool stated_display = false;           ///< The display is as its profile states.
-  std::optional<Vec2> fov_deg;           ///< What the window shows, across and up.
+  bool tracked_eye = false;              ///< Not simulated, not recorded, and not the pointer.
+  bool stated_display = false;           ///< The display matches its profile.
+  std::optional<Vec2> fov_deg;           ///< Fields of view of the window, across and up.
   double fov_tolerance_deg = 0.5;
   bool full_screen = false;
-  bool same_machine = false;  ///< As people's sessions before: processor, graphics, threads, speed.
+  bool same_machine =
+      false;  ///< As in people's earlier sessions: processor, graphics, threads, speed.
   bool same_display = false;  ///< Likewise: profile, pixels, size, distance, angles.
   bool set_clock = false;     ///< The system's clock is synchronised.
 };
@@ -194,17 +194,17 @@ struct PhaseEntry {
   std::string questionnaire;  ///< The questionnaire's id.
 };
 
-/// A comparison that the analysis plan names before there are data.
+/// A comparison of the preregistered analysis plan.
 struct PlannedComparison {
   std::string measure;   ///< The id of a mark, or of a rating in numbers.
   std::string method;    ///< Compared with `baseline`.
   std::string baseline;  ///< A method of the protocol.
 };
 
-/// Whether the comparisons of times speak of the study's scenes alone, or of others like them.
+/// Whether comparisons of times generalise to other scenes, or hold for the study's scenes only.
 enum class SceneEffects { random, fixed };
 
-/// The analysis that the comparisons of ratings are read from.
+/// The primary analysis of ratings.
 enum class RatingAnalysis { ordinal_model, signed_ranks };
 
 /// The preregistered part of the analysis; any other comparison is exploratory.
@@ -213,11 +213,11 @@ struct AnalysisPlan {
   double alpha = 0.05;
   SceneEffects scenes = SceneEffects::random;
   RatingAnalysis ratings = RatingAnalysis::ordinal_model;
-  /// The margin of equivalence tests by measure, the largest difference that does not matter: a
-  /// ratio above 1 for times, points for ratings.
+  /// Margins of equivalence tests by measure, the largest difference that does not matter: a ratio
+  /// above 1 for times, points for ratings.
   std::map<std::string, double> equivalence_margins;
-  /// Questions in numbers of the questionnaire "background", whose mean answer is a participant's
-  /// background; empty: no scale is stated, and nothing is held against one.
+  /// Numeric questions of the questionnaire "background", whose mean answer is a participant's
+  /// background; empty: background is not analysed.
   std::vector<std::string> background;
   std::optional<int> participants;  ///< The planned number.
 };
@@ -232,7 +232,7 @@ struct Protocol {
   std::string name;
   std::string title;
   std::string language = "en";     ///< BCP 47 tag of the texts.
-  Texts texts;                     ///< The words of screens that replace built-in ones.
+  Texts texts;                     ///< The texts that replace built-in ones.
   std::vector<SceneEntry> scenes;  ///< At least one, without duplicates.
   /// As make_view_sampler reads them, without duplicates; the first is the baseline.
   std::vector<std::string> methods;
@@ -255,11 +255,11 @@ struct Protocol {
   PreflightGate preflight;
   std::vector<Questionnaire> questionnaires;
   std::vector<PhaseEntry> phases;  ///< In the session's order; exactly one is trials.
-  /// The settings by scene and method that overrides change.
+  /// Settings by scene and method that overrides change.
   std::map<std::pair<std::string, std::string>, TrialSettings> cells;
   AnalysisPlan analysis;
 
-  /// A line for each key that stands under the name that it had in an earlier version.
+  /// A line for each key under an outdated name.
   std::vector<std::string> notes;
 
   std::filesystem::path path;
@@ -267,54 +267,54 @@ struct Protocol {
   std::string sha256;  ///< SHA-256 of the text.
 };
 
-/// A protocol's file: `name_or_path` itself if that is a file, else protocols/NAME.toml of the
-/// user's data folder, else of the resource folder. Throws Error, listing the known names or one
-/// that may be meant, if there is none.
+/// Returns a protocol's file: `name_or_path` itself if that is a file, else protocols/NAME.toml of
+/// the user's data folder, else of the resource folder. Throws Error, with the known names or a
+/// similar one, if there is none.
 std::filesystem::path find_protocol(const std::string& name_or_path);
 
-/// Only name, title, scenes and methods must be given; the rest has the defaults above. Files of
-/// methods are read now, and only inside the protocol's own folder, as are profiles and
-/// questionnaires that it names by a path. Throws Error with file:line:column for an unknown key, a
-/// wrong type, an impossible value or a bad file.
+/// Reads a protocol's file. Only name, title, scenes and methods are required; the rest has the
+/// defaults above. Methods' files are read now, and only inside the protocol's own folder, as are
+/// profiles and questionnaires named by a path. Throws Error with file:line:column for an unknown
+/// key, a wrong type, an impossible value or a bad file.
 Protocol load_protocol(const std::filesystem::path& path);
 
-/// Reads a protocol from a text that was kept; `path` is that of its file, for messages and for the
-/// files that it names. keys: see TomlReader.
+/// Reads a protocol from a recorded text. `path`: of its file, for messages and for the files that
+/// it names. keys: see TomlReader.
 Protocol read_protocol(const std::string& text, const std::filesystem::path& path,
                        TomlKeys* keys = nullptr);
 
-/// Reads of a study's protocol what its analysis needs, and what no file on this machine can
-/// change: scenes, methods, film and timing, orders, marks, ratings, practice and catch trials,
-/// questionnaires, and the analysis plan. All else keeps its defaults. `where` names the text in
+/// Reads the part of a study's protocol that its analysis needs, and that no file on this machine
+/// can change: scenes, methods, film and timing, orders, marks, ratings, practice and catch trials,
+/// questionnaires, and the analysis plan. The rest keeps its defaults. `where` names the text in
 /// messages; `files` has the questionnaires' files.
 Protocol read_measured_part(const std::string& text, const std::string& where,
                             const std::function<std::string(const std::string& name)>& files);
 
-/// Reads the display of a study's protocol, with the text of the profile that it names, if any, as
-/// the record keeps it: no file on this machine can change it. `where` names the text in messages.
-/// Throws Error as read_protocol does.
+/// Reads the display of a study's protocol, with the recorded text of its profile, if any: no file
+/// on this machine can change it. `where` names the text in messages. Throws Error as read_protocol
+/// does.
 DisplaySettings read_recorded_display(const std::string& text, const std::string& where,
                                       const std::string& profile_toml);
 
-/// The folder of the files that the protocol names by their paths.
+/// Returns the folder of the files that the protocol names by paths.
 std::filesystem::path folder_of(const Protocol& protocol);
 
-/// The names in a protocol: "latin"; "trials", or a questionnaire's id.
+/// Return names in a protocol: "latin"; "trials", or a questionnaire's id.
 std::string name_of(Order order);
 std::string name_of(SceneEffects scenes);
 std::string name_of(RatingAnalysis analysis);
 std::string name_of(const PhaseEntry& phase);
 
-/// The settings of a trial of this scene and method: the protocol's, overridden by the scene's,
-/// then the method's, then those of both, each only for the keys that it has.
+/// Returns the settings of a trial of this scene and method: the protocol's, overridden by the
+/// scene's, then the method's, then those of both, each only for the keys that it has.
 TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
                           const std::string& method);
 
-/// The questionnaire of this id, which must exist.
+/// Returns the questionnaire of this id, which must exist.
 const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id);
 
-/// A file that the protocol names, which comes with Foveola or lies in the protocol's folder, as
-/// TOML. `device` is "display", "tracker" or "questionnaire".
+/// A TOML file that the protocol names, from Foveola or the protocol's folder. `device`: "display",
+/// "tracker" or "questionnaire".
 struct NamedProfile {
   std::string device;
   std::string name;
@@ -322,15 +322,15 @@ struct NamedProfile {
 };
 std::vector<NamedProfile> named_profiles(const Protocol& protocol);
 
-/// The sampler of one of the protocol's methods, from the files as they were loaded: changes on the
-/// disk while a study runs have no effect.
+/// Makes the sampler of one of the protocol's methods, from its loaded files: changes on the disk
+/// while a study runs have no effect.
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method);
 
 /// Finds a scene of the protocol, beside the protocol first. Throws Error with file:line:column if
-/// it cannot be found, has no viewpoint, or names no objects to choose.
+/// it cannot be found, has no viewpoint, or has no objects to choose.
 SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
                           const SceneFinderBeside& find_scene);
-/// All of them, in the protocol's order.
+/// Finds all scenes, in the protocol's order.
 std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinderBeside& find_scene);
 
 }  // namespace foveola::study

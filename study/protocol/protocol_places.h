@@ -1,4 +1,4 @@
-// The places of a protocol's keys in its file, for messages about several keys together.
+// Finds the places of a protocol's keys in its file, for messages about several keys together.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ class ProtocolPlaces {
  public:
   explicit ProtocolPlaces(const Protocol& protocol);
 
-  /// FILE:LINE:COLUMN of the value at a TOML path, as "rating[1].maximum" or
+  /// Returns FILE:LINE:COLUMN of the value at a TOML path, as "rating[1].maximum" or
   /// "analysis.primary[0].measure"; FILE alone if there is none.
   std::string of(const std::string& toml_path) const;
 

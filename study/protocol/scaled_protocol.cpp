@@ -14,7 +14,7 @@ constexpr int min_pixels_aside = 8;
 int scaled_side(int side, double scale) {
   const int scaled = static_cast<int>(std::lround(side / std::sqrt(scale)));
   if (scaled < min_pixels_aside) {
-    throw UsageError("--scale", fmt::format("leaves {} pixels of {}; {} are the fewest", scaled,
+    throw UsageError("--scale", fmt::format("leaves {} pixels of {}; the minimum is {}", scaled,
                                             side, min_pixels_aside));
   }
   return scaled;
@@ -25,16 +25,17 @@ double pixels_of(const FilmSettings& film) {
 }
 
 void scale_film(FilmSettings& film, double scale) {
-  // Of 9 degrees each: hardly an object is as large as one, and none has an outline.
+  // Pixels of 9 degrees each: hardly an object is as large, and none has an outline.
   constexpr double min_pixels = 500.0;
   const std::string full = fmt::format("{} x {}", film.width, film.height);
   film.width = scaled_side(film.width, scale);
   film.height = scaled_side(film.height, scale);
   if (pixels_of(film) < min_pixels) {
-    throw UsageError("--scale",
-                     fmt::format("leaves a film of {} x {} pixels of one of {}, on which nothing "
-                                 "can be made out; choose one that leaves {:.0f} pixels or more",
-                                 film.width, film.height, full, min_pixels));
+    throw UsageError(
+        "--scale",
+        fmt::format("leaves a film of {} x {} pixels of one of {}, on which nothing "
+                    "can be recognised; choose a scale that leaves {:.0f} pixels or more",
+                    film.width, film.height, full, min_pixels));
   }
 }
 

@@ -8,7 +8,7 @@
 namespace foveola::study {
 namespace {
 
-/// Nothing if there is none.
+/// Returns null if there is none.
 const BuiltInText* find_built_in(std::string_view id) {
   const std::span<const BuiltInText> all = built_in_texts();
   const auto found =

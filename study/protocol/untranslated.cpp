@@ -19,7 +19,7 @@ bool is_english(const std::string& language) {
   return tag == "en" || tag == "eng";
 }
 
-/// Whether a text has letters outside of the names that are filled in.
+/// Returns whether a text has letters outside of its names in braces.
 bool has_words(std::string_view text) {
   bool is_name = false;
   return std::any_of(text.begin(), text.end(), [&](unsigned char letter) {

@@ -1,4 +1,4 @@
-// The words of a protocol's screens that stay English although the protocol is of another language.
+// Finds screen texts that stay English although the protocol is in another language.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 namespace foveola::study {
 
 struct UntranslatedTexts {
-  /// The keys of the protocol under which its own words would stand: "texts.welcome", "mark",
-  /// "rating"; "questionnaire[0].file" for a questionnaire that comes with Foveola.
+  /// Keys of the protocol under which its own texts would be: "texts.welcome", "mark", "rating";
+  /// "questionnaire[0].file" for a questionnaire that comes with Foveola.
   std::vector<std::string> keys;
-  std::size_t of = 0;  ///< How many such keys there are, translated or not.
+  std::size_t of = 0;  ///< Number of such keys, translated or not.
 };
 
-/// No keys if the protocol's language is English, of whatever country. Built-in texts without a
-/// word in them need no translation, and do not count.
+/// Returns no keys if the protocol's language is English, of any country. Built-in texts without a
+/// word need no translation, and do not count.
 UntranslatedTexts untranslated_texts(const Protocol& protocol);
 
 }  // namespace foveola::study

@@ -9,7 +9,7 @@
 namespace foveola::study {
 namespace {
 
-/// The oldest records do not keep when a frame was presented, but repeat when it was begun.
+/// The oldest records lack the time of a frame's presentation, and repeat that of its beginning.
 std::optional<Nanoseconds> first_presented(const std::vector<FrameRow>& frames) {
   const bool is_kept = !frames.empty() && frames.front().presented > frames.front().time;
   return is_kept ? std::optional(frames.front().presented) : std::nullopt;

@@ -1,5 +1,5 @@
-// A recorded attempt shown again: its film is rendered from the recorded frames, and compared with
-// the recorded hashes.
+// Replays a recorded attempt: renders its film from the recorded frames, and compares it with the
+// recorded hashes.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace foveola::study {
 
-/// What is shown again; what is referred to must outlive the attempt.
+/// Inputs of a replayed attempt; everything referred to must outlive it.
 struct AttemptReplaySetting {
   const SceneStage& stage;
   const Workers& workers;
@@ -24,9 +24,9 @@ struct AttemptReplaySetting {
   std::unique_ptr<ViewSampler> sampler;
   std::uint32_t seed = 0;  ///< the seed of the sample points and light paths
   RecordedFrames recorded;
-  ReplayedAttempt attempt;        ///< which attempt it is
-  std::filesystem::path picture;  ///< the file that gets its last view; empty: none
-  /// What came of it, once all its frames are rendered.
+  ReplayedAttempt attempt;        ///< identifies the attempt
+  std::filesystem::path picture;  ///< file for its last view; empty: none
+  /// Receives the result once all frames are rendered.
   std::function<void(const ReplayedAttempt& attempt)> report;
 };
 
@@ -34,7 +34,7 @@ class AttemptReplay final : public AttemptPort {
  public:
   explicit AttemptReplay(AttemptReplaySetting setting);
 
-  /// The first time: returns when the first frame was presented, as far as that is recorded.
+  /// The first call returns the time of the first presented frame, as far as that is recorded.
   Nanoseconds show(Nanoseconds until) override;
   /// Renders all its frames.
   void complete_record() override;
@@ -46,11 +46,11 @@ class AttemptReplay final : public AttemptPort {
   void write_picture() const;
 
   AttemptReplaySetting setting_;
-  // Nobody watches: where head and eye were is in the frames.
+  // A placeholder: head and eye are in the recorded frames.
   FixedEyeTracker eye_{Vec3(0.0F, 0.0F, -1.0F)};
   SimulatedHeadTracker head_{[](Nanoseconds) { return AzimuthElevation{}; }};
   Preview preview_;
-  std::optional<Nanoseconds> first_presented_;  ///< empty once it is shown
+  std::optional<Nanoseconds> first_presented_;  ///< empty once it was returned
 };
 
 }  // namespace foveola::study

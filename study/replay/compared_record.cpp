@@ -18,7 +18,7 @@ std::future<void> ComparedRecord::record(SessionEntry entry) {
   if (made != nullptr && !is_at_end()) {
     const std::string words = words_for(made->time, made->event);
     if (words != words_for(next().time, next().event)) {
-      differ("the session driven again makes " + words);
+      differ("the replayed session makes " + words);
     }
     ++next_;
   }

@@ -1,5 +1,4 @@
-// The record of a session that is driven again: compares each event that the driver makes with the
-// one that was recorded.
+// Compares each event that a replayed session makes with the recorded one.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +12,26 @@ namespace foveola::study {
 
 class ComparedRecord final : public SessionRecorder {
  public:
-  /// events: what was recorded; must outlive this.
+  /// events: the recorded ones; must outlive this.
   explicit ComparedRecord(const std::vector<LoggedEvent>& events) : events_(events) {}
 
-  /// What is made after the last recorded event is not compared: the program that recorded them
-  /// ended there.
+  /// Events after the last recorded one are not compared: the recording program ended there.
   std::future<void> record(SessionEntry entry) override;
 
   bool is_at_end() const { return next_ == events_.size(); }
-  /// The event that has to be made next; not at the end.
+  /// Returns the next expected event; not at the end.
   const LoggedEvent& next() const { return events_[next_]; }
-  /// How many events were made, or stood in the place of recorded ones.
+  /// Number of events that were made, or replaced recorded ones.
   std::size_t made() const { return next_; }
-  /// The notes that come next, behind the session's start if that does.
+  /// Returns the notes that come next, after the session's start if that is next.
   std::vector<std::string> next_notes() const;
-  /// The time of the next event, at the end that of the last; session clock.
+  /// Returns the time of the next event, at the end that of the last; session clock.
   Nanoseconds time() const;
 
-  /// The session cannot make the next event. Unless there was a difference before, this is it.
+  /// Reports that the session cannot make the next event: the first difference, unless there is
+  /// one.
   void differ(const std::string& how);
-  /// The first difference, with the event's number; empty if there is none.
+  /// Returns the first difference, with the event's number; empty if there is none.
   const std::string& difference() const { return difference_; }
 
  private:

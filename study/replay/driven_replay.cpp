@@ -11,7 +11,7 @@
 namespace foveola::study {
 namespace {
 
-/// An attempt of which nothing is shown: frames come when the driver waits for them.
+/// An attempt that is not shown: frames come when the driver waits for them.
 class UnseenAttempt final : public AttemptPort {
  public:
   Nanoseconds show(Nanoseconds until) override { return until; }
@@ -19,7 +19,7 @@ class UnseenAttempt final : public AttemptPort {
   std::uint64_t non_finite() const override { return 0; }
 };
 
-/// One run of the program that recorded the session, until it was interrupted or died.
+/// One run of the program that recorded the session, until its interruption or death.
 class ReplayedRun final : private ClockPort, private DisplayPort, private InputPort {
  public:
   ReplayedRun(const DrivenRecord& record, const DrivenSession& run, ComparedRecord& compared,
@@ -29,8 +29,7 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
         stop_(stop),
         driver_(run, *this, *this, *this, compared) {}
 
-  /// Returns whether it ended with an interruption, as recorded: a stop that is asked for now is
-  /// none.
+  /// Returns whether it ended with an interruption, as recorded: a stop requested now is not one.
   bool run() { return driver_.run({}).phase == Phase::interrupted; }
 
  private:
@@ -63,14 +62,14 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
       driver.leave();
     } else if (!waits_for(compared_.next().event) && !make(compared_.next().event)) {
       compared_.differ(
-          fmt::format("the session driven again is {} and cannot make it", name_of(phase())));
+          fmt::format("the replayed session is {} and cannot make it", name_of(phase())));
       driver.leave();
     }
   }
 
   Phase phase() const { return driver_.state().phase; }
 
-  /// Whether the driver makes the event by itself in time.
+  /// Returns whether the driver makes the event by itself in time.
   bool waits_for(const Event& event) const {
     return (std::holds_alternative<FirstFramePresented>(event) && phase() == Phase::armed) ||
            (std::holds_alternative<TimedOut>(event) && phase() == Phase::marking);
@@ -90,7 +89,7 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
     return compared_.made() != before;
   }
 
-  /// The program died in an attempt: what is recorded of it has been shown.
+  /// Leaves an attempt in which the program died, after its recorded part has been shown.
   void leave_attempt() {
     if (attempt_ != nullptr) {
       attempt_->complete_record();
@@ -100,12 +99,12 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
   const DrivenRecord& record_;
   ComparedRecord& compared_;
   std::stop_token stop_;
-  AttemptPort* attempt_ = nullptr;  ///< the driver's, while it goes on
-  Nanoseconds shown_{0};            ///< session clock: the newest frame that the driver waited for
+  AttemptPort* attempt_ = nullptr;  ///< the driver's, while it lasts
+  Nanoseconds shown_{0};  ///< session clock: time of the newest frame that the driver waited for
   SessionDriver driver_;
 };
 
-/// The protocol of the run that begins with `notes`.
+/// Returns the protocol of the run that begins with `notes`.
 Protocol protocol_of_run(const DrivenRecord& record, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     if (const std::optional<Amendment> amendment = amendment_in(note)) {

@@ -1,5 +1,5 @@
-// A recorded session driven again: the driver's clock shows the recorded times, its input gives the
-// recorded answers, and the events that it makes are compared with the recorded ones.
+// Drives a recorded session again: the clock shows the recorded times, the input gives the recorded
+// answers, and the resulting events are compared with the recorded ones.
 #pragma once
 
 #include <functional>
@@ -12,19 +12,19 @@
 
 namespace foveola::study {
 
-/// What is driven again; all of it must outlive the drive.
+/// Inputs of the drive; all must outlive it.
 struct DrivenRecord {
   const RecordedSession& session;
   const Protocol& protocol;
-  /// The protocol by which the session went on after its words or times were amended.
+  /// Returns the protocol that the session followed after an amendment.
   std::function<Protocol(const Amendment& amendment)> amended;
-  /// Shows an attempt, all of whose frames are shown once it has finished. Null: it is not shown.
+  /// Begins to show an attempt, all of whose frames are shown once it has finished. Null: attempts
+  /// are not shown.
   std::function<std::unique_ptr<AttemptPort>(const RecordedAttempt& attempt)> begin_attempt;
 };
 
-/// Drives the session, run by run of the program that recorded it, until its record ends or `stop`
-/// is requested. Returns how the first event that is another one differs; empty if all are the
-/// same.
+/// Drives the session, run by run of the recording program, until its record ends or `stop` is
+/// requested. Returns a description of the first differing event; empty if all are equal.
 std::string drive_again(const DrivenRecord& record, const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -30,19 +30,20 @@ std::vector<RecordedAttempt> chosen_attempts(const RecordedSession& session,
   });
   if (chosen.empty()) {
     throw Error(settings.database.string(),
-                fmt::format("participant {} made no such attempt", settings.participant),
-                "leave --trial and --attempt out to see them all; the first trial is 0");
+                fmt::format("participant {} has no such attempt", settings.participant),
+                "remove --trial and --attempt to see all attempts; the first trial is 0");
   }
   return chosen;
 }
 
-/// As it was shown: a simulated session may have been scaled, or of another machine.
+/// Returns the protocol as it was shown: a simulated session may have been scaled, or of another
+/// machine.
 Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& session) {
   if (session.simulation && session.simulation->predicted) {
     throw Error(settings.database.string(),
                 fmt::format("the session of participant {} was predicted, not rendered",
                             settings.participant),
-                "replay one that was simulated without --predicted");
+                "replay a session that was simulated without --predicted");
   }
   Protocol protocol = read_recorded_protocol(settings.database, settings.folder);
   return session.simulation ? simulated_protocol(std::move(protocol), *session.simulation)
@@ -56,22 +57,22 @@ bool has_same_pictures(const RecordedSession& session) {
 std::string why_approximate(const RecordedSession& session, const Protocol& protocol) {
   const std::string now = program_name(build_info());
   if (!has_same_pictures(session)) {
-    return fmt::format("its pictures are of {}, and this is {}: no film is compared",
+    return fmt::format("its pictures are of {}, but this is {}: no film is compared",
                        programs_in_words(session.programs), now);
   }
   if (session.programs != std::vector{now}) {
-    return fmt::format("it was shown by {}, and this is {}", programs_in_words(session.programs),
+    return fmt::format("it was shown by {}, but this is {}", programs_in_words(session.programs),
                        now);
   }
   if (const std::string processor = machine_info().processor; session.processor != processor) {
-    return fmt::format("it was shown on {}, and this is {}", session.processor, processor);
+    return fmt::format("it was shown on {}, but this is {}", session.processor, processor);
   }
   const bool is_adaptive =
       std::any_of(session.plan.begin(), session.plan.end(), [&](const PlannedTrial& trial) {
         return settings_of(protocol, trial.scene, trial.method).film.adaptive_contrast > 0.0;
       });
   if (is_adaptive && session.known.kind != SessionKind::simulated) {
-    return "adaptive sampling followed what had come within a frame, which the record does not "
+    return "adaptive sampling depended on samples within a frame, which the record does not "
            "keep";
   }
   return {};
@@ -133,7 +134,7 @@ class Replay {
         .report = std::move(report)});
   }
 
-  /// Of the same design, so that only what is waited for may differ.
+  /// Returns the amended protocol, of the same design: only durations and texts may differ.
   Protocol amended_protocol(const Amendment& amendment) const {
     return read_protocol(amendment.text, settings_.folder / (protocol_.name + ".toml"));
   }
@@ -155,7 +156,7 @@ class Replay {
                                                   attempt.attempt);
   }
 
-  /// Loaded when it is first needed.
+  /// Returns the stage, loaded at the first call.
   const SceneStage& stage_of(const std::string& scene) {
     if (!stages_.contains(scene)) {
       SceneStages loaded;

@@ -21,14 +21,15 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 using Result = std::optional<Transition>;
 
-/// Whether an attempt at a trial is going on.
+/// Returns whether an attempt at a trial is running.
 bool is_rendering(Phase phase) {
   return phase == Phase::armed || phase == Phase::marking || phase == Phase::rating;
 }
 
 bool is_left_off(Phase phase) { return phase == Phase::paused || phase == Phase::interrupted; }
 
-/// The state in which a step of the agenda begins; behind the last, the session is completed.
+/// Returns the state in which a step of the agenda begins; after the last, the session is
+/// completed.
 SessionState at_step(const Procedure& procedure, std::size_t step, const std::string& object) {
   SessionState state;
   state.step = step;
@@ -60,7 +61,7 @@ const std::string& questionnaire_at(const Procedure& procedure, const SessionSta
   return std::get<QuestionnaireStep>(procedure.agenda[state.step]).questionnaire;
 }
 
-/// What is asked of the participant in a state that waits for an answer.
+/// Returns the effects that ask for the answer which the state awaits.
 std::vector<Effect> asking(const Procedure& procedure, const SessionState& state) {
   switch (state.phase) {
     case Phase::consent:
@@ -91,7 +92,7 @@ Transition next_step(const Procedure& procedure, const SessionState& state) {
   return ask(procedure, at_step(procedure, state.step + 1, state.object));
 }
 
-/// The same trial, not yet begun again.
+/// Returns the state of the same trial before its next attempt.
 SessionState before_next_attempt(const Procedure& procedure, const SessionState& state) {
   SessionState again = at_step(procedure, state.step, state.object);
   again.phase = Phase::ready;
@@ -100,12 +101,12 @@ SessionState before_next_attempt(const Procedure& procedure, const SessionState&
   return again;
 }
 
-/// What an attempt that goes on has to end with.
+/// Returns the effects that end a running attempt.
 std::vector<Effect> stop_rendering(Phase phase) {
   return is_rendering(phase) ? std::vector<Effect>{StopRendering{}} : std::vector<Effect>{};
 }
 
-/// A pause, or an end: where the session can go on from is kept.
+/// Leaves for a pause or an end, and keeps the place to resume from.
 Transition leave_off(const Procedure& procedure, SessionState state, Phase phase,
                      const Effect& last) {
   std::vector<Effect> effects = stop_rendering(state.phase);
@@ -120,7 +121,7 @@ Transition leave_off(const Procedure& procedure, SessionState state, Phase phase
   return {.state = std::move(state), .effects = std::move(effects)};
 }
 
-/// What each event does; of those in a state that is over, EndUndone alone.
+/// The transition of each event. In a finished state only EndUndone has one.
 class Step {
  public:
   Step(const Procedure& procedure, const SessionState& state)
@@ -281,13 +282,13 @@ class Step {
   }
 
  private:
-  /// The event is of this phase alone.
+  /// Runs `work` if the event belongs to this phase.
   template <typename Work>
   Result in(Phase phase, const Work& work) const {
     return state_.phase == phase ? Result(work()) : std::nullopt;
   }
 
-  /// The mark that is waited for, or its time-out.
+  /// Handles the awaited mark, or its time-out.
   Result mark(Nanoseconds time, std::vector<Effect> effects) const {
     return in(Phase::marking, [&]() -> Result {
       if (time < state_.last_mark) {

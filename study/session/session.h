@@ -1,4 +1,4 @@
-// The procedure as a pure state machine: what a session is waiting for, and what each event does.
+// The procedure as a pure state machine: the phases of a session, and the effects of each event.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ enum class Phase {
   created,
   consent,          ///< waiting for the participant's consent
   questionnaire,    ///< waiting for a form's answers
-  validation,       ///< waiting for how well the tracker sees the gaze
-  reaction,         ///< waiting for a key press at what appears
+  validation,       ///< waiting for the gaze's validation
+  reaction,         ///< waiting for a key press at a stimulus
   choosing_object,  ///< waiting for the choice of an object of the trial's scene
   ready,            ///< waiting for the participant to start the trial
-  armed,            ///< rendering was asked for; waiting for its first frame to be presented
+  armed,            ///< rendering was requested; waiting for its first frame
   marking,          ///< waiting for the next mark
   rating,           ///< looking around, waiting for the rating
   paused,
@@ -29,7 +29,7 @@ enum class Phase {
   completed,
   withdrawn,
   excluded,
-  refused,  ///< by the protocol's gate: the tracker did not see the gaze well enough
+  refused,  ///< by the protocol's gate: the gaze was not tracked well enough
 };
 
 const char* name_of(Phase phase);
@@ -37,14 +37,14 @@ const char* name_of(Phase phase);
 /// One look at all of a validation's targets.
 struct GazeRun {
   GazeQuality quality;
-  std::optional<GazeCorrection> correction;  ///< what the gaze went through; empty: nothing
+  std::optional<GazeCorrection> correction;  ///< the gaze's correction during the run; empty: none
   bool passed = false;                       ///< whether it passed the protocol's gate
 };
 
-// What can happen. Times are of the session's clock.
+// Events. Times are of the session's clock.
 struct SessionStarted {};
 struct ConsentGiven {
-  std::string text_sha256;  ///< of the text that was agreed to; empty in records that do not say it
+  std::string text_sha256;  ///< of the text that was agreed to; empty in records without it
   std::string language;     ///< BCP 47 tag of the text
 };
 /// Consent to the protocol's text.
@@ -57,14 +57,14 @@ struct GazeValidated {
   std::vector<GazeRun> runs;  ///< in the order of time
   bool passed = false;
 };
-/// What the gaze goes through from now on: what the last run went through, if it passed.
+/// Returns the gaze's correction after a validation: that of its last run, if it passed.
 std::optional<GazeCorrection> correction_after(const GazeValidated& validation);
 
-/// A press at what appeared at `shown`. One before that is a false start: kept, and asked for
-/// again.
+/// A press at the stimulus shown at `shown`. An earlier press is a false start: recorded, and asked
+/// for again.
 struct ReactionPressed {
   Nanoseconds shown{0};
-  Nanoseconds time{0};  ///< when the key went down
+  Nanoseconds time{0};  ///< time of the key press
 };
 struct ObjectChosen {
   std::string object;
@@ -73,24 +73,24 @@ struct TrialStarted {};
 struct FirstFramePresented {
   Nanoseconds time{0};
 };
-/// The mark that is waited for was made.
+/// The awaited mark was made.
 struct Marked {
   Nanoseconds time{0};
 };
-/// The mark that is waited for did not come in time: it is right-censored.
+/// The awaited mark was not made in time: it is right-censored.
 struct TimedOut {
   Nanoseconds time{0};
 };
 struct Rated {
-  std::vector<Answer> answers;  ///< one to each of the protocol's ratings
-  /// From the last mark, or its time-out, until the questions came; empty if it was not measured.
+  std::vector<Answer> answers;  ///< one per rating of the protocol
+  /// From the last mark, or its time-out, until the questions; empty if it was not measured.
   std::optional<Nanoseconds> looked_around{};
 };
-/// The timing failed: the whole method is timed again, with the same object.
+/// The timing failed: the whole method is retimed, with the same object.
 struct RetimeRequested {};
 struct PauseRequested {};
 struct Interrupted {};
-/// After a pause or an interruption: a trial that had begun is timed again.
+/// Continues after a pause or an interruption: a trial that had begun is retimed.
 struct Resumed {};
 /// Written by the experimenter, at any time.
 struct NoteWritten {
@@ -100,10 +100,9 @@ struct Withdrawn {};
 struct Excluded {
   std::string reason;
 };
-/// Takes back a withdrawal or an exclusion, as long as nothing has happened since: the session is
-/// then paused.
+/// Undoes a withdrawal or an exclusion that is the last event: the session is then paused.
 struct EndUndone {};
-/// Consent is asked for anew once the session is resumed, since its text has changed.
+/// Asks for consent anew in a resumed session, because its text has changed.
 struct ConsentAsked {};
 
 using Event = std::variant<SessionStarted, ConsentGiven, QuestionnaireAnswered, GazeValidated,
@@ -111,17 +110,16 @@ using Event = std::variant<SessionStarted, ConsentGiven, QuestionnaireAnswered, 
                            TimedOut, Rated, RetimeRequested, PauseRequested, Interrupted, Resumed,
                            NoteWritten, Withdrawn, Excluded, EndUndone, ConsentAsked>;
 
-/// The name that records use: "session_started", "consent_given", "questionnaire_answered",
-/// "gaze_validated", "reaction_pressed", "object_chosen", "trial_started",
-/// "first_frame_presented", "marked", "timed_out", "rated", "retime_requested", "pause_requested",
-/// "interrupted", "resumed", "note_written", "withdrawn", "excluded", "end_undone",
-/// "consent_asked".
+/// Returns the name in records: "session_started", "consent_given", "questionnaire_answered",
+/// "gaze_validated", "reaction_pressed", "object_chosen", "trial_started", "first_frame_presented",
+/// "marked", "timed_out", "rated", "retime_requested", "pause_requested", "interrupted", "resumed",
+/// "note_written", "withdrawn", "excluded", "end_undone", "consent_asked".
 const char* name_of(const Event& event);
 
-/// When an event happened: some carry their own time.
+/// Returns the time of an event: its own if it carries one, else `now`.
 Nanoseconds time_of(const Event& event, Nanoseconds now);
 
-// What the controller then does, in this order, after the event is durable.
+// Effects: the controller's next actions, in this order, after the event is durable.
 struct AskForConsent {};
 struct AskQuestionnaire {
   std::string questionnaire;
@@ -141,23 +139,24 @@ using Effect = std::variant<AskForConsent, AskQuestionnaire, ValidateGaze, AskFo
                             AskForObject, AskWhetherReady, StartRendering, AcknowledgeMark,
                             AskForRating, StopRendering, ShowPause, EndSession>;
 
-/// All that an event's meaning depends on. A session's state follows from its agenda and the events
-/// so far, so that it is made again from the record after a crash.
+/// Everything that the meaning of an event depends on. It follows from a session's agenda and its
+/// events so far, so that it can be restored from the record after a crash.
 struct SessionState {
   Phase phase = Phase::created;
-  std::size_t step = 0;        ///< index into the agenda; its size once completed
-  int validations_left = 0;    ///< how many validations this step still allows, the next included
-  int presses_left = 0;        ///< how many presses this step still asks for, the next included
-  int attempt = 1;             ///< attempt at the trial; counts up when it has to be done again
-  int timing = 1;              ///< counts up only when an attempt was asked to be retimed
-  std::size_t mark = 0;        ///< index of the mark that is waited for
-  std::string object;          ///< name of the object that was chosen last
-  Nanoseconds first_frame{0};  ///< when the attempt's first frame was presented
-  Nanoseconds last_mark{0};    ///< time of the last mark or time-out, at first the first frame's
-  /// Where a pause, an interruption or an end that is undone leads back to. An attempt that had
-  /// begun ends with them: then `ready`.
+  std::size_t step = 0;      ///< index into the agenda; its size once completed
+  int validations_left = 0;  ///< remaining validations of this step, including the next
+  int presses_left = 0;      ///< remaining presses of this step, including the next
+  int attempt = 1;           ///< number of the attempt at the trial
+  int timing =
+      1;  ///< number of requested timings; counts only attempts that were asked to be retimed
+  std::size_t mark = 0;        ///< index of the awaited mark
+  std::string object;          ///< name of the last chosen object
+  Nanoseconds first_frame{0};  ///< time of the attempt's first frame
+  Nanoseconds last_mark{0};    ///< time of the last mark or time-out, at first of the first frame
+  /// Phase after a pause, an interruption or an undone end. These end an attempt that had begun:
+  /// then `ready`.
   Phase resumes_at = Phase::created;
-  /// Where consent leads to that is asked for anew.
+  /// Phase after consent that is asked for anew.
   Phase after_consent = Phase::created;
 
   bool is_over() const {
@@ -167,10 +166,10 @@ struct SessionState {
   friend bool operator==(const SessionState&, const SessionState&) = default;
 };
 
-/// What the machine knows of a protocol.
+/// The protocol, as far as the state machine needs it.
 struct Procedure {
   Agenda agenda;
-  std::size_t marks = 2;  ///< how many marks a trial has, at least one
+  std::size_t marks = 2;  ///< number of marks per trial, at least one
   std::vector<Question> ratings;
 };
 
@@ -181,13 +180,13 @@ struct Transition {
   std::vector<Effect> effects;
 };
 
-/// The state after `event`. Empty if the event is not allowed in this state: a mark skipped, a
-/// second rating, a mark earlier than what came before it, another questionnaire than was asked,
-/// ratings that do not answer what was asked.
+/// Returns the state after `event`. Empty if the event is not allowed in this state: a skipped
+/// mark, a second rating, a mark earlier than the previous event, another questionnaire than was
+/// asked, ratings that do not match the questions.
 std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
                                const Event& event);
 
-/// The index in the plan of the trial that the state is in; empty if it is in none, or over.
+/// Returns the index in the plan of the state's trial; empty if it is in none, or over.
 std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state);
 
 }  // namespace foveola::study

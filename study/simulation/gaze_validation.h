@@ -1,4 +1,4 @@
-// The validation of a simulated participant's gaze, in virtual time.
+// Validates a simulated participant's gaze, in virtual time.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace foveola::study {
 
-/// Shows the protocol's targets, which the participant looks at, and watches through its tracker:
-/// once, or, if a correction is asked for, once to fit it and once through it. protocol: with
-/// validation. Advances `clock` frame by frame. Empty if a stop was requested.
+/// Shows the protocol's targets to the participant, and records its tracker's gaze: once, or, with
+/// a correction, once to fit it and once through it. protocol: with validation. Advances `clock`
+/// frame by frame. Empty if a stop was requested.
 std::optional<GazeValidated> validate_gaze(const Protocol& protocol, Participant& participant,
                                            std::uint32_t tracker_seed, VirtualClock& clock,
                                            const std::stop_token& stop);
 
-/// participant: must outlive the tracker. seed: of the tracker's noise and losses.
+/// Returns the participant's tracker. participant must outlive it. seed: of its noise and losses.
 std::unique_ptr<EyeTracker> watch(Participant& participant, const TrackerSettings& settings,
                                   std::uint32_t seed,
                                   const std::optional<GazeCorrection>& correction);

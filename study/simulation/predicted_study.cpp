@@ -10,8 +10,8 @@
 namespace foveola::study {
 namespace {
 
-/// From the eye to a frame: the tracker's latency, half an interval between its samples, and what
-/// losses add to that in the mean.
+/// Returns the mean delay from the eye to a frame: the tracker's latency, half an interval between
+/// its samples, and the mean delay by losses.
 Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
   const double lost = std::min(tracker.data_loss, 0.99);
   const double intervals = 0.5 + lost / (1.0 - lost);
@@ -158,7 +158,7 @@ std::uint64_t PredictedAttempt::frame_at(Nanoseconds time) const {
 void PredictedAttempt::render_until(std::uint64_t frames) {
   if (sight_) {
     const auto samples = static_cast<double>(samples_until(frames) - samples_until(frames_));
-    // The frames of one glance are taken as one, aimed as in their midst.
+    // The frames of one glance are added at once, with the aim at their midpoint.
     const Nanoseconds begin = presented(frames_);
     sight_->add(samples, aim(begin + (presented(frames - 1) - begin) / 2));
   }

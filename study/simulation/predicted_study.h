@@ -1,4 +1,4 @@
-// Attempts of which nothing is rendered, and a study whose attempts are all predicted.
+// Predicts attempts without rendering, for studies whose attempts are all predicted.
 #pragma once
 
 #include <map>
@@ -14,13 +14,13 @@
 
 namespace foveola::study {
 
-/// Takes the steps of a RenderedAttempt from glance to glance, in the same times. Keeps no frames
-/// and no gaze. The tracker's noise and its losses are left out but for the time that they cost in
-/// the mean, and so is what filters its gaze; its latency and bias are not.
+/// Takes the steps of a RenderedAttempt from glance to glance, at the same times. Keeps no frames
+/// and no gaze. The tracker's noise, losses and filter are left out, except for the mean delay of
+/// losses; its latency and bias are not.
 class PredictedAttempt final : public TrialAttempt {
  public:
-  /// observer: who takes part in `setting`. trial, picture, sampler: see PredictedFilm; without a
-  /// trial and a picture the observer is one that does not look.
+  /// observer: the participant in `setting`. trial, picture, sampler: see PredictedFilm; without a
+  /// trial and a picture, the observer must be one that does not look.
   PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
                    const PredictedTrial* trial, const ObjectNoise* picture,
                    std::unique_ptr<ViewSampler> sampler);
@@ -33,14 +33,15 @@ class PredictedAttempt final : public TrialAttempt {
 
  private:
   std::uint64_t samples_until(std::uint64_t frames) const;
-  /// By the attempt's clock: the frame of this number, counted from 0, is on the display.
+  /// Returns the time, by the attempt's clock, at which the frame of this number, from 0, is on the
+  /// display.
   Nanoseconds presented(std::uint64_t frame) const;
-  /// The first frame that is presented at `time` or later.
+  /// Returns the number of the first frame that is presented at `time` or later.
   std::uint64_t frame_at(Nanoseconds time) const;
-  /// Sends the frames' samples to where the observer then looks.
+  /// Adds the frames' samples with the observer's aim at their times.
   void render_until(std::uint64_t frames);
   Evidence look(Nanoseconds now);
-  /// What the tracker reports at `time`: where the eye was a while ago.
+  /// Returns the tracker's aim at `time`: delayed by its latency.
   Aim aim(Nanoseconds time) const;
   Viewport viewport(Nanoseconds time) const;
 
@@ -54,7 +55,7 @@ class PredictedAttempt final : public TrialAttempt {
   std::optional<PredictedFilm> sight_;
 };
 
-/// The pictures that the trials of new sessions, and of those that were begun, will be shown.
+/// Returns the pictures that the trials of new and begun sessions will show.
 PicturesWanted pictures_wanted(const SimulatedStudy& study, const Vision& vision,
                                const SessionsAhead& ahead);
 
@@ -67,7 +68,7 @@ class PredictedStudy {
   PredictedStudy(const PredictedStudy&) = delete;
   PredictedStudy& operator=(const PredictedStudy&) = delete;
 
-  /// May be called from several threads at once. This must outlive the attempt.
+  /// May be called by several threads at once. This must outlive the attempt.
   std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting,
                                         SimulatedObserver& observer) const;
 
@@ -80,7 +81,7 @@ class PredictedStudy {
   Vision vision_;
   std::vector<Visibility> material_visibilities_;
   std::vector<Visibility> view_visibilities_;
-  std::map<double, Visibility> outline_visibilities_;  ///< by the size of cells
+  std::map<double, Visibility> outline_visibilities_;  ///< by cell size
   std::map<PicturedPlace, PredictedTrial> trials_;
 };
 

@@ -48,7 +48,7 @@ MethodMean mean_of(const Times& baseline, const Times& times) {
 using TimeKey = std::tuple<std::string, std::string, std::string, std::string>;
 using TimesByTrial = std::map<TimeKey, double>;
 
-/// All measured times of test trials.
+/// Returns all measured times of test trials.
 TimesByTrial measured_times(const StudyRecords& records) {
   TimesByTrial times;
   for (std::size_t row = 0; row < records.trials.size(); ++row) {
@@ -66,7 +66,7 @@ TimesByTrial measured_times(const StudyRecords& records) {
   return times;
 }
 
-/// From 1 on; those alike share the mean of theirs.
+/// Returns ranks from 1 on, with mean ranks of ties.
 std::vector<double> ranks_of(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

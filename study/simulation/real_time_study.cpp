@@ -16,7 +16,7 @@
 namespace foveola::study {
 namespace {
 
-/// The side of a pane at a distance of 1.
+/// Returns the side of a pane at a distance of 1.
 double side_m(double fov_deg) { return 2.0 * std::tan(0.5 * radians(fov_deg)); }
 
 std::string devices_in_real_time(const SimulationKind& kind, const SessionDisplay& display,
@@ -34,7 +34,7 @@ KnownSession session_in(const StudyStore& store, std::int64_t id) {
                        [&](const KnownSession& session) { return session.id == id; });
 }
 
-/// What the sessions of a study share.
+/// The window that the sessions of a study share.
 struct SharedWindow {
   const SimulatedStudy& study;
   const Clock& clock;
@@ -42,7 +42,7 @@ struct SharedWindow {
   SessionDisplay& display;
 };
 
-/// The protocol's tracker, watching whoever sits there.
+/// Returns the protocol's tracker, watching the simulated person.
 SimulatedEyeTracker tracker_of(const SimulatedTrackerSettings& settings, std::uint32_t seed,
                                SimulatedOperator& simulated_operator) {
   SimulatedTrackerSettings seeded = settings;

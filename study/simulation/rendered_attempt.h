@@ -1,5 +1,5 @@
-// An attempt whose every frame is rendered and seen, on the clock of a machine model: slow, but
-// nothing is predicted.
+// Simulates an attempt by rendering and judging every frame, on the clock of a machine model: slow,
+// without prediction.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,9 @@
 
 namespace foveola::study {
 
-/// One attempt's rendering, watched by `participant` through the protocol's eye tracker, corrected
-/// if its calibration says so, and a simulated head tracker; nothing is traced in a catch trial. It
-/// refers to everything it is made of and advances `clock`, the attempt's, by a frame's time a
-/// frame.
+/// Renders one attempt for `participant`, with the protocol's eye tracker, corrected if its
+/// calibration says so, and a simulated head tracker. A catch trial traces nothing. It refers to
+/// its inputs, and advances `clock`, the attempt's, by a frame's time per frame.
 class VirtualPreview {
  public:
   VirtualPreview(const SceneStage& stage, const Protocol& protocol, const PlannedTrial& trial,
@@ -30,10 +29,10 @@ class VirtualPreview {
                  const std::optional<GazeCorrection>& correction, VirtualClock& clock,
                  const Workers& workers);
 
-  /// Renders the next frame; when it returns, the clock shows when that frame is presented.
+  /// Renders the next frame. On return, the clock shows the time of its presentation.
   FrameReport next_frame();
 
-  /// What is on the display now, and the view that it was rendered for.
+  /// Return the displayed image, and the view that it was rendered for.
   const RgbImage& present() { return preview_.present(); }
   const Viewport& viewport() const { return preview_.viewport(); }
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
@@ -62,7 +61,7 @@ class RenderedAttempt final : public TrialAttempt {
   std::uint64_t non_finite() const override { return preview_.non_finite(); }
 
  private:
-  /// Renders the next frame into the record; when it returns, it is presented.
+  /// Renders the next frame into the record. On return it is presented.
   void render_frame();
 
   TrialAttemptSetting setting_;

@@ -30,7 +30,7 @@ std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   return sessions;
 }
 
-/// Throws Error unless this program with this seed can go on with `session`, or beside it.
+/// Throws Error unless this program, with this seed, can resume or accompany `session`.
 void require_resumable(const SimulateSettings& settings, const KnownSession& session) {
   const auto refused = [&](const std::string& what, const std::string& remedy) {
     return Error(settings.database.string(),
@@ -43,22 +43,22 @@ void require_resumable(const SimulateSettings& settings, const KnownSession& ses
                   fmt::format("finish it with --seed {}", session.seed));
   }
   const std::string remedy = fmt::format(
-      "finish it with that program, or take it out (foveola study forget) and simulate "
+      "finish it with that program, or erase it (foveola study forget) and simulate "
       "{} again",
       session.participant);
   const auto require_equal = [&](const std::string& then, const std::string& now) {
     if (then != now) {
-      throw refused(fmt::format("{}, and this is {}", then, now), remedy);
+      throw refused(fmt::format("{}, but this is {}", then, now), remedy);
     }
   };
   const BuildInfo now = build_info();
   require_equal(program_name(session.build), program_name(now));
-  if (!session.build.instruction_set.empty()) {  // older programs did not keep it
+  if (!session.build.instruction_set.empty()) {  // older programs did not record it
     require_equal(exact_name(session.build), exact_name(now));
   }
 }
 
-/// Refuses a bad database before minutes of work instead of after them.
+/// Refuses a bad database before minutes of work.
 void require_usable(const SimulateSettings& settings, const Protocol& protocol,
                     const SimulationKind& kind) {
   require_writable(settings.database);
@@ -66,8 +66,8 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol,
     return;
   }
   if (settings.shard && !settings.resume) {
-    throw Error(settings.database.string(), "exists already, and a shard has a file of its own",
-                "name a new file, or go on with this one with --resume");
+    throw Error(settings.database.string(), "exists already, but a shard needs a file of its own",
+                "name a new file, or resume this one with --resume");
   }
   const StudyStore checked(settings.database, protocol);
   const std::vector<KnownSession> sessions = simulated_sessions(checked);
@@ -75,7 +75,7 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol,
   require_same_version(settings.database.string(), checked.sessions(),
                        "simulate with that version, or into a new file");
   for (const KnownSession& session : sessions) {
-    // A shard is one piece: the same on whichever machine it was gone on with.
+    // A shard is one unit: the same on every machine that resumes it.
     if (settings.resume && (!has_ended(session) || settings.shard)) {
       require_resumable(settings, session);
     }
@@ -86,17 +86,18 @@ void require_options(const SimulateSettings& settings) {
   require_ways_to_simulate(settings);
   if (settings.shard && settings.real_time) {
     throw UsageError("--shard",
-                     "is for virtual time, which is the same on every machine; leave "
-                     "--real-time out, or this");
+                     "cannot be combined with --real-time, because shards need virtual time, which "
+                     "is equal on all machines; remove "
+                     "one of them");
   }
   if (settings.shard && settings.shard->count > settings.participants) {
-    throw UsageError("--shard", fmt::format("there are more shards than participants; write at "
-                                            "most {} of them",
+    throw UsageError("--shard", fmt::format("there are more shards than participants; use at "
+                                            "most {}",
                                             settings.participants));
   }
 }
 
-/// Renders what each scene converges to, until it is stopped.
+/// Renders the converged image of each scene, until it is stopped.
 void render_references(const SceneStages& stages, const Protocol& protocol, const Workers& workers,
                        const std::stop_token& stop) {
   Progress progress("Reference images");

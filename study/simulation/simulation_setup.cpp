@@ -30,7 +30,7 @@ std::optional<InjectedEffect> effect_of(const SimulateSettings& settings) {
                                            : std::nullopt;
 }
 
-/// The protocol as participants with such an effect see it.
+/// Returns the protocol as participants with such an effect see it.
 Protocol protocol_for(const SimulateSettings& settings, const SimulationKind& kind,
                       const std::optional<InjectedEffect>& effect) {
   Protocol protocol = simulated_protocol(load_protocol(settings.protocol), kind);
@@ -45,7 +45,7 @@ Protocol protocol_for(const SimulateSettings& settings, const SimulationKind& ki
   return protocol;
 }
 
-/// Of a predicted session there is no gaze to filter.
+/// Predicted sessions have no gaze to filter.
 std::string devices_in_virtual_time(const SimulationKind& kind, const GazeFilterSettings& filter) {
   nlohmann::json devices = nlohmann::json::parse(devices_of(kind));
   if (!kind.predicted && filter != GazeFilterSettings{}) {
@@ -78,15 +78,16 @@ void require_ways_to_simulate(const SimulateSettings& settings) {
     throw UsageError("--jobs", "must be at least 1");
   }
   if (settings.real_time && settings.samples_per_second) {
-    throw UsageError("--samples-per-second",
-                     "is this machine's in real time; leave one of them out");
+    throw UsageError(
+        "--samples-per-second",
+        "cannot be combined with --real-time, which uses this machine's speed; remove one of them");
   }
   if (settings.real_time && settings.predicted) {
-    throw UsageError("--real-time", "shows every frame; leave --predicted out, or this");
+    throw UsageError("--real-time", "cannot be combined with --predicted; remove one of them");
   }
   if (settings.real_time && settings.jobs > 1) {
     throw UsageError("--real-time",
-                     "there is one window, for one session at a time; leave --jobs out");
+                     "there is one window, for one session at a time; remove --jobs");
   }
 }
 

@@ -1,5 +1,4 @@
-// What a simulation is made from before anybody takes part: its people, its protocol as they see
-// it, and its scenes.
+// Loads a simulation's people, scaled protocol and scenes.
 #pragma once
 
 #include <optional>
@@ -14,31 +13,31 @@
 
 namespace foveola::study {
 
-/// Who takes part in what, of which no scene is loaded yet.
+/// The inputs of a simulation, before any scene is loaded.
 struct SimulationSetup {
   People people;
-  std::optional<InjectedEffect> effect;  ///< what was injected in them
+  std::optional<InjectedEffect> effect;  ///< injected effect
   SimulationKind kind;
-  Protocol protocol;  ///< as they see it
+  Protocol protocol;  ///< as the participants see it
   std::vector<SceneSource> sources;
 
-  /// Whether anybody looks at pictures: whose times are injected does not.
+  /// Whether participants look at pictures: not with injected times.
   bool has_looks() const { return !effect; }
 };
 
-/// Throws UsageError for settings that exclude one another, whatever is done with them.
+/// Throws UsageError for settings that exclude one another in any use.
 void require_ways_to_simulate(const SimulateSettings& settings);
 
 /// Throws Error if the protocol or the people cannot be read, or do not go together.
 SimulationSetup set_up_simulation(const SimulateSettings& settings,
                                   const SceneFinderBeside& find_scene);
 
-/// The study of such settings, whose attempts are not chosen yet. It refers to all of them.
+/// Returns the study of such settings, without attempts. It refers to all arguments.
 SimulatedStudy study_of(const SimulateSettings& settings, const SimulationSetup& setup,
                         const SceneStages& stages, const Workers& workers);
 
-/// The pilots that predicted looks of these people need, kept among the user's caches. It refers to
-/// all of them.
+/// Returns the pilots for these people's predicted looks, cached in the user's folder. It refers to
+/// all arguments.
 AtlasSetting atlas_setting(const SimulatedStudy& study, const Population& population,
                            const PicturesWanted& wanted);
 

@@ -24,7 +24,7 @@ SessionsAhead ahead_of(const SimulateSettings& settings, const StudyStore& store
   for (const KnownSession& session : store.sessions()) {
     if (!settings.resume || session.kind != SessionKind::simulated ||
         session.seed != settings.seed) {
-      continue;  // a person's, or of another run, and over
+      continue;  // a person's, or a finished one of another run
     }
     if (has_ended(session)) {
       ++ahead.over;
@@ -109,7 +109,7 @@ void StudySimulation::run_side_by_side(const std::vector<int>& design_rows,
   });
   sessions.run(study_.settings.jobs, [&](std::size_t /*index*/, const Simulated& session) {
     if (session.outcome.phase == Phase::interrupted) {
-      return false;  // only whole sessions, and none before one that is missing
+      return false;  // only complete sessions, without gaps
     }
     session.record.write(store_, session.facts, session.plan);
     add(session.outcome);

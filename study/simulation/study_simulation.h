@@ -1,4 +1,4 @@
-// The participants of a simulated study, one after the other or side by side.
+// Runs the participants of a simulated study, one after the other or concurrently.
 #pragma once
 
 #include <functional>
@@ -17,53 +17,52 @@
 
 namespace foveola::study {
 
-/// Whether the session is over: nothing more can happen in it.
+/// Returns whether the session is over.
 bool has_ended(const KnownSession& session);
 
-/// What a simulation has before it.
+/// The remaining work of a simulation.
 struct SessionsAhead {
-  int over = 0;                     ///< sessions of its seed that are over, if it is resumed
-  std::vector<KnownSession> begun;  ///< to be finished, if it is resumed
-  /// The design rows of participants who are not in the file yet: a study can be added to.
+  int over = 0;                     ///< finished sessions of its seed, if it is resumed
+  std::vector<KnownSession> begun;  ///< sessions to be finished, if it is resumed
+  /// Design rows of participants who are not in the file yet: a study can be extended.
   std::vector<int> new_rows;
 };
 
-/// By what is in the settings' database, which need not exist. Throws Error for a file that is no
-/// study of the protocol.
+/// Returns the work ahead by the settings' database, which need not exist. Throws Error for a file
+/// that is not a study of the protocol.
 SessionsAhead sessions_ahead(const SimulateSettings& settings, const Protocol& protocol);
 
-/// A session that is to be taken part in, from its start or from where it broke off.
+/// A session to be run, from its start or from its interruption.
 struct BegunSession {
   StudyStore& store;
-  std::int64_t id;  ///< its row in the store
+  std::int64_t id;  ///< row in the store
   const Plan& plan;
   SimulatedObserver& observer;
 };
 
-/// What sessions are simulated with; it must outlive the simulation.
+/// Inputs of the sessions; must outlive the simulation.
 struct SimulatedStudy {
   const SimulateSettings& settings;
   const Protocol& protocol;  ///< scaled as the settings say
   const SceneStages& stages;
   const Workers& workers;
-  /// Makes the person whose session `plan` is, another one for each seed. Called from several
-  /// threads.
+  /// Makes the person of the session with `plan`, another one per seed. Called by several threads.
   std::function<std::unique_ptr<SimulatedObserver>(std::uint32_t seed, int design_row,
                                                    const Plan& plan)>
       make_observer;
-  /// What makes the attempts of one session. Called from several threads.
+  /// Makes the attempts of one session. Called by several threads.
   std::function<MakeAttempt(SimulatedObserver& observer, const Workers& workers)> make_attempts;
-  /// In real time, instead of attempts: how a session goes on in the window.
+  /// In real time, in place of attempts: runs the session in the window.
   std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)>
       run_in_window;
   std::vector<ShownScene> shown;
   std::string devices;  ///< see SimulationKind
 };
 
-/// Runs sessions of full rendering one after the other, each event on the disk before it has its
-/// effects; with several jobs, predicted ones, and those of a shard, side by side, each session on
-/// the disk whole when it is over, in the participants' order: so a shard that was killed and goes
-/// on has the same record as one that was not.
+/// Runs sessions. Full rendering runs one at a time, and each event is durable before its effects.
+/// With several jobs, predicted sessions and those of a shard run concurrently, and each is written
+/// as a whole when it is over, in the participants' order: a killed and resumed shard has the same
+/// record as an uninterrupted one.
 class StudySimulation {
  public:
   explicit StudySimulation(const SimulatedStudy& study);
@@ -71,7 +70,7 @@ class StudySimulation {
   SimulateReport run(const std::stop_token& stop);
 
  private:
-  /// A session that is over, with what is to be written of it.
+  /// A finished session, to be written.
   struct Simulated {
     SessionFacts facts;
     Plan plan;
@@ -82,7 +81,7 @@ class StudySimulation {
   void run_durably(const std::vector<int>& design_rows, const std::stop_token& stop);
   void run_side_by_side(const std::vector<int>& design_rows, const std::stop_token& stop);
 
-  /// Runs a session from its start, or from where it broke off.
+  /// Runs a session from its start, or from its interruption.
   void run_session(std::int64_t session, int design_row, const Plan& plan,
                    const std::stop_token& stop);
   Simulated simulate(int design_row, const std::stop_token& stop);
@@ -92,7 +91,7 @@ class StudySimulation {
 
   std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
   SessionFacts facts_of(int design_row) const;
-  /// Whether sessions reach the disk as whole ones.
+  /// Whether sessions are written as wholes.
   bool is_buffered() const {
     return study_.settings.predicted || study_.settings.jobs > 1 || study_.settings.shard;
   }
@@ -103,7 +102,7 @@ class StudySimulation {
   MachineInfo machine_ = machine_info();
   double trials_in_session_;
   StudyStore store_;
-  std::mutex progress_mutex_;  ///< guards what follows
+  std::mutex progress_mutex_;  ///< guards the following members
   Progress progress_{"Simulating"};
   double trials_begun_ = 0.0;
   SimulateReport report_;

@@ -1,4 +1,4 @@
-// One attempt at a trial of a simulated session, whether its frames are rendered or predicted.
+// One attempt at a trial of a simulated session, rendered or predicted.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct TrialSeeds {
   std::uint32_t picture = 0;  ///< the same for all timings of a trial
 };
 
-/// What an attempt is made of; it refers to most of it.
+/// Inputs of an attempt; it refers to most of them.
 struct TrialAttemptSetting {
   const SceneStage& stage;
   const Protocol& protocol;
@@ -32,8 +32,8 @@ struct TrialAttemptSetting {
   TrialSeeds seeds;
   Participant& participant;
   std::optional<GazeCorrection> correction;
-  VirtualClock& clock;           ///< the attempt's; at its `now` rendering starts
-  Nanoseconds attempt_start{0};  ///< the session's time at which the attempt's clock is 0
+  VirtualClock& clock;           ///< the attempt's; rendering starts at its `now`
+  Nanoseconds attempt_start{0};  ///< session time at which the attempt's clock is 0
   SessionRecorder& recorder;
   AttemptKey key;
 };
@@ -42,26 +42,26 @@ class TrialAttempt {
  public:
   virtual ~TrialAttempt() = default;
 
-  /// Presents at least the next frame, and advances the clock to when the last one is on the
-  /// display; goes on at most until one is there at `until` (of the attempt) or later. Returns the
-  /// time of the key press that a glance at it led to.
+  /// Presents at least the next frame, and at most until one is on the display at `until` (of the
+  /// attempt) or later. Advances the clock to the presentation of the last one. Returns the time of
+  /// the key press that a glance at it caused.
   virtual std::optional<Nanoseconds> show(Nanoseconds until) = 0;
 
-  /// From now on the participant looks at it for this task.
+  /// The participant's task from now on.
   virtual void begin(Task task) = 0;
 
-  /// Hands to the record what it does not have yet.
+  /// Passes all remaining data to the record.
   virtual void complete_record() = 0;
 
-  /// How many samples were traced so far.
+  /// Number of samples traced so far.
   virtual std::uint64_t samples() const = 0;
-  /// How many of them were not finite.
+  /// Number of them that were not finite.
   virtual std::uint64_t non_finite() const = 0;
 };
 
 using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;
 
-/// How often a simulated participant looks (see glance_interval_s).
+/// Interval of a simulated participant's looks (see glance_interval_s).
 std::uint64_t frames_per_glance(const MachineModel& machine);
 
 }  // namespace foveola::study

@@ -7,7 +7,7 @@
 
 namespace foveola::study {
 
-/// Counts from the session's start, and says what the participant does at what is shown.
+/// Counts from the session's start, and performs the participant's reactions to the display.
 class VirtualSession::RunningAttempt final : public AttemptPort {
  public:
   RunningAttempt(VirtualSession& session, std::unique_ptr<TrialAttempt> attempt)

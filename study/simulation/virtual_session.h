@@ -1,5 +1,4 @@
-// A session of a simulated participant in virtual time: ports by which the driver gets every answer
-// at once.
+// Runs a simulated participant's session in virtual time, with ports that answer at once.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +20,7 @@
 
 namespace foveola::study {
 
-/// What a session needs and does not own.
+/// Resources of a session.
 struct SessionSetting {
   const Protocol& protocol;
   const SceneStages& stages;
@@ -33,14 +32,14 @@ struct SessionSetting {
   std::stop_token stop;
 };
 
-/// Runs one session until it is completed, refused by the protocol's gate, withdrawn from, or
+/// Runs one session until it is completed, refused by the protocol's gate, withdrawn, or
 /// interrupted because a stop was requested.
 class VirtualSession final : private ClockPort,
                              private DisplayPort,
                              private InputPort,
                              private ParticipantActions {
  public:
-  /// position: where the session, which is not over, goes on. All that is referred to must outlive
+  /// position: where the session, which is not over, resumes. Everything referred to must outlive
   /// it.
   VirtualSession(const SessionSetting& setting, const Plan& plan, Participant& participant,
                  const SessionPosition& position);
@@ -52,8 +51,7 @@ class VirtualSession final : private ClockPort,
 
   Nanoseconds now() const override { return attempt_start_ + clock_.now(); }
 
-  // Questions and acknowledgements are words on a screen and sounds; a simulated participant is
-  // asked directly.
+  // Questions and acknowledgements are texts and sounds; a simulated participant is asked directly.
   void follow(const DurableEvent& /*event*/) override {}
   void carry_out(const Effect& /*effect*/) override {}
   std::unique_ptr<AttemptPort> begin_attempt() override;
@@ -68,7 +66,7 @@ class VirtualSession final : private ClockPort,
   void validate_gaze(const Attempt& attempt) override;
   void react(std::uint32_t conduct) override;
   void withdraw() override { driver_.feed(Withdrawn{}); }
-  /// The attempt's clock starts anew.
+  /// Resets the attempt's clock.
   void begin_attempt(const Attempt& attempt) override;
   void choose_object() override;
   void start_trial() override;
@@ -87,12 +85,12 @@ class VirtualSession final : private ClockPort,
   SessionSetting setting_;
   Participant& participant_;
   SimulatedConduct conduct_;
-  /// The session's clock is at attempt_start_ when the attempt's, clock_, is at 0. What a
-  /// participant sees and does is a matter of the latter, to the last bit.
+  /// The session's clock is at attempt_start_ when the attempt's, clock_, is at 0. A participant's
+  /// behaviour depends on the latter only, to the last bit.
   Nanoseconds attempt_start_;
   VirtualClock clock_;
-  TrialAttempt* attempt_ = nullptr;     ///< while a trial is rendered
-  std::optional<Nanoseconds> pressed_;  ///< session clock: when the task's key goes down
+  TrialAttempt* attempt_ = nullptr;     ///< set while a trial is rendered
+  std::optional<Nanoseconds> pressed_;  ///< session clock: time of the task's key press
   SessionDriver driver_;
 };
 

@@ -1,5 +1,5 @@
-// An attempt's frames and gaze samples on their way to the record, in chunks: writing one must not
-// delay the next frame.
+// Writes an attempt's frames and gaze samples to the record in chunks, without delaying the next
+// frame.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace foveola::study {
 
-/// What the record keeps of a frame, but for its presentation.
+/// Returns the recorded values of a frame, except its presentation.
 FrameRow frame_row(const FrameReport& report);
 
 class AttemptLog {
@@ -22,13 +22,12 @@ class AttemptLog {
   AttemptLog(SessionRecorder& recorder, const AttemptKey& attempt)
       : recorder_(recorder), attempt_(attempt) {}
 
-  /// arrived: the gaze samples that came for this frame. Once it is finished, nothing is added.
+  /// arrived: the gaze samples of this frame. After finish(), nothing is added.
   void add(const FrameRow& frame, std::span<const GazeSample> arrived);
-  /// Hands on what is left, and the hash of what the film has become, if there was a frame. Only
-  /// the first call does.
+  /// Writes the rest, and the film's hash, if there was a frame. Only the first call counts.
   void finish(const EquirectFilm& film);
 
-  /// How many frames were added.
+  /// Returns the number of added frames.
   std::uint64_t frames() const { return frames_written_ + frames_.size(); }
 
  private:

@@ -40,7 +40,7 @@ void GazeValidationRuns::end_run(Nanoseconds now) {
   if (was_to_fit && correction_) {
     routine_ = CalibrationRoutine(targets_, CalibrationTiming{}, now);
   } else {
-    // What a correction cannot be fitted to does not pass.
+    // A run to which no correction can be fitted does not pass.
     result_ = GazeValidated{.runs = runs_, .passed = !was_to_fit && runs_.back().passed};
   }
 }

@@ -1,5 +1,4 @@
-// The validation of a gaze, a person's or a simulated one: targets one after the other, as the
-// protocol asks for them.
+// Validates a gaze, real or simulated, with one target after the other.
 #pragma once
 
 #include <optional>
@@ -13,21 +12,21 @@
 
 namespace foveola::study {
 
-/// Goes through the targets once, or, if the protocol asks for a correction, once to fit it and
-/// once through it. Whoever drives it keeps the clock, shows the targets, and polls the tracker.
+/// Goes through the targets once, or, with a correction, once to fit it and once through it. The
+/// caller keeps the clock, shows the targets, and polls the tracker.
 class GazeValidationRuns {
  public:
   /// The fields of view are the display's, in (0, 180). The first target appears at `start`.
   GazeValidationRuns(const ValidationSettings& settings, double horizontal_fov_deg,
                      double vertical_fov_deg, Nanoseconds start);
 
-  /// Takes what the tracker said by `now`, as it came, without any correction.
+  /// Adds the tracker's samples until `now`, uncorrected.
   void update(Nanoseconds now, std::span<const GazeSample> arrived);
 
-  /// What is to be looked at, in the head's axes; empty if all is done.
+  /// Returns the current target, in the head's axes; empty at the end.
   std::optional<Vec3> target() const;
 
-  /// What is now known; empty until all is done.
+  /// Returns the result; empty until the end.
   const std::optional<GazeValidated>& result() const { return result_; }
 
  private:
@@ -36,7 +35,7 @@ class GazeValidationRuns {
   ValidationSettings settings_;
   std::vector<Vec3> targets_;
   CalibrationRoutine routine_;
-  std::optional<GazeCorrection> correction_;  ///< what this run's gaze goes through
+  std::optional<GazeCorrection> correction_;  ///< the gaze's correction in this run
   std::vector<GazeRun> runs_;
   std::optional<GazeValidated> result_;
 };

@@ -1,5 +1,5 @@
-// Whether a participant sees the object of a trial, and looks at it, while the trial goes on; what
-// the record says of it afterwards is in attempt_gaze_figures.
+// Tracks whether a participant sees and looks at a trial's object during the trial.
+// attempt_gaze_figures is its counterpart for records.
 #pragma once
 
 #include "renderer/base/clock.h"
@@ -9,24 +9,24 @@
 
 namespace foveola::study {
 
-/// Where an object is in a view.
+/// Position of an object in a view.
 struct ObjectSight {
-  double from_middle_deg = 0.0;  ///< Angle between the object's middle and the view's.
-  bool is_in_view = false;       ///< Whether the view shows the object's middle.
+  double from_middle_deg = 0.0;  ///< Angle between the centres of the object and the view.
+  bool is_in_view = false;       ///< Whether the view shows the object's centre.
 };
 
 ObjectSight object_sight(const Viewport& view, const OfferedObject& object);
 
-/// For how long of an attempt the gaze was where.
+/// Durations of an attempt by the gaze's place.
 struct LookingTimes {
   Nanoseconds on_object{0};
   Nanoseconds elsewhere{0};
   Nanoseconds unknown{0};  ///< Without a valid gaze.
 
-  /// A frame was shown for so long.
+  /// Adds a frame with its duration.
   void add(const FrameRow& frame, Nanoseconds shown, const OfferedObject& object);
 
-  /// Their parts of the whole, in [0, 1]; 0 of nothing.
+  /// Return fractions of the whole, in [0, 1]; 0 if it is empty.
   double part_elsewhere() const;
   double part_unknown() const;
 };

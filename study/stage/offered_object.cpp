@@ -11,8 +11,7 @@ const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
   const auto found = std::find_if(offered.begin(), offered.end(),
                                   [&](const OfferedObject& object) { return object.name == name; });
   if (found == offered.end()) {
-    throw Error(name, "is not among the scene's objects any more",
-                "go on with the scene as it was");
+    throw Error(name, "is no longer an object of the scene", "restore the scene as it was");
   }
   return *found;
 }

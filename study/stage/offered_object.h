@@ -1,4 +1,4 @@
-// An object of a scene that a participant may choose.
+// The objects of a scene that a participant may choose.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace foveola::study {
 
-/// An object that may be chosen, as it is seen from the viewpoint.
+/// An object, seen from the viewpoint.
 struct OfferedObject {
   std::string name;
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< Unit length, world.
   double radius_deg = 4.0;            ///< Angular radius that covers it.
 };
 
-/// The object of this name. Throws Error if the scene does not offer it any more.
+/// Returns the object of this name. Throws Error if the scene no longer offers it.
 const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
                                   const std::string& name);
 

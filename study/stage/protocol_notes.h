@@ -1,11 +1,11 @@
-// What the commands that begin a study say of its protocol before anybody takes part.
+// Prints notes about the protocol when a study begins.
 #pragma once
 
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {
 
-/// Says on standard error, a line for each, which keys are now called otherwise.
+/// Prints a line per outdated key on standard error.
 void print_notes(const Protocol& protocol);
 
 }  // namespace foveola::study

@@ -38,8 +38,8 @@ SceneSource as_shown(SceneSource source) {
   return source;
 }
 
-// What simulated participants see, and how many samples a second stand for the published renderer,
-// was measured without anything learned.
+// Simulated participants, and the machine model's samples per second, were calibrated without
+// learned sampling.
 SceneStage::SceneStage(const SceneSource& source, const Workers& workers)
     : SceneStage(std::make_shared<const LoadedScene>(as_shown(source), workers,
                                                      SceneChoices{.learns_lights = false})) {}

@@ -1,5 +1,4 @@
-// A protocol's scene made ready for trials: loaded, with the objects to choose from and the
-// converged image.
+// Prepares a protocol's scene for trials: loads it, with its objects and its converged image.
 #pragma once
 
 #include <functional>
@@ -20,10 +19,10 @@
 
 namespace foveola::study {
 
-/// Distinguishes scenes that do not look the same: a hash of the file and what was added to it.
+/// Returns a hash of the file and its additions, to distinguish scenes of different looks.
 std::string scene_key(const LoadedScene& loaded);
 
-/// `source` as participants see it: a scene that lacks something is refused.
+/// Returns `source` with the strictness of studies: incomplete scenes are refused.
 SceneSource as_shown(SceneSource source);
 
 class SceneStage {
@@ -31,18 +30,18 @@ class SceneStage {
   /// Loads the scene and builds its tracer. source has a camera position and objects (see
   /// find_scenes). Throws Error for a bad file.
   SceneStage(const SceneSource& source, const Workers& workers);
-  /// Of a scene that was loaded from such a source, as_shown.
+  /// A stage of a scene that was loaded from an as_shown source.
   explicit SceneStage(std::shared_ptr<const LoadedScene> loaded);
   SceneStage(const SceneStage&) = delete;
   SceneStage& operator=(const SceneStage&) = delete;
 
-  /// Renders what the scene converges to on such a film, or takes it from the cache. Throws Error
-  /// if stopped.
+  /// Renders the converged image for such a film, or takes it from the cache. Throws Error if
+  /// stopped.
   void render_reference(const FilmSettings& film, const ReferenceQuality& quality,
                         const Workers& workers, const std::function<void(double)>& progress,
                         const std::stop_token& stop);
 
-  /// Whether the cache has it, whole.
+  /// Returns whether the cache has it complete.
   bool has_reference(const FilmSettings& film, const ReferenceQuality& quality) const;
 
   std::string key() const { return scene_key(*loaded_); }
@@ -71,11 +70,11 @@ using SceneStages = std::map<std::string, std::unique_ptr<SceneStage>>;
 SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
                         const Workers& workers);
 
-/// The scenes as the record keeps them.
+/// Returns the scenes as they are recorded.
 std::vector<ShownScene> shown_scenes(const SceneStages& stages);
 
-/// Prints on standard error what loading them warned of, a line each: for instance of another file
-/// than the one a descriptor was written for, or of how its lights are understood.
+/// Prints loading's warnings on standard error, a line each: for instance, another file than the
+/// descriptor's, or an interpretation of lights.
 void print_scene_warnings(const SceneStages& stages);
 
 }  // namespace foveola::study

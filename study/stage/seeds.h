@@ -1,4 +1,4 @@
-// One seed for a session, and from it an independent one for everything drawn at random.
+// Derives independent seeds for all random draws from one session's seed.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,23 @@
 
 namespace foveola::study {
 
-/// What a seed is for; keeps the streams apart.
+/// The use of a seed; keeps the streams apart.
 enum class SeedPurpose : std::uint32_t {
-  participant = 1,  ///< who a simulated participant is
-  tracker = 2,      ///< the noise of a simulated tracker
+  participant = 1,  ///< a simulated participant's traits
+  tracker = 2,      ///< a simulated tracker's noise
   rendering = 3,    ///< a trial's sample points and light paths
-  conduct = 4,      ///< what a simulated participant does, timing after timing
-  waiting = 5,      ///< how long nothing appears to react to
-  picture = 6,      ///< which picture of its object a predicted trial sees
+  conduct = 4,      ///< a simulated participant's actions, per timing
+  waiting = 5,      ///< waits before the stimuli of the reaction test
+  picture = 6,      ///< choice of a predicted trial's picture
 };
 
-/// What the record keeps of a session's randomness.
+/// The recorded randomness of a session.
 struct SessionSeed {
   std::uint64_t seed = 0;
   int design_row = 0;
 };
 
-/// The seed for `purpose` at `place`, such as {step, how many times before}.
+/// Returns the seed for `purpose` at `place`, such as {step, repetition}.
 inline std::uint32_t derive_seed(const SessionSeed& session, SeedPurpose purpose,
                                  std::initializer_list<int> place) {
   std::uint32_t seed = mix(static_cast<std::uint32_t>(session.seed));
@@ -40,27 +40,27 @@ inline std::uint32_t derive_seed(const SessionSeed& session, SeedPurpose purpose
   return seed;
 }
 
-/// The seed for `purpose` in one timing of a trial. Attempts that a pause or a crash ended have
-/// that of the attempt in their place, so that a session's results do not depend on where it broke
-/// off.
+/// Returns the seed for `purpose` in one timing of a trial. An attempt that a pause or a crash
+/// ended shares its seed with the repetition, so that a session's results do not depend on
+/// interruptions.
 std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose, const Protocol& protocol,
                          const PlannedTrial& trial, int timing);
 
-/// The seed of the picture that a predicted trial sees, whenever it is timed.
+/// Returns the seed of a predicted trial's picture, the same for all its timings.
 inline std::uint32_t picture_seed(const SessionSeed& session, const Protocol& protocol,
                                   const PlannedTrial& trial) {
   return trial_seed(session, SeedPurpose::picture, protocol, trial, 0);
 }
 
-/// The seed for `purpose` the next time that the step of the agenda is tried in which `state` is.
+/// Returns the seed for `purpose` of the next try of the agenda step in `state`.
 inline std::uint32_t step_seed(const SessionSeed& session, SeedPurpose purpose,
                                const SessionState& state) {
   return derive_seed(session, purpose,
                      {static_cast<int>(state.step), state.validations_left, state.presses_left});
 }
 
-/// The seed of a trial's sample points and light paths: with the recorded frames it makes the same
-/// film again.
+/// Returns the seed of a trial's sample points and light paths: with the recorded frames it
+/// reproduces the film.
 inline std::uint32_t rendering_seed(std::uint64_t session_seed, int design_row,
                                     const Protocol& protocol, const PlannedTrial& trial,
                                     int timing) {

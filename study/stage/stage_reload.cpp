@@ -56,9 +56,8 @@ ReloadedStage StageReloader::staged(const Watched& watched, const ReloadedScene&
   auto stage = std::make_unique<const SceneStage>(reloaded.scene);
   const std::vector<std::string> objects = names_of(stage->objects());
   if (objects != watched.objects) {
-    changed.refusal =
-        fmt::format("its objects are {} and not {}, begin the session again to choose among them",
-                    fmt::join(objects, ", "), fmt::join(watched.objects, ", "));
+    changed.refusal = fmt::format("its objects are {}, not {}; begin the session anew to use them",
+                                  fmt::join(objects, ", "), fmt::join(watched.objects, ", "));
     return changed;
   }
   changed.stage = std::move(stage);

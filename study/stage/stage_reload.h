@@ -1,5 +1,5 @@
-// Scenes of a protocol that are loaded again when their files change: in a rehearsal. Whoever is
-// measured sees one scene all the time.
+// Reloads scenes of a protocol when their files change, in rehearsals only: measured participants
+// see one scene all the time.
 #pragma once
 
 #include <functional>
@@ -13,27 +13,27 @@
 
 namespace foveola::study {
 
-/// What became of a change of a scene's files.
+/// Result of a change of a scene's files.
 struct ReloadedStage {
-  std::string scene;                        ///< its name in the protocol
+  std::string scene;                        ///< name in the protocol
   std::unique_ptr<const SceneStage> stage;  ///< null: it cannot be shown
-  std::string refusal;                      ///< why, then
+  std::string refusal;                      ///< the reason, if so
 };
 
 class StageReloader {
  public:
   using FindScene = std::function<SceneSource(const std::string& scene)>;
 
-  /// Watches the files of `stages`. find_scene finds a scene as it was found first. threads: 0 for
-  /// one for each core. Throws Error if the system does not let their folders be watched.
+  /// Watches the files of `stages`. find_scene finds a scene as at first. threads: 0: one per core.
+  /// Throws Error if the system cannot watch their folders.
   StageReloader(const SceneStages& stages, const FindScene& find_scene, int threads);
 
-  /// What came of the last change of a scene, once; scenes that changed at the same time come one
-  /// by one. A scene whose objects have other names than at first is refused: trials that are
-  /// planned or over are about them. Does not wait.
+  /// Returns the result of a scene's last change, once; several scenes come one by one. A scene
+  /// with other objects' names than at first is refused, because trials refer to them. Does not
+  /// wait.
   std::optional<ReloadedStage> take();
 
-  /// Whether a change is being loaded.
+  /// Returns whether a change is being loaded.
   bool is_loading() const;
 
  private:

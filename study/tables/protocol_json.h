@@ -1,4 +1,4 @@
-// What a protocol and its plans mean, for machines.
+// Describes a protocol and its plans in JSON.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ nlohmann::json json_of(const Protocol& protocol);
 nlohmann::json json_of(const Protocol& protocol, const Balance& balance);
 nlohmann::json json_of(const std::vector<SessionPart>& parts);
 
-/// The plan of one participant.
+/// Returns the plan of one participant.
 nlohmann::json json_of(const Plan& plan);
 
 }  // namespace foveola::study

@@ -23,7 +23,7 @@ std::vector<std::string> scene_names(const Protocol& protocol) {
   return names;
 }
 
-/// "" "1st" ... "after od" ...
+/// Returns "" "1st" ... "after od" ...
 TextRow balance_header(const std::string& what, const std::vector<std::string>& names) {
   TextRow header{what};
   for (std::size_t position = 1; position <= names.size(); ++position) {
@@ -68,7 +68,7 @@ std::string objects_of(const SceneSource& source) {
       "{}", fmt::join(source.objects | std::views::transform(&ObjectOfInterest::name), ", "));
 }
 
-/// " (NAME)" of a profile; empty if there is none.
+/// Returns " (NAME)" of a profile; empty if there is none.
 template <typename Profile>
 std::string in_brackets(const std::optional<Profile>& profile) {
   return profile ? fmt::format(" ({})", profile->name) : "";
@@ -105,7 +105,7 @@ std::string text_of(const GazeFilterSettings& filter) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// "random"; "williams, 6 rows".
+/// Returns "random" or "williams, 6 rows".
 std::string orders_of(Order order, std::size_t things) {
   const int rows = row_count(order, static_cast<int>(things));
   return rows > 1 ? fmt::format("{}, {} rows", name_of(order), rows) : name_of(order);
@@ -130,7 +130,7 @@ std::string text_of(const Question& question) {
   return fmt::format("{} (words)", question.id);
 }
 
-/// The texts of all things, with commas between them.
+/// Returns the texts of all things, separated by commas.
 template <typename Things>
 std::string texts_of(const Things& things) {
   const auto text = [](const auto& thing) { return text_of(thing); };
@@ -152,7 +152,7 @@ std::string text_of(const TrialSettings& settings) {
                      settings.fill_unsampled ? "; unsampled pixels filled" : "");
 }
 
-/// What a trial is timed again for; empty if for nothing.
+/// Returns the reasons for retiming a trial; empty if there are none.
 std::string text_of(const LookingSettings& looking) {
   std::vector<std::string> reasons;
   if (looking.object_out_of_view == Remedy::retime) {
@@ -164,7 +164,7 @@ std::string text_of(const LookingSettings& looking) {
   return fmt::format("{}", fmt::join(reasons, ", "));
 }
 
-/// What has to hold before a session; empty if nothing has to.
+/// Returns the requirements before a session; empty if there are none.
 std::string text_of(const PreflightGate& gate) {
   std::vector<std::string> limits;
   const auto limit = [&](const std::optional<double>& value, const char* words) {
@@ -217,7 +217,7 @@ void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
                                             reaction->shortest_wait_s, reaction->longest_wait_s)});
   }
   if (const std::string remedies = text_of(protocol.looking); !remedies.empty()) {
-    rows.push_back({"timed again", remedies});
+    rows.push_back({"retimed", remedies});
   }
   if (const std::string gate = text_of(protocol.preflight); !gate.empty()) {
     rows.push_back({"preflight", gate});
@@ -228,7 +228,7 @@ void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
   }
 }
 
-/// Of the largest film of all trials, in megabytes.
+/// Returns the size of the largest film of all trials, in megabytes.
 double film_megabytes(const Protocol& protocol) {
   double most = memory_of(protocol.film);
   for (const auto& [cell, settings] : protocol.cells) {
@@ -239,7 +239,7 @@ double film_megabytes(const Protocol& protocol) {
 
 void add_settings(std::vector<TextRow>& rows, const Protocol& protocol) {
   rows.push_back({"trial", text_of(settings_of(protocol, "", ""))});
-  rows.push_back({"memory", fmt::format("up to {:.0f} MB for the film, beside the scenes",
+  rows.push_back({"memory", fmt::format("up to {:.0f} MB for the film, in addition to the scenes",
                                         std::ceil(film_megabytes(protocol)))});
   for (const auto& [cell, settings] : protocol.cells) {
     rows.push_back({"", fmt::format("{} with {}: {}", cell.first, cell.second, text_of(settings))});

@@ -1,4 +1,4 @@
-// What a protocol means, its orders and how long a session takes, as plain aligned text.
+// Describes a protocol, its orders and a session's duration as aligned plain text.
 #pragma once
 
 #include <string>
@@ -12,17 +12,18 @@
 
 namespace foveola::study {
 
-/// What a protocol means; sources are its scenes as they were found.
+/// Describes a protocol; sources are its scenes as they were found.
 std::string protocol_table(const Protocol& protocol, const std::vector<SceneSource>& sources);
 
-/// One line for each participant and scene, in their order; practice on lines of its own, catch
+/// Returns a line per participant and scene, in their order; practice on lines of its own, catch
 /// trials in brackets.
 std::string plan_table(const std::vector<Plan>& plans);
 
-/// How often each method and scene stands where and follows which, with the largest differences.
+/// Returns the counts of positions and successions of methods and scenes, with the maximum
+/// differences.
 std::string balance_table(const Protocol& protocol, const Balance& balance);
 
-/// How long a session takes, part by part, in minutes, with what was assumed.
+/// Returns the duration of a session's parts in minutes, with the assumptions.
 std::string duration_table(const std::vector<SessionPart>& parts);
 
 }  // namespace foveola::study

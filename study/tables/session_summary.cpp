@@ -106,7 +106,7 @@ std::string percent(const std::optional<double>& part_s, double all_s) {
   return part_s && all_s > 0.0 ? fmt::format("{:.0f} %", 100.0 * *part_s / all_s) : "-";
 }
 
-/// The figures of an attempt, or null if the record has none.
+/// Returns the figures of an attempt, or null if the record has none.
 const AttemptGazeFigures* figures_of(const DataQualityRecords& quality,
                                      const std::string& participant, const TrialRow& row) {
   const auto found =
@@ -117,7 +117,7 @@ const AttemptGazeFigures* figures_of(const DataQualityRecords& quality,
   return found != quality.gaze.end() ? &found->figures : nullptr;
 }
 
-/// What the experimenter should know about a timing.
+/// Returns remarks about a timing for the experimenter.
 std::string remarks_on(const TrialRow& row, const AttemptGazeFigures* figures) {
   TextRow remarks;
   if (row.kind != TrialKind::test) {
@@ -196,7 +196,7 @@ std::string validations_of(const DataQualityRecords& quality, const std::string&
                           run.accuracy_deg && run.precision_rms_deg
                               ? fmt::format("accuracy {:.2f} degrees, precision {:.2f}",
                                             *run.accuracy_deg, *run.precision_rms_deg)
-                              : "no eye was seen",
+                              : "no valid gaze",
                           100.0 * run.data_loss, run.passed ? "passed" : "not passed");
     }
   }
@@ -218,7 +218,7 @@ std::string reactions_of(const DataQualityRecords& quality, const std::string& p
                      times_s.back());
 }
 
-/// Notes with their times. A note's first line says what it is about.
+/// Returns notes with their times. A note's first line has its subject.
 std::string notes_of(const std::vector<LoggedEvent>& events) {
   constexpr std::size_t max_characters = 160;
   std::string text;
@@ -284,7 +284,7 @@ std::string status_table(const StudyRecords& records, const StudyStatus& status)
   add_program_rows(records.programs, rows);
   for (const AmendedSession& session : records.amended) {
     rows.push_back(
-        {"amended", fmt::format("{} went by a protocol of SHA-256 {}: {}", session.participant,
+        {"amended", fmt::format("{} followed a protocol of SHA-256 {}: {}", session.participant,
                                 session.amendment.sha256, words_for_changes(session.amendment))});
   }
   rows.push_back({"trials", fmt::format("{} done", status.trials_done)});

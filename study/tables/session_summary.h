@@ -1,4 +1,4 @@
-// How far a study has come, and one session on a page, as plain aligned text.
+// Summarises a study's progress, and single sessions, as aligned plain text.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@
 
 namespace foveola::study {
 
-/// The programs that recorded it; trials with their times, ratings and what is to be said about
-/// them; frames, gaze, validations, reactions and notes. As plain text. Throws Error if the file at
-/// `path` is no study, or there is no such participant.
+/// Summarises a session: its programs; trials with times, ratings and remarks; frames, gaze,
+/// validations, reactions and notes. Throws Error if the file at `path` is not a study, or has no
+/// such participant.
 std::string session_summary(const std::filesystem::path& path, const std::string& participant);
 
-/// How far the sessions of one kind have come: people's, pilots' and simulated ones are never
-/// counted together.
+/// Progress of the sessions of one kind: people's, pilots' and simulated ones are counted
+/// separately.
 struct KindStatus {
   std::map<std::string, int> sessions;  ///< by state
-  /// How often each row of the design was taken, by sessions that are completed or not over.
+  /// Number of uses of each design row, by sessions that are completed or not over.
   std::map<int, int> design_rows;
-  /// [method][position within a scene]: how often, in completed sessions.
+  /// [method][position within a scene]: counts in completed sessions.
   std::map<std::string, std::vector<int>> method_positions;
 };
 
@@ -31,13 +31,13 @@ struct StudyStatus {
   std::map<std::string, KindStatus> kinds;
   std::vector<SessionRow> unfinished;  ///< sessions that are not over
   std::vector<SessionRow> excluded;
-  int trials_done = 0;  ///< with a rating
+  int trials_done = 0;  ///< rated trials
 };
 StudyStatus status_of(const StudyRecords& records);
 
 std::string status_table(const StudyRecords& records, const StudyStatus& status);
 
-/// What was counted, and each fault and gap on a line of its own.
+/// Returns the counts, and a line per fault and gap.
 std::string verification_table(const Verification& found);
 
 }  // namespace foveola::study

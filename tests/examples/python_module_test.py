@@ -246,7 +246,7 @@ class Studies(unittest.TestCase):
             connection.execute(sql)
         connection.commit()
         connection.close()
-        with self.assertRaisesRegex(foveola.Error, "is not what was written"):
+        with self.assertRaisesRegex(foveola.Error, "failed its verification"):
             foveola.read_study(changed)
         frames = foveola.read_study(changed, unverified=True)
         self.assertEqual(frames["trials"].attrs["record"], "changed")

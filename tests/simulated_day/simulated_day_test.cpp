@@ -40,8 +40,8 @@ const char* const latency = "Latency, from the eye to the display";
 const char* const mark_gap = "From a frame to the mark upon it, the longest";
 const char* const out_of_view = "Marks with the object out of view";
 const char* const elsewhere = "Trials with the gaze elsewhere";
-const char* const cut_off = "Sessions that were cut off";
-const char* const timed_again = "Trials timed again";
+const char* const cut_off = "Interrupted sessions";
+const char* const timed_again = "Retimed trials";
 const char* const noted = "Notes in the sessions’ records";
 
 /// What they find hangs on the machine that the test runs on.

@@ -15,7 +15,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Each participant once, in the findings' order.
+/// Returns each participant once, in the findings' order.
 std::vector<std::string> participants_of(std::span<const Finding> findings) {
   std::vector<std::string> participants;
   for (const Finding& finding : findings) {
@@ -26,13 +26,13 @@ std::vector<std::string> participants_of(std::span<const Finding> findings) {
   return participants;
 }
 
-// These limits are Foveola's own, for want of published ones.
+// These limits are Foveola's own: there are no published ones.
 constexpr double least_balance_p = 0.01;
 constexpr double max_false_alarms_percent = 20.0;
 constexpr double max_censored_percent = 20.0;
 
-/// The positions of the methods in one scene of one participant; empty unless each position is
-/// taken once: a trial that is missing from the record has no position of its own.
+/// Returns the positions of the methods in one scene of one participant. Empty unless each position
+/// is taken once: a trial missing from the record has no position.
 std::vector<std::size_t> positions_of_methods(std::span<const Trial> block) {
   std::vector<std::size_t> positions;
   for (const Trial& trial : block) {
@@ -48,7 +48,7 @@ std::vector<std::size_t> positions_of_methods(std::span<const Trial> block) {
   return positions;
 }
 
-/// How often each method had each position, over the participants' scenes with all their trials.
+/// Counts how often each method had each position, over the participants' complete scenes.
 PositionCounts count_positions(const Dataset& set) {
   const std::size_t methods = set.methods.size();
   PositionCounts counts(methods, std::vector<std::size_t>(methods, 0));
@@ -85,7 +85,7 @@ DataQualityCheck check_kind(const StudyTables& tables) {
           "no simulated and no pilot sessions", within(warning.empty())};
 }
 
-/// All times of the participant's trials, of every mark.
+/// Returns all times of the participant's trials, of every mark.
 std::vector<double> measured_times(const Dataset& set, std::size_t participant) {
   std::vector<double> times;
   for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
@@ -100,7 +100,7 @@ std::vector<double> measured_times(const Dataset& set, std::size_t participant) 
   return times;
 }
 
-/// The catch trials of the analysed participants: of each, its last timing.
+/// Counts the catch trials of the analysed participants, by their final timings.
 std::vector<CatchFigures> catch_figures(const Dataset& set, const study::StudyRecords& records) {
   std::map<std::string, CatchFigures> figures;
   for (std::size_t i = 0; i < records.trials.size(); ++i) {
@@ -156,15 +156,14 @@ DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
         {time.participant, fmt::format("{}, {}, {}, {}: {:.2g} × the expected", time.participant,
                                        time.scene, time.method, time.mark, time.times_expected)});
   }
-  return {"Single times that stand out",
+  return {"Outlying times",
           outliers.empty() ? "none"
                            : fmt::format("{}{}", outliers.size(), colon_and_findings(findings)),
           "none; by chance, one study in twenty has any (Rosner’s test, level 5 %, for each mark)",
           within(outliers.empty())};
 }
 
-/// A simple reaction to light takes at least this long, whoever sees it (Luce 1986, Response
-/// Times).
+/// Minimum time of a simple reaction to light (Luce 1986, Response Times).
 constexpr double min_seen_s = 0.1;
 
 DataQualityCheck check_early_marks(const Dataset& set) {
@@ -184,14 +183,15 @@ DataQualityCheck check_early_marks(const Dataset& set) {
       }
     }
   }
-  return {"Marks sooner than anybody can see",
+  return {"Marks sooner than anybody can react",
           findings.empty() ? "none"
                            : fmt::format("{}{}", findings.size(), colon_and_findings(findings)),
           fmt::format("none before {:g} s, by simple reactions to light", min_seen_s),
           within(findings.empty())};
 }
 
-/// Where times run out, complete cases and signed ranks favour the method whose times they are.
+/// Where times are censored, complete cases and signed ranks favour the method with the censored
+/// times.
 DataQualityCheck check_time_outs(const Dataset& set) {
   const double trials = static_cast<double>(set.participants.size() * set.scenes.size());
   std::vector<std::string> found;
@@ -206,8 +206,8 @@ DataQualityCheck check_time_outs(const Dataset& set) {
       }
     }
   }
-  return {"Times that ran out", found.empty() ? "none" : listed(found),
-          fmt::format("{:g} % of any mark’s with any method, ours", max_censored_percent),
+  return {"Right-censored times", found.empty() ? "none" : listed(found),
+          fmt::format("{:g} % of any mark’s times with any method, ours", max_censored_percent),
           within(largest <= max_censored_percent)};
 }
 

@@ -1,5 +1,4 @@
-// Data-quality checks: whether frames, gaze, latency, sessions and orders were as good as the study
-// needs.
+// Checks the quality of the data: frames, gaze, latency, sessions and orders.
 #pragma once
 
 #include <optional>
@@ -17,10 +16,10 @@ namespace foveola::analysis {
 
 enum class Verdict { passed, flagged, unknown };
 
-/// "passed", "flagged", "not recorded".
+/// Returns "passed", "flagged" or "not recorded".
 std::string_view name_of(Verdict verdict);
 
-/// Passed if it is good, else flagged.
+/// Returns passed if `good`, else flagged.
 Verdict within(bool good);
 
 struct DataQualityCheck {
@@ -30,54 +29,53 @@ struct DataQualityCheck {
   Verdict verdict = Verdict::unknown;
 };
 
-/// Something that a check found of one participant.
+/// One finding of a check, about one participant.
 struct Finding {
   std::string participant;
   std::string words;  ///< Begins with the participant's code.
 };
 
-/// The first few of them, then how many others there are, and of whom: nobody goes unnamed. Empty
-/// if there are none.
+/// Returns the first few findings, then the number of others and their participants: everybody is
+/// named. Empty if there are none.
 std::string findings_in_words(const std::vector<Finding>& findings);
 
-/// ": " and findings_in_words; empty if there are none.
+/// Returns ": " and findings_in_words; empty if there are none.
 std::string colon_and_findings(const std::vector<Finding>& findings);
 
 /// One participant's catch trials, in which nothing is rendered: a mark is a false alarm.
 struct CatchFigures {
   std::string participant;
   std::size_t trials = 0;        ///< Catch trials that were begun.
-  std::size_t false_alarms = 0;  ///< Those with a mark before the time-out.
+  std::size_t false_alarms = 0;  ///< Catch trials with a mark before the time-out.
 
   double false_alarms_percent() const {
     return 100.0 * static_cast<double>(false_alarms) / static_cast<double>(trials);
   }
 };
 
-/// One participant's reaction test, and how many of the marks are as short as a reaction.
+/// One participant's reaction test, and the number of marks as fast as a reaction.
 struct ReactionFloor {
   std::string participant;
   std::size_t presses = 0;
   std::size_t false_starts = 0;
   std::optional<double> median_s;  ///< Median reaction time, without false starts.
   std::size_t marks = 0;           ///< The participant's measured times, of all marks.
-  std::size_t within_floor = 0;    ///< Those no longer than the median reaction.
+  std::size_t within_floor = 0;    ///< Marks no later than the median reaction time.
 };
 
 struct DataQualityReport {
   std::vector<DataQualityCheck> checks;
-  std::vector<study::FrameFigures> frames;  ///< One for each analysed participant with frames.
-  std::vector<ReactionFloor> reactions;     ///< One for each participant who took the test.
-  std::vector<CatchFigures> catches;        ///< One for each participant with catch trials.
-  std::vector<OutlyingTime> outliers;       ///< Times that stand out from the others.
-  std::vector<MethodGaze> gaze;             ///< One for each method; none if no gaze is known.
+  std::vector<study::FrameFigures> frames;  ///< One per analysed participant with frames.
+  std::vector<ReactionFloor> reactions;     ///< One per participant who took the test.
+  std::vector<CatchFigures> catches;        ///< One per participant with catch trials.
+  std::vector<OutlyingTime> outliers;       ///< Outlying times.
+  std::vector<MethodGaze> gaze;             ///< One per method; empty if no gaze is known.
 };
 
-/// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, objects
-/// out of view at marks, the gaze elsewhere than on the object, sessions that were cut off, trials
-/// timed again, notes, the balance of orders, false alarms, single times that stand out, and
-/// whether the data are people's; for the participants in `tables`. Whoever misses a limit of their
-/// own is named.
+/// Checks the participants of `tables`: dropped frames, gaze loss, latency, validation, the delay
+/// from frames to marks, objects out of view at marks, gaze off the object. Of sessions and trials
+/// it checks interruptions, retimed trials, notes, the balance of orders, false alarms, outlying
+/// times, and whether the data are people's. Participants who miss a limit of their own are named.
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality,
                                      const study::StudyRecords& records);

@@ -1,4 +1,4 @@
-// What stood for participants' eyes: an eye tracker, a simulated eye, or the mouse pointer.
+// Names the sources of participants' gaze: an eye tracker, a simulated eye, or the mouse pointer.
 #pragma once
 
 #include <span>
@@ -11,10 +11,10 @@
 
 namespace foveola::analysis {
 
-/// Whether this tracker's gaze is the mouse pointer's.
+/// Returns whether this tracker is the mouse pointer.
 bool is_mouse(const std::string& tracker);
 
-/// "the mouse pointer in place of an eye", "the eye tracker of profile fove0" and so on.
+/// Returns "the mouse pointer in place of an eye", "the eye tracker of profile fove0" and so on.
 std::string tracker_in_words(const std::string& tracker);
 
 /// A tracker, and the analysed participants whose gaze came from it.
@@ -23,15 +23,16 @@ struct GazeSource {
   std::vector<std::string> participants;
 };
 
-/// Each tracker that the record names; a participant who went on with another has both.
+/// Returns each tracker that the record names. A participant who changed trackers is listed with
+/// both.
 std::vector<GazeSource> gaze_sources(const Dataset& set,
                                      std::span<const study::AttemptGazeRow> gaze);
 
-/// "the mouse pointer in place of an eye (P1, P2); the eye tracker of profile fove0 (P3)", without
-/// participants where all have the same; empty if the record names none.
+/// Returns "the mouse pointer in place of an eye (P1, P2); the eye tracker of profile fove0 (P3)",
+/// without participants if all have the same; empty if the record names no tracker.
 std::string gaze_sources_in_words(const std::vector<GazeSource>& sources);
 
-/// Flags a mouse in place of an eye, and sessions that differ.
+/// Flags a mouse in place of an eye, and sessions with different trackers.
 DataQualityCheck check_gaze_source(const Dataset& set, std::span<const study::AttemptGazeRow> gaze);
 
 }  // namespace foveola::analysis

@@ -14,7 +14,7 @@
 namespace foveola::analysis {
 namespace {
 
-constexpr double max_elsewhere_percent = 50.0;  ///< Foveola's own, for want of a published one.
+constexpr double max_elsewhere_percent = 50.0;  ///< Foveola's own: there is no published one.
 
 DataQualityCheck check_validation(const Dataset& set, const std::vector<study::GazeRunRow>& runs) {
   std::map<std::string, study::GazeRunRow> last_runs;
@@ -109,8 +109,8 @@ DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
   return check;
 }
 
-// These limits are Foveola's own, for want of published ones, except that of the latency: at 50 to
-// 70 ms people begin to notice foveation (Albert, Patney, Luebke, Kim 2017).
+// These limits are Foveola's own, as there are no published ones. Only the latency's is published:
+// people begin to notice foveation at 50 to 70 ms (Albert, Patney, Luebke, Kim 2017).
 constexpr double most_late_percent = 1.0;
 constexpr double max_untracked_percent = 10.0;
 constexpr double longest_latency_ms = 50.0;
@@ -120,7 +120,7 @@ double percent_of_frames(const study::FrameFigures& row, std::uint64_t some) {
   return 100.0 * static_cast<double>(some) / static_cast<double>(row.frames);
 }
 
-/// The participant with the largest value, and all who lie above the limit.
+/// The participant with the maximum, and all participants above the limit.
 struct Worst {
   double value = 0.0;
   std::string participant;
@@ -142,7 +142,7 @@ Worst worst_of(const std::vector<study::FrameFigures>& frames, double limit, con
   return worst;
 }
 
-/// A check of each participant's own figure against a limit.
+/// Checks each participant's own value against a limit.
 template <typename Value>
 DataQualityCheck check_figure(const std::vector<study::FrameFigures>& frames, std::string name,
                               const char* unit, double limit, const std::string& whose,
@@ -160,13 +160,13 @@ DataQualityCheck check_figure(const std::vector<study::FrameFigures>& frames, st
   return check;
 }
 
-/// All participants with what was found of them, or "none".
+/// Returns all participants with their findings, or "none".
 std::string all_in_words(const std::vector<std::string>& findings) {
   return findings.empty() ? "none" : fmt::format("{}", fmt::join(findings, "; "));
 }
 
 DataQualityCheck check_cut_off(const std::vector<study::SessionCourse>& courses) {
-  DataQualityCheck check{"Sessions that were cut off", "no sessions recorded", "none, ours"};
+  DataQualityCheck check{"Interrupted sessions", "no sessions recorded", "none, ours"};
   if (courses.empty()) {
     return check;
   }
@@ -204,7 +204,7 @@ DataQualityCheck check_notes(const std::vector<study::SessionCourse>& courses) {
   return check;
 }
 
-/// How a trial's timings that do not count ended, but for those that an interruption ended.
+/// Outcomes of a trial's non-final timings, except interrupted ones.
 using EarlierOutcomes = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::string>>;
 
 /// By session and trial.
@@ -232,7 +232,7 @@ DataQualityCheck check_timed_again(const Dataset& set, const study::StudyRecords
                                     records.methods[row.method], listed(found->second))});
     }
   }
-  return {"Trials timed again",
+  return {"Retimed trials",
           fmt::format("{} of {}{}", again.size(), counted(trials.size(), "trial"),
                       colon_and_findings(again)),
           "none but after an interruption, ours", within(again.empty())};

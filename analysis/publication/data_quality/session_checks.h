@@ -1,4 +1,4 @@
-// Data-quality checks of how sessions went, of frames, and of gaze and objects.
+// Checks the quality of sessions, frames, gaze and objects.
 #pragma once
 
 #include <vector>
@@ -11,17 +11,16 @@
 
 namespace foveola::analysis {
 
-/// Of the analysed participants: sessions that were cut off and went on, trials that were timed
-/// again for another reason, notes that somebody should read, the programs that ran the sessions,
-/// and what these ran on.
+/// Checks the analysed participants' sessions: interruptions that were resumed, trials retimed for
+/// another reason, unusual notes, the sessions' programs and their equipment.
 std::vector<DataQualityCheck> check_sessions(const Dataset& set, const study::StudyRecords& records,
                                              const study::DataQualityRecords& quality);
 
-/// Of each participant's frames against a limit: those that missed their refresh, those without a
-/// valid gaze, their latency, and how long before a mark they were shown.
+/// Checks each participant's frames against limits: missed refreshes, frames without a valid gaze,
+/// latency, and the time from a frame to the mark upon it.
 std::vector<DataQualityCheck> check_frames(const std::vector<study::FrameFigures>& frames);
 
-/// Of the analysed participants: their last validations, marks with the object out of view, and
+/// Checks the analysed participants' last validations, marks with the object out of view, and
 /// trials with the gaze elsewhere.
 std::vector<DataQualityCheck> check_gaze(const Dataset& set, const study::StudyRecords& records,
                                          const std::vector<study::GazeRunRow>& runs,

@@ -44,7 +44,7 @@ std::string description_json(const StudyTables& tables) {
   return bids_json(json);
 }
 
-/// A participant's answers in numbers, as participants.tsv has them: behind the label and the code.
+/// A participant's numeric answers, which participants.tsv has after the label and the code.
 struct ParticipantFile {
   std::string tsv;
   std::string json;
@@ -58,7 +58,7 @@ ParticipantFile participants_file(const Dataset& set, const ColumnsOf<std::size_
   BidsJson json;
   json["participant_code"]["Description"] = "Code of the participant in the study's file";
   BidsJson& kind = json["participant_kind"];
-  kind["Description"] = "Who took part";
+  kind["Description"] = "Kind of participant";
   kind["Levels"]["human"] = "a person";
   kind["Levels"]["pilot"] = "a person trying out the procedure";
   kind["Levels"]["simulated"] = "a simulated participant, not a person";
@@ -75,7 +75,7 @@ ParticipantFile participants_file(const Dataset& set, const ColumnsOf<std::size_
   return {std::move(tsv), bids_json(json)};
 }
 
-/// The columns of a behavioural file: those of the trials but for the participant's.
+/// Columns of a behavioural file: those of the trials, without the participant's.
 ColumnsOf<std::size_t> behaviour_columns(const ColumnsOf<std::size_t>& trials) {
   return {trials.begin() + columns_of_the_participant, trials.end()};
 }
@@ -94,7 +94,7 @@ std::string behaviour_json(const ColumnsOf<std::size_t>& behaviour) {
   return bids_json(json);
 }
 
-/// The last timings of each analysed participant's trials, in the order of the plan.
+/// Returns the final timings of each analysed participant's trials, in the planned order.
 std::vector<std::string> behaviour_files(const Dataset& set, const study::StudyRecords& records,
                                          const ColumnsOf<std::size_t>& behaviour) {
   std::vector<std::string> files(set.participants.size(), tsv_heading(columns_in(behaviour)));

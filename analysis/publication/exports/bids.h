@@ -1,4 +1,4 @@
-// The behavioural data as the Brain Imaging Data Structure (BIDS 1.11.1) lays them out.
+// Writes the behavioural data in the Brain Imaging Data Structure (BIDS 1.11.1).
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace foveola::analysis {
 
-/// The participants' labels in BIDS, in the order of tables.set.participants, no two alike: the
-/// letters and digits of the code, with a number appended where two codes have the same.
+/// Returns the participants' unique labels in BIDS, in the order of tables.set.participants: the
+/// letters and digits of the code, with a number appended where codes share them.
 std::vector<std::string> bids_labels(const Dataset& set);
 
-/// bids/README, dataset_description.json, participants.tsv with its sidecar, task-preview_beh.json,
-/// and sub-LABEL/beh/sub-LABEL_task-preview_beh.tsv for each analysed participant, whose rows are
-/// trials in the order in which they were planned. LABEL is from bids_labels; participants.tsv has
-/// the codes. Missing values are "n/a".
+/// Returns bids/README, dataset_description.json, participants.tsv with its sidecar,
+/// task-preview_beh.json, and sub-LABEL/beh/sub-LABEL_task-preview_beh.tsv for each analysed
+/// participant. Rows are trials in the planned order. LABEL is from bids_labels; participants.tsv
+/// has the codes. Missing values are "n/a".
 std::vector<TextFile> bids_files(const StudyTables& tables, const study::StudyRecords& records,
                                  const ColumnsOf<std::size_t>& trials,
                                  const ColumnsOf<std::size_t>& answers);

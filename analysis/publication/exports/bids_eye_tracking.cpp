@@ -24,7 +24,7 @@ std::string sidecar(const SidecarJson& json) {
   return json.dump(2, ' ', false, SidecarJson::error_handler_t::replace) + "\n";
 }
 
-/// The sampling frequency in hertz over the whole recording; empty if its duration is zero.
+/// Returns the sampling frequency in hertz over the whole recording; empty if its duration is zero.
 std::optional<double> sampling_frequency(const std::vector<GazeSample>& samples) {
   const Nanoseconds lasting = samples.back().time - samples.front().time;
   if (lasting <= Nanoseconds(0)) {
@@ -53,7 +53,7 @@ SidecarJson column(const char* description, const char* units) {
 }
 
 SidecarJson timestamp_column() {
-  SidecarJson json = column("When the eye was there, by the session's own monotonic clock", "ns");
+  SidecarJson json = column("Time of the sample, by the session's monotonic clock", "ns");
   json["Origin"] = "the clock of the computer that ran the session";
   return json;
 }
@@ -76,7 +76,7 @@ std::string samples_json(const study::AttemptGaze& attempt, const std::string& t
   json["timestamp"] = timestamp_column();
   json["x_coordinate"] = column("Azimuth of the gaze, rightwards from straight ahead", "deg");
   json["y_coordinate"] = column("Elevation of the gaze, upwards from straight ahead", "deg");
-  // BIDS has no name for these keys.
+  // Keys without a name in BIDS.
   if (!tracker.empty()) {
     json["GazeSource"] = tracker_in_words(tracker);
   }
@@ -148,17 +148,17 @@ std::string events_json() {
       {"Description", "The trial's first frame and marks, and the eye's movements during it"},
       {"OnsetSource", "timestamp"}};
   json["onset"] = timestamp_column();
-  json["onset"]["Description"] = "When it began, as timestamps are";
-  json["duration"] = column("0 of what has none", "s");
-  json["trial_type"] = {{"Description", "What happened"},
+  json["onset"]["Description"] = "Onset of the event, in the units of timestamp";
+  json["duration"] = column("Duration of the event; 0 for instants", "s");
+  json["trial_type"] = {{"Description", "Kind of event"},
                         {"Levels",
                          {{"first_frame", "the trial's first frame was presented"},
                           {"mark", "the participant marked what message names"},
                           {"timed_out", "the wait for the mark that message names ended"},
-                          {"fixation", "slower than a saccade, by a velocity threshold"},
-                          {"saccade", "faster, by the same threshold"},
-                          {"blink", "no gaze was seen"}}}};
-  json["message"] = {{"Description", "Which mark"}};
+                          {"fixation", "an eye movement slower than a velocity threshold"},
+                          {"saccade", "an eye movement faster than the same threshold"},
+                          {"blink", "no valid gaze"}}}};
+  json["message"] = {{"Description", "Id of the mark"}};
   return sidecar(json);
 }
 

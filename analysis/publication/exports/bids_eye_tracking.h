@@ -1,4 +1,4 @@
-// Recorded gaze as the Brain Imaging Data Structure (BIDS 1.11.1, from BEP 20) lays it out.
+// Writes recorded gaze in the Brain Imaging Data Structure (BIDS 1.11.1, from BEP 20).
 #pragma once
 
 #include <cstddef>
@@ -15,31 +15,30 @@
 
 namespace foveola::analysis {
 
-/// Takes attempts one after the other, in the order of the session, and numbers a participant's
-/// recordings as BIDS's runs: gaze is only recorded while a trial is timed, and a BIDS file has one
+/// Exports attempts one after the other, in the order of the session, and numbers a participant's
+/// recordings as BIDS runs. Gaze is recorded only while a trial is timed, and a BIDS file has one
 /// constant sampling frequency.
 class EyeTrackingExport {
  public:
   /// Exports the participants of `set`. A participant's accuracy is that of the last of
-  /// `validations` with any valid sample; `gaze` names the tracker of each attempt.
+  /// `validations` with a valid sample. `gaze` names the tracker of each attempt.
   EyeTrackingExport(const Dataset& set, const std::vector<study::GazeRunRow>& validations,
                     const std::vector<study::AttemptGazeRow>& gaze);
 
-  /// bids/sub-LABEL/beh/sub-LABEL_task-preview_run-RUN_recording-eye1 with _physio.tsv.gz,
-  /// _physio.json, _physioevents.tsv.gz and _physioevents.json. A sample is its time by the
-  /// session's clock in nanoseconds, then azimuth (rightwards) and elevation (upwards) in degrees
-  /// from straight ahead, in the head's axes; "n/a" where the tracker saw no gaze. Events are the
-  /// first frame, the marks and the eye's movements; without any, the last two files are left out.
-  /// Where a mouse stood for the eye, it is a recording-mouse of the generic PhysioType, without
-  /// eye and movements. Empty for a participant who is not analysed, or if the samples are too few
-  /// to have a frequency.
+  /// Returns bids/sub-LABEL/beh/sub-LABEL_task-preview_run-RUN_recording-eye1 with _physio.tsv.gz,
+  /// _physio.json, _physioevents.tsv.gz and _physioevents.json. A sample has the session clock's
+  /// time in nanoseconds, then azimuth (rightwards) and elevation (upwards) in degrees from
+  /// straight ahead, in the head's axes; "n/a" without gaze. Events are the first frame, the marks
+  /// and the eye's movements; without events the last two files are omitted. A mouse in place of
+  /// the eye is a recording-mouse of the generic PhysioType, without eye and movements. Empty for a
+  /// participant who is not analysed, or with too few samples for a frequency.
   std::vector<TextFile> files_of(const study::AttemptGaze& attempt);
 
-  /// bids/.bidsignore if any file so far needs it, so that validators that know no BIDS 1.11 pass
-  /// over what they would refuse; it says so itself.
+  /// Returns bids/.bidsignore if any file so far needs it: it hides files from validators older
+  /// than BIDS 1.11, and says so itself.
   std::optional<TextFile> ignored() const;
 
-  /// The number of the analysed participants' recordings that had too few samples.
+  /// Number of the analysed participants' recordings with too few samples.
   std::size_t too_short() const { return too_short_; }
 
  private:

@@ -16,8 +16,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// Psych-DS allows letters and digits in the values of a file's name, which no file system takes at
-/// any length.
+/// Psych-DS allows only letters and digits in the values of file names. Lengths are limited by file
+/// systems.
 std::string file_word(const std::string& name) {
   std::string word;
   std::copy_if(name.begin(), name.end(), std::back_inserter(word),
@@ -26,7 +26,7 @@ std::string file_word(const std::string& name) {
   return word.empty() ? "study" : word.substr(0, max_length);
 }
 
-/// Every column of the data files once: Psych-DS forbids columns that are not described.
+/// Returns every column of the data files once: Psych-DS requires descriptions of all columns.
 std::vector<Column> all_columns(std::vector<Column> trials,
                                 const std::vector<Column>& participants) {
   std::set<std::string> described;
@@ -78,7 +78,7 @@ PsychDs psych_ds(const StudyTables& tables, const std::vector<Column>& trials,
 
 std::string gzip(std::string_view text) {
   if (text.size() > std::numeric_limits<uInt>::max()) {
-    throw std::length_error("a text of 4 GiB and more");
+    throw std::length_error("texts of 4 GiB or more cannot be compressed");
   }
   constexpr int largest_window_with_gzip_header = 15 + 16;
   constexpr int default_memory = 8;
@@ -88,7 +88,7 @@ std::string gzip(std::string_view text) {
     throw std::runtime_error("zlib could not start");
   }
   std::string bytes(::deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
-  // zlib's interface is older than const, and does not write there.
+  // zlib's interface lacks const here, but zlib does not write there.
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(bytes.data());

@@ -1,4 +1,4 @@
-// The data as files for other programs: a folder as Psych-DS lays it out, and gzip (RFC 1952).
+// Writes the data as files for other programs: a Psych-DS folder, and gzip (RFC 1952).
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace foveola::analysis {
 
-/// A folder as Psych-DS 1 describes it: its description, and the names of its data files, which
-/// hold the trials that count and the participants.
+/// A folder of Psych-DS 1: its description, and the names of its data files, which hold the
+/// counting trials and the participants.
 struct PsychDs {
   TextFile description;
   std::string trials_name;
@@ -21,7 +21,7 @@ struct PsychDs {
 PsychDs psych_ds(const StudyTables& tables, const std::vector<Column>& trials,
                  const std::vector<Column>& participants);
 
-/// The whole file. The same text gives the same bytes: it holds no name and no time.
+/// Returns a whole gzip file. Equal texts give equal bytes: the header has no name and no time.
 std::string gzip(std::string_view text);
 
 }  // namespace foveola::analysis

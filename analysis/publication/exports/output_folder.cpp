@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-/// A file of the folder, by its path in it, and the SHA-256 of what an analysis wrote there. While
-/// files are replaced, a path stands with both digests.
+/// A file of the folder: its path in it, and the SHA-256 as written by an analysis. A path has both
+/// digests while its file is replaced.
 struct WrittenFile {
   std::filesystem::path path;
   std::string sha256;
@@ -56,7 +56,7 @@ std::optional<WrittenFile> file_in_line(std::string_view line) {
   return stays_inside(path) ? std::optional(WrittenFile{path, std::string(digest)}) : std::nullopt;
 }
 
-/// Whether all that leads to `path` in the folder are folders, not links, and it is of this type.
+/// Returns whether `path` in the folder is of this type, and is reached by folders only, not links.
 bool is_there_without_links(const fs::path& folder, const fs::path& path, fs::file_type type) {
   std::error_code ignored;
   for (fs::path above = path.parent_path(); !above.empty(); above = above.parent_path()) {
@@ -72,14 +72,13 @@ bool has_path(const FileManifest& manifest, const fs::path& path) {
   return found != manifest.end() && found->path == path;
 }
 
-/// Whether nothing stands at the path any more.
+/// Returns whether the path no longer exists.
 bool remove_if_unchanged(const fs::path& folder, const WrittenFile& file) {
   const fs::path path = folder / file.path;
   std::error_code failure;
   if (is_there_without_links(folder, file.path, fs::file_type::regular) &&
       sha256_of_file(path) == file.sha256 && !fs::remove(path, failure) && failure) {
-    throw Error(path.string(),
-                "is of an earlier analysis and cannot be removed: " + failure.message(),
+    throw Error(path.string(), "of an earlier analysis cannot be removed: " + failure.message(),
                 "check the permissions of its folder");
   }
   return !fs::exists(fs::symlink_status(path, failure));
@@ -94,8 +93,8 @@ void remove_empty_folders(const fs::path& folder, const fs::path& path) {
   }
 }
 
-/// The folder's manifest; empty if it has none. Lines that no analysis writes are left out, such as
-/// those of paths that lead out of the folder. Throws Error if it cannot be read.
+/// Returns the folder's manifest; empty if it has none. Lines that no analysis writes are ignored,
+/// such as paths out of the folder. Throws Error if it cannot be read.
 FileManifest read_manifest(const fs::path& folder) {
   FileManifest manifest;
   if (!fs::exists(folder / manifest_name)) {
@@ -125,9 +124,9 @@ void write_manifest(const fs::path& staging, const fs::path& folder, const FileM
   sync_to_disk(folder);
 }
 
-/// Removes the files of `former` that `current` has not, and folders that become empty by that. A
-/// file stays if its bytes are not those that were written, or if a link leads to it. Returns the
-/// paths of the files that stay. Throws Error if a file cannot be removed.
+/// Removes the files of `former` that are not in `current`, and folders that become empty. A file
+/// stays if its bytes have changed since, or if it is reached by a link. Returns the paths of the
+/// files that stay. Throws Error if a file cannot be removed.
 std::vector<fs::path> remove_former_files(const fs::path& folder, const FileManifest& former,
                                           const FileManifest& current) {
   std::set<fs::path> staying;
@@ -145,7 +144,7 @@ std::vector<fs::path> remove_former_files(const fs::path& folder, const FileMani
   return {staying.begin(), staying.end()};
 }
 
-/// Syncs the folder and those in it that hold files of the manifest, as far as they are there.
+/// Syncs the folder and its existing folders that hold files of the manifest.
 void sync_folders(const fs::path& folder, const FileManifest& manifest) {
   std::set<fs::path> folders = {folder};
   for (const WrittenFile& file : manifest) {
@@ -160,7 +159,7 @@ void sync_folders(const fs::path& folder, const FileManifest& manifest) {
   }
 }
 
-/// Throws Error for a file in the folder's place. Returns whether the folder is there already.
+/// Returns whether the folder exists. Throws Error if it is a file.
 bool is_there(const fs::path& folder) {
   std::error_code failure;
   if (fs::is_directory(folder, failure)) {
@@ -174,18 +173,19 @@ bool is_there(const fs::path& folder) {
 
 constexpr std::string_view staging_name = ".unfinished-XXXXXX";
 
-/// Held until it is closed. Throws Error if another program holds it.
+/// Locks the folder until the returned descriptor is closed. Throws Error if another program holds
+/// it.
 int lock(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(descriptor);
     throw Error(folder.string(), "is being written by another analysis",
-                "let that end, or choose another folder with -o");
+                "wait for its end, or choose another folder with -o");
   }
   return descriptor;
 }
 
-/// What killed programs have left. The folder is locked.
+/// Removes the staged files of killed programs. The folder must be locked.
 void remove_former_staging(const fs::path& folder) {
   const std::string_view beginning = staging_name.substr(0, staging_name.find('X'));
   std::vector<fs::path> left;
@@ -202,7 +202,7 @@ void remove_former_staging(const fs::path& folder) {
   }
 }
 
-/// A new folder in `folder`: the parent of that may belong to somebody else.
+/// Makes a new folder in `folder`, whose parent may belong to another user.
 fs::path make_staging(const fs::path& folder) {
   std::string name = (folder / staging_name).string();
   if (::mkdtemp(name.data()) == nullptr) {
@@ -240,7 +240,7 @@ StagedFolder::~StagedFolder() {
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
   if (is_new_) {
-    fs::remove(folder_, ignored);  // unless there is something in it
+    fs::remove(folder_, ignored);  // unless it is not empty
   }
   ::close(lock_);
 }
@@ -250,7 +250,7 @@ PublishedFiles StagedFolder::publish(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     current.insert({file.lexically_relative(staging_), sha256_of_file(file)});
   }
-  // Until all is done, the manifest names the former files and the new ones.
+  // Until everything is moved, the manifest names the former files and the new ones.
   const FileManifest former = read_manifest(folder_);
   FileManifest all = former;
   all.insert(current.begin(), current.end());

@@ -1,4 +1,4 @@
-// The description of all files that an analysis writes.
+// Describes all files that an analysis writes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace foveola::analysis {
 
-/// OUTPUTS.md: what all files have in common, what each of them is, and the columns of `tables`.
+/// Returns OUTPUTS.md: facts common to all files, a line per file, and the columns of `tables`.
 std::string outputs_in_words(const std::vector<Table>& tables);
 
 }  // namespace foveola::analysis

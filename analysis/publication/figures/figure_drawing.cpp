@@ -14,7 +14,7 @@ constexpr double interval_width = 2.5;
 
 int filled_point(std::size_t method) { return hollow_point(method) + 1; }
 
-/// Writes whose data a figure shows into its corner, so that the file says so wherever it goes.
+/// Writes into a figure's corner whose data it shows, so that a copied file says so too.
 std::string data_mark(const StudyTables& tables) {
   const std::string notice = data_notice(tables);
   return notice.empty() ? ""

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double no_change = 100.0;  // In per cent of the baseline.
 
-/// These multiples of every power of ten that lie within the range.
+/// Returns the given multiples of every power of ten within the range.
 std::vector<double> multiples_of_powers(const Interval& range,
                                         const std::vector<double>& multiples) {
   std::vector<double> ticks;
   const auto last = static_cast<int>(std::floor(std::log10(range.high)));
   for (auto power = static_cast<int>(std::floor(std::log10(range.low))); power <= last; ++power) {
     for (const double multiple : multiples) {
-      // A quotient of whole numbers where the power is below one: 0.2, not 0.2 and its rounding.
+      // Divides whole numbers if the power is below one: exactly 0.2, without a rounding error.
       const double tick =
           power < 0 ? multiple / std::pow(10.0, -power) : multiple * std::pow(10.0, power);
       if (tick >= range.low && tick <= range.high) {
@@ -31,7 +31,7 @@ std::vector<double> multiples_of_powers(const Interval& range,
   return ticks;
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten, about five steps of them.
+/// Returns about five multiples of 1, 2 or 5 times a power of ten.
 std::vector<double> equal_steps(const Interval& range) {
   constexpr double steps = 5.0;
   const double least = (range.high - range.low) / steps;

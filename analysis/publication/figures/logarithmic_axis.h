@@ -1,4 +1,4 @@
-// Logarithmic axes of the figures of times, with ticks that are plain numbers.
+// Logarithmic axes of the figures of times, with plain numbers as ticks.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,26 @@ namespace foveola::analysis {
 
 // Every value and range is above zero.
 
-/// How far an axis reaches, with a margin: over every value, and over an interval only up to a
-/// multiple of these, so that the interval of a few participants does not hide the rest. Empty
-/// without values.
+/// Returns the range of an axis, with a margin: all values, and intervals only up to a multiple of
+/// the values, so that a few participants' interval does not hide the rest. Empty without values.
 std::optional<Interval> reach_of(const std::vector<double>& values,
                                  const std::vector<Interval>& intervals);
 
-/// Round numbers within the range, about five to ten of them: powers of ten over many decades, 1,
-/// 2, 5, 10 and so on over a few, more multiples within one, equal steps within less.
+/// Returns about five to ten round numbers within the range: powers of ten over many decades, 1, 2,
+/// 5, 10 and so on over a few, more multiples within one decade, equal steps within less.
 std::vector<double> logarithmic_ticks(const Interval& range);
 
-/// A tick's number without an exponent: "0.05", "2", "5000".
+/// Returns a tick's number without an exponent: "0.05", "2", "5000".
 std::string plain_number(double value);
 
-/// gnuplot's logarithmic x axis over the range, with the grid at its ticks.
+/// Returns gnuplot's logarithmic x axis over the range, with the grid at its ticks.
 std::string logarithmic_axis(const Interval& range);
 
-/// The range with 100 per cent, which is no change, inside it.
+/// Extends the range to include 100 per cent, no change.
 Interval with_no_change(const Interval& percent);
 
-/// The axes of times relative to the baseline of this label: in per cent of its time below, and
-/// how many times as fast above, "1×" at 100 per cent and "2×" at 50; with the line of no change.
+/// Returns the axes of times relative to the baseline with this label. Below: per cent of its time.
+/// Above: speed-up, "1×" at 100 per cent and "2×" at 50. With the line of no change.
 std::string relative_axes(const Interval& percent, const std::string& reference);
 
 }  // namespace foveola::analysis

@@ -37,12 +37,13 @@ std::vector<BarSegment> bar_segments(const MethodRatings& ratings) {
   return segments;
 }
 
-/// The colour of the answer of this index among `answers`: from light to dark along the scale.
+/// Returns the shade of the answer of this index among `answers`: from light to dark along the
+/// scale.
 std::size_t shade_of(std::size_t answer, std::size_t answers) {
   return answer * palette::ratings.size() / answers;
 }
 
-/// The counts inside the bars, where their digits fit.
+/// Writes the counts inside the bars where their digits fit.
 std::string count_labels(const std::vector<BarSegment>& segments, std::size_t row) {
   constexpr double margin_percent = 1.0;
   constexpr double digit_percent = 2.0;
@@ -62,7 +63,7 @@ std::string count_labels(const std::vector<BarSegment>& segments, std::size_t ro
   return labels;
 }
 
-/// Right of a row: the number of values, below `above` if that is not empty.
+/// Writes the number of values at the right of a row, below `above` if that is not empty.
 std::string row_summary(const std::string& above, std::size_t n, double row) {
   const auto line = [&](const std::string& text, double lines_down) {
     return fmt::format(
@@ -98,7 +99,7 @@ std::string rating_plot(const std::vector<double>& points) {
   return fmt::format("plot {}\n", fmt::join(layers, ", \\\n"));
 }
 
-/// The labels of a scale's ends, each on a line of its own where both are too long for one.
+/// The labels of a scale's ends, each on a line of its own if both are too long for one.
 struct EndLabels {
   std::string low;
   std::string high;
@@ -110,7 +111,8 @@ struct EndLabels {
   }
 };
 
-/// Left and right, so many lines above the plot's edge, which is `edge` 0 below and 1 above.
+/// Places the labels at left and right, this many lines above the plot's edge: `edge` 0 is the
+/// lower one, 1 the upper.
 std::string end_label_script(const EndLabels& ends, int edge, double low_lines, double high_lines) {
   const auto label = [&](const std::string& text, int x, std::string_view side, double lines) {
     return fmt::format("set label {} at graph {}, graph {} offset 0,{} {} textcolor rgb '{}'\n",
@@ -119,8 +121,8 @@ std::string end_label_script(const EndLabels& ends, int edge, double low_lines, 
   return label(ends.low, 0, "left", low_lines) + label(ends.high, 1, "right", high_lines);
 }
 
-/// What stands above the bars, from above downwards: a line for whose data it is, the key in as
-/// many lines as it needs, and the labels of the ends, with which the bars begin and end.
+/// Layout above the bars, downwards: the notice of whose data they are, the key in as many lines as
+/// it needs, and the end labels, aligned with the ends of the bars.
 struct AboveBars {
   std::string script;
   int height = 0;  ///< In SVG units.
@@ -142,7 +144,7 @@ AboveBars above_bars(const Measure& measure, const std::vector<double>& points) 
           line_height * (2 + key_lines + end_lines)};
 }
 
-/// Below the axis of a figure of means, which is the whole scale.
+/// Writes the end labels below the axis of a figure of means, which spans the whole scale.
 std::string labels_below_axis(const Measure& measure, const Interval& axis) {
   const EndLabels ends{measure.label_of(axis.low), measure.label_of(axis.high)};
   if (!ends.exist()) {
@@ -153,7 +155,7 @@ std::string labels_below_axis(const Measure& measure, const Interval& axis) {
                      ends.are_long() ? -2 : -1);
 }
 
-/// The shares of the answers on a scale of few points.
+/// Draws the shares of the answers on a scale of few points.
 std::optional<Figure> bar_figure(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
   const std::vector<double> points = measure.points();
@@ -197,7 +199,7 @@ struct MeanRow {
   Estimate estimate;
 };
 
-/// Of every method; empty if no participant has every method's value in any scene.
+/// Returns a row per method; empty if no participant has every method's value in any scene.
 std::vector<MeanRow> mean_rows(const StudyTables& tables, std::size_t rating) {
   const ParticipantValues values = participant_means(tables.set, rating);
   std::vector<MeanRow> rows;
@@ -215,8 +217,8 @@ std::vector<MeanRow> mean_rows(const StudyTables& tables, std::size_t rating) {
   return rows;
 }
 
-/// The axis of a figure of means. It is the whole scale, or, of numbers, which may have a range
-/// that nobody uses, as far as participants' means and the intervals reach.
+/// Returns the axis of a figure of means: the whole scale, or, for typed numbers, whose range may
+/// be unused, the reach of participants' means and intervals.
 Interval axis_of(const Measure& measure, const std::vector<MeanRow>& rows) {
   const study::Question& question = measure.question;
   if (question.kind == study::QuestionKind::likert) {
@@ -249,7 +251,7 @@ JoinedPoints participant_points(const std::vector<MeanRow>& rows, const Interval
   return points;
 }
 
-/// The estimates above their rows, and the numbers of participants beside these.
+/// Returns the estimates above their rows, and the numbers of participants beside them.
 std::string mean_data(const std::vector<MeanRow>& rows) {
   constexpr double above = 0.34;
   std::string data;
@@ -273,7 +275,7 @@ std::string mean_plot(const StudyTables& tables) {
   return fmt::format("plot {}\n", fmt::join(layers, ", \\\n"));
 }
 
-/// Participants' means on a scale whose points are not counted.
+/// Draws participants' means on a scale whose points are not counted.
 std::optional<Figure> mean_figure(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
   const std::vector<MeanRow> rows = mean_rows(tables, rating);

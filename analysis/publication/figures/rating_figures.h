@@ -1,4 +1,4 @@
-// The figure of a rating.
+// Draws the figure of a rating.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace foveola::analysis {
 
-/// The shares of the answers of a rating whose points are counted, or each participant's mean with
-/// the means over participants and their 95 % intervals. `rating` is its index in the set's
+/// Draws the shares of the answers if the rating has few points, else each participant's mean and
+/// the means over participants with 95 % confidence intervals. `rating`: index of the set's
 /// measures. Empty without values.
 std::optional<Figure> rating_figure(const StudyTables& tables, std::size_t rating);
 

@@ -32,7 +32,7 @@ SceneRatio ratio_in_scene(const StudyTables& tables, std::size_t mark, std::size
           has_censored(tables, mark, scene, baseline) || has_censored(tables, mark, scene, method)};
 }
 
-/// A scene counts only where every method was measured, so that any method's censored time lacks.
+/// A scene counts only if every method was measured: any method's censored time removes it.
 SceneRatio ratio_in_all_scenes(const StudyTables& tables, std::size_t mark, std::size_t method) {
   SceneRatio ratio{tables.method_times_of(mark, method).percent_of_baseline};
   for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
@@ -43,8 +43,8 @@ SceneRatio ratio_in_all_scenes(const StudyTables& tables, std::size_t mark, std:
   return ratio;
 }
 
-/// The rows of the figure: of each mark every scene, and all of them if there are several. The
-/// methods of a row lie one under the other.
+/// Rows of the figure: every scene of each mark, and all scenes together if there are several. A
+/// row's methods are below one another.
 struct SceneRows {
   const StudyTables& tables;
   std::vector<std::size_t> marks;  ///< Of each group of rows.
@@ -91,8 +91,8 @@ std::optional<Interval> range_of(const SceneRows& drawn) {
   return reach_of(values, intervals);
 }
 
-/// Of one method: the data blocks $ratios_METHOD and $hollow_ratios_METHOD, which lack censored
-/// times, and the numbers of pairs beside the rows.
+/// Returns one method's data blocks, $ratios_METHOD and $hollow_ratios_METHOD (which leaves out
+/// censored times), and the numbers of pairs beside the rows.
 std::string method_data(const SceneRows& drawn, std::size_t method) {
   std::string filled;
   std::string hollow;
@@ -112,7 +112,7 @@ std::string method_data(const SceneRows& drawn, std::size_t method) {
                      filled, hollow, counts);
 }
 
-/// Between the scenes and the row of all.
+/// Draws the lines between the scenes and the row of all.
 std::string rules_above_all_scenes(const SceneRows& drawn) {
   std::string rules;
   const std::size_t scenes = drawn.tables.set.scenes.size();

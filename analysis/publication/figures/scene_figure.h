@@ -1,4 +1,4 @@
-// The figure of the times of all marks in each scene.
+// Draws the figure of the times of all marks in each scene.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,17 @@
 
 namespace foveola::analysis {
 
-/// The marks that the figure has: somebody has a method's time and the baseline's in a scene.
+/// Returns the figure's marks: those for which a participant has a method's time and the baseline's
+/// in a scene.
 std::vector<std::size_t> marks_in_scenes(const StudyTables& tables);
 
-/// Whether a right-censored time of these marks is left out.
+/// Returns whether a right-censored time of these marks is left out.
 bool lacks_censored_times(const StudyTables& tables);
 
-/// relative_times_by_scene: per cent of the baseline on a logarithmic axis, the geometric means
-/// over participants in each scene with their 95 % intervals, and those of all scenes; hollow where
-/// a right-censored time is left out, the number of participants beside each. Empty without values.
+/// relative_times_by_scene: per cent of the baseline, on a logarithmic axis. It shows geometric
+/// means over participants with 95 % confidence intervals, in each scene and over all, and the
+/// number of participants. Points that leave out a right-censored time are hollow. Empty without
+/// values.
 std::optional<Figure> relative_scene_figure(const StudyTables& tables);
 
 }  // namespace foveola::analysis

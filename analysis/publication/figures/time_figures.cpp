@@ -23,7 +23,7 @@ struct TimeScale {
   std::size_t first_method = 0;  ///< The methods from this one on are drawn.
 };
 
-/// The rows of a figure in which each method has one, and where its participants' points are.
+/// Rows of a figure with one row per method, and the places of its participants' points.
 struct MethodRows {
   const StudyTables& tables;
   TimeScale scale;
@@ -36,13 +36,13 @@ struct MethodRows {
   const MethodTimes& times(std::size_t group, std::size_t row) const {
     return tables.method_times_of(marks[group], scale.first_method + row);
   }
-  /// Above the participants' points, which would hide it.
+  /// Places estimates above the participants' points, which would hide them.
   double estimate_y(std::size_t group, std::size_t row) const {
     return rows.y(group, row) - (has_points ? 0.32 : 0.0);
   }
 };
 
-/// Of every mark the points of all methods, which are of the same participants.
+/// Returns, for every mark, the points of all methods, which are of the same participants.
 std::vector<JoinedPoints> participant_points(const MethodRows& drawn) {
   constexpr double below_estimate = 0.08;
   std::vector<JoinedPoints> groups(drawn.marks.size());
@@ -76,7 +76,7 @@ std::string estimate_data(const MethodRows& drawn) {
   return data;
 }
 
-/// The lines below the points below the estimates.
+/// Plots the lines below the points, and these below the estimates.
 std::string method_rows_plot(const MethodRows& drawn) {
   std::vector<std::string> layers;
   if (drawn.has_points) {
@@ -129,8 +129,8 @@ std::optional<MethodRows> method_rows(const StudyTables& tables, const TimeScale
   return drawn;
 }
 
-/// The curve as points of (time, share without a mark), from `start` on; of thousands of steps only
-/// so many as can be seen.
+/// Returns the curve as points of (time, share without a mark), from `start` on. Thousands of steps
+/// are thinned to the visible ones.
 std::string curve_data(const SurvivalCurve& curve, std::size_t method, double start) {
   std::string data = fmt::format("$method{} << END\n{} 1\n", method, start);
   constexpr std::size_t max_steps = 1000;
@@ -142,7 +142,7 @@ std::string curve_data(const SurvivalCurve& curve, std::size_t method, double st
   return data + "END\n";
 }
 
-/// The points of the curve at which trials were right-censored.
+/// Returns the points of the curve at which trials were right-censored.
 std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
   std::string data = fmt::format("$censored{} << END\n", method);
   for (const SurvivalStep& step : curve.steps) {

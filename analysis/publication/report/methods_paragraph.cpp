@@ -18,7 +18,7 @@ namespace {
 
 using study::MeasureKind;
 
-/// What participants marked and rated, with the protocol's scales.
+/// The participants' marks and ratings, with the protocol's scales.
 std::string measures_in_words(const Dataset& set) {
   std::vector<std::string> marks;
   for (const std::size_t mark : set.marks()) {
@@ -85,7 +85,7 @@ std::string apparatus_in_words(const study::StudyRecords& records) {
                             records.protocol.timing.mark_timeout_s);
 }
 
-/// What stood for participants' eyes, and whether that differed.
+/// The sources of gaze, and whether they differed.
 std::string gaze_in_words(const Dataset& set, const study::DataQualityRecords& quality) {
   const std::vector<GazeSource> sources = gaze_sources(set, quality.gaze);
   if (sources.empty()) {
@@ -96,7 +96,7 @@ std::string gaze_in_words(const Dataset& set, const study::DataQualityRecords& q
                                            gaze_sources_in_words(sources));
 }
 
-/// What people's sessions ran on, as they recorded it, but for speeds, which are of the moment.
+/// The recorded equipment of people's sessions, without momentary speeds.
 std::string setup_in_words(const Dataset& set, const study::DataQualityRecords& quality) {
   std::vector<study::SessionSetup> analysed = of_analysed(set, quality.setups);
   std::erase_if(analysed, [](const study::SessionSetup& row) { return row.kind == "simulated"; });
@@ -109,7 +109,7 @@ std::string setup_in_words(const Dataset& set, const study::DataQualityRecords& 
   return facts.empty() ? "" : fmt::format(" Sessions ran with {}.", fmt::join(facts, "; "));
 }
 
-/// The programs that ran the analysed sessions, and whether they differed.
+/// The programs of the analysed sessions, and whether they differed.
 std::string programs_in_words(const Dataset& set, const study::StudyRecords& records) {
   const std::vector<study::ProgramUse> uses =
       study::program_uses(of_analysed(set, records.programs));
@@ -124,7 +124,8 @@ std::string programs_in_words(const Dataset& set, const study::StudyRecords& rec
   return fmt::format(" Sessions were run by different programs: {}.", fmt::join(words, "; "));
 }
 
-/// Whose primary analyses are of this kind, as the subject of a sentence: times, ratings or both.
+/// The measures whose primary analyses are of this kind, as the subject of a sentence: times,
+/// ratings or both.
 std::string compared_by(AnalysisKind kind, const Comparisons& comparisons) {
   bool times = false;
   bool ratings = false;
@@ -153,7 +154,7 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
       "freedom)");
   add(AnalysisKind::participant_t,
       fmt::format("a paired t test of the participants’ mean differences over the {}, whose "
-                  "interval is of participants in these scenes alone",
+                  "interval generalises to participants only, in these scenes",
                   counted(tables.set.scenes.size(), "scene")));
   add(AnalysisKind::tobit_model,
       fmt::format("a Tobit model where some were right-censored, with terms for participants and "
@@ -162,7 +163,7 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
                       ? " and a standard error by the mixed model of each pair’s influence on the "
                         "ratio, with participants and scenes as crossed random effects"
                       : ", a ratio for each scene and a standard error clustered by participant, "
-                        "whose interval is of participants in these scenes alone"));
+                        "whose interval generalises to participants only, in these scenes"));
   add(AnalysisKind::ordinal_model,
       fmt::format(
           "a cumulative link mixed model with random effects of participants{} and of their "
@@ -206,7 +207,7 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
   return text;
 }
 
-/// Sessions that are not analysed, by the reason.
+/// Counts sessions that are not analysed, by the reason.
 std::string exclusions_in_words(const StudyTables& tables) {
   std::map<std::string, std::size_t> sessions;
   std::size_t all = 0;
@@ -229,7 +230,7 @@ std::string exclusions_in_words(const StudyTables& tables) {
       fmt::join(reasons, "; "));
 }
 
-/// How many ratings are missing, of those that were asked.
+/// Counts missing ratings among those that were asked.
 std::string missing_ratings_in_words(const Dataset& set) {
   std::size_t ratings = 0;
   std::size_t missing = 0;
@@ -244,7 +245,7 @@ std::string missing_ratings_in_words(const Dataset& set) {
                                     missing == 1 ? "was" : "were");
 }
 
-/// How many times were right-censored or not measured, of those that were planned.
+/// Counts right-censored and missing times among those that were planned.
 std::string gaps_in_words(const Dataset& set) {
   std::size_t times = 0;
   std::size_t censored = 0;
@@ -263,7 +264,7 @@ std::string gaps_in_words(const Dataset& set) {
                            censored == 1 ? "was" : "were", missing);
 }
 
-/// What else was computed of the comparisons, beside the primary analyses.
+/// The analyses of the comparisons beside the primary ones.
 std::string other_analyses_in_words(const Comparisons& comparisons) {
   const auto any = [&](auto has) { return std::ranges::any_of(comparisons.methods, has); };
   const auto any_omnibus = [&](auto has) { return std::ranges::any_of(comparisons.omnibus, has); };

@@ -1,4 +1,4 @@
-// The methods paragraph of a paper, written from the protocol and what was analysed.
+// Writes a paper's methods paragraph from the protocol and the analysed data.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace foveola::analysis {
 
-/// Plain sentences, ready to be edited: who took part, what they saw in which order, what they
-/// marked and rated, on which display, where the gaze came from, on what and by which program, and
-/// how it was analysed; where sessions differ, that they do. What neither protocol nor record says
-/// is left out; data that are not people's are called so.
+/// Returns plain sentences, ready to be edited. They cover participants, stimuli and orders, marks
+/// and ratings, display, gaze source, equipment, programs and analysis, and differences between
+/// sessions. Facts that neither protocol nor record has are left out. Data that are not people's
+/// are called so.
 std::string methods_paragraph(const StudyTables& tables, const Comparisons& comparisons,
                               const study::StudyRecords& records,
                               const study::DataQualityRecords& quality);

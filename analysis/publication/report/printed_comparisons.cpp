@@ -11,8 +11,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// The table with more columns that name the methods and the measure, "FV / OD, outline", and
-/// say whether this is a time. Times are joined by "/", and ratings by "−".
+/// Returns the table with columns that name the methods and the measure, "FV / OD, outline", and
+/// say whether this is a time. Times are joined by "/", ratings by "−".
 Table with_compared(const Table& results, const std::vector<bool>& are_times) {
   Table table = with_method_labels(results);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -42,7 +42,7 @@ PrintedTable printed_models(const std::vector<Table>& results) {
        .note = "Crossed and Tobit models of log times: ratios in per cent; crossed models of "
                "ratings with many points: points; cumulative link mixed models of the other "
                "ratings: odds ratios of a higher one. Standard deviations are of the difference "
-               "between the methods, in log units, points or logits."},
+               "between the methods, in natural-log units, points or logits."},
       with_compared(models, std::vector<bool>(models.rows.size(), true)), "",
       {{"Methods, measure", "{compared}"},
        {"model", "{model}"},
@@ -68,8 +68,8 @@ PrintedTable printed_influence(const Table& compared) {
   return print_rows(
       {.id = "influence",
        .title = "Without one participant.",
-       .note = "The smallest and the largest primary estimate of the planned comparisons when each "
-               "participant in turn is left out, and who that is."},
+       .note = "Minimum and maximum of the primary estimate of a planned comparison when each "
+               "participant in turn is left out, with that participant."},
       compared, "{status=planned}",
       {{"Methods, measure", "{compared}"},
        {"smallest", smallest_ratio, smallest_points, "none: |{leave_one_out_note}"},
@@ -81,11 +81,12 @@ PrintedTable printed_influence(const Table& compared) {
 PrintedTable printed_ratios(const Table& compared, const Comparisons& comparisons) {
   return print_rows(
       {.id = "ratios-over-participants",
-       .title = "Times over participants, in these scenes.",
-       .note = joined("Geometric mean ratio of the participants’ pairs with t interval, then BCa "
-                      "bootstrap interval; paired t on logarithms; the same of the scenes in which "
-                      "all methods were measured (complete cases).",
-                      comparisons.censored_times)},
+       .title = "Times: tests over participants, in these scenes.",
+       .note =
+           joined("Geometric mean ratio of the participants’ pairs with t interval, then BCa "
+                  "bootstrap interval; paired t on logarithms; the same over the scenes in which "
+                  "all methods were measured (complete cases).",
+                  comparisons.censored_times)},
       compared, "{is_time=TRUE}",
       {{"Methods, mark", "{compared}"},
        {"n", "{n}"},
@@ -103,7 +104,7 @@ PrintedTable printed_ratios(const Table& compared, const Comparisons& comparison
 PrintedTable printed_ranks(const Table& compared, const Comparisons& comparisons) {
   return print_rows(
       {.id = "ranks",
-       .title = "Times by ranks.",
+       .title = "Times: rank tests.",
        .note = joined("Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges "
                       "and Lehmann’s estimate of the ratio.",
                       comparisons.censored_times)},
@@ -120,9 +121,9 @@ PrintedTable printed_ranks(const Table& compared, const Comparisons& comparisons
 PrintedTable printed_rating_differences(const Table& compared) {
   return print_rows(
       {.id = "rating-differences",
-       .title = "Ratings over participants, in these scenes.",
+       .title = "Ratings: tests over participants, in these scenes.",
        .note = "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
-               "participants; the difference of means is given, too."},
+               "participants; the difference of means is given as well."},
       compared, "{is_time=FALSE}",
       {{"Methods, rating", "{compared}"},
        {"n", "{n}"},
@@ -161,7 +162,7 @@ PrintedTable printed_equivalence(const Table& compared, const study::AnalysisPla
 PrintedTable printed_variance(const Table& omnibus, const Comparisons& comparisons) {
   return print_rows(
       {.id = "omnibus-times",
-       .title = "Times, all methods together.",
+       .title = "Times: analysis of variance of all methods.",
        .note = joined("Repeated-measures analysis of variance of log times, with Greenhouse and "
                       "Geisser’s correction in the degrees of freedom and in P; participants with "
                       "a missing value are left out.",
@@ -178,7 +179,7 @@ PrintedTable printed_variance(const Table& omnibus, const Comparisons& compariso
 PrintedTable printed_friedman(const Table& omnibus, const Comparisons& comparisons) {
   return print_rows(
       {.id = "omnibus-ranks",
-       .title = "All methods together, by ranks.",
+       .title = "Times and ratings: rank test of all methods.",
        .note = joined("Friedman’s test, with ties, and Kendall’s W; participants with a missing "
                       "value are left out.",
                       comparisons.censored_times)},
@@ -194,11 +195,12 @@ PrintedTable printed_order_effects(const Table& order, const Comparisons& compar
   return print_rows(
       {.id = "order-effects",
        .title = "Order and learning.",
-       .note = joined("Change with each step, with 95 % interval over participants; the means of "
-                      "participants, scenes and methods are subtracted first. Carry-over, where "
-                      "every method follows every other: “fv after od” is the change of fv right "
-                      "after od in a scene, against fv after the others. P is not adjusted.",
-                      comparisons.censored_times)},
+       .note = joined(
+           "Change per step, with its 95 % confidence interval over participants; the means of "
+           "participants, scenes and methods are subtracted first. Carry-over, where "
+           "every method follows every other: “fv after od” is the change of fv right "
+           "after od in a scene, against fv after the others. P is not adjusted.",
+           comparisons.censored_times)},
       order, "",
       {{"Measure, per", "{measure}, {per}"},
        {"n", "{n}"},
@@ -209,7 +211,7 @@ PrintedTable printed_order_effects(const Table& order, const Comparisons& compar
        {"d_z", "{d_z:.2}"}});
 }
 
-/// The table with the degrees of freedom by Greenhouse and Geisser.
+/// Returns the table with the degrees of freedom by Greenhouse and Geisser.
 Table with_corrected_df(Table omnibus) {
   for (const char* df : {"df", "residual_df"}) {
     omnibus.columns.push_back({std::string("corrected_") + df, ColumnType::number, "", ""});
@@ -226,7 +228,7 @@ PrintedTable printed_primary(const Table& compared, const Comparisons& compariso
       {"Methods, measure", "{compared}"},
       {"n", "{n}"},
       {"pairs", "{pairs}"},
-      // One participant, or differences that do not vary, have an estimate and nothing else.
+      // A single participant, or constant differences, allow an estimate only.
       {"estimate [95 %]",
        "{scale=ratio}{estimate:100*.1}| [{estimate_low:100*.1}, {estimate_high:100*.1}]| %",
        "{estimate:.2}| [{estimate_low:.2}, {estimate_high:.2}]| {scale}", "{ratio_percent:.1} %",
@@ -244,12 +246,14 @@ PrintedTable printed_primary(const Table& compared, const Comparisons& compariso
       {.id = planned ? "planned-comparisons" : "exploratory-comparisons",
        .title = planned ? "Planned comparisons." : "Exploratory comparisons, P-values unadjusted.",
        .note = fmt::format(
-           "The primary analysis of each, with its 95 % interval. {} Speed-up: how many times "
+           "The primary analysis of each, with its 95 % confidence interval. {} Speed-up: how many "
+           "times "
            "sooner the mark came.",
            comparisons.plan.scenes == study::SceneEffects::random
-               ? "Mixed and Tobit models are of scenes and participants like these; a paired t and "
-                 "signed ranks are of participants like these in these scenes."
-               : "All are of participants like these in these scenes.")},
+               ? "Mixed and Tobit models generalise to scenes and participants like these; a "
+                 "paired t and "
+                 "signed ranks generalise to participants like these, for these scenes only."
+               : "All estimates generalise to participants like these, for these scenes only.")},
       compared, planned ? "{status=planned}" : "{status=exploratory}", columns);
 }
 

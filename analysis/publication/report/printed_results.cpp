@@ -19,7 +19,7 @@ std::string baseline_name(const StudyTables& tables) {
   return method_label(tables.set.methods[baseline]);
 }
 
-/// One number if it is the same for every method, else one for each, in the methods' order.
+/// Returns one number if it is the same for every method, else one per method, in their order.
 std::string count_per_method(const std::vector<std::size_t>& counts) {
   const bool same =
       std::ranges::all_of(counts, [&](std::size_t count) { return count == counts.front(); });
@@ -71,7 +71,7 @@ PrintedTable printed_times(const StudyTables& tables, std::size_t mark,
   table.note = fmt::format(
       "{} in seconds; other methods in per cent of each participant’s own {} time in the same "
       "scene. Mean ± standard deviation over n participants; last, the geometric mean over scenes "
-      "with its 95 % interval.{}",
+      "with its 95 % confidence interval.{}",
       reference, reference, published_rows_explained(tables, published));
   table.columns = {"Scene"};
   for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
@@ -96,7 +96,7 @@ PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark
   const std::string reference = baseline_name(tables);
   PrintedTable table;
   table.id = "ratios-of-means-" + tables.set.measures[mark].id();
-  table.title = fmt::format("Time until {}, of {}’s mean time.",
+  table.title = fmt::format("Time until {}, in per cent of {}’s mean time.",
                             moment_of(tables.set, tables.set.measures[mark]), reference);
   table.note = fmt::format(
       "Mean time over participants in per cent of {}’s mean time in the scene ± standard deviation "
@@ -128,8 +128,8 @@ PrintedTable printed_geometric_means(const StudyTables& tables,
   PrintedTable table;
   table.id = "geometric-means";
   table.title = "Geometric means over scenes.";
-  table.note =
-      joined("With 95 % intervals over n participants.", censored_times_in_words(tables.set));
+  table.note = joined("With 95 % confidence intervals over n participants.",
+                      censored_times_in_words(tables.set));
   table.columns = {"Method and mark", "n", "seconds", "% of " + baseline_name(tables)};
   const bool has_published = published && is_relative_to_od(tables.set);
   if (has_published) {
@@ -156,10 +156,11 @@ PrintedTable printed_geometric_means(const StudyTables& tables,
 PrintedTable printed_time_to_mark(const Table& time_to_mark) {
   return print_rows(
       {.id = "time-to-mark",
-       .title = "Time to each mark, with trials in which it was never reached.",
-       .note = "Kaplan and Meier’s estimate over trials; restricted means are of times cut off at "
-               "the horizon. They describe these trials: intervals take them as independent, which "
-               "those of one participant are not."},
+       .title = "Time to each mark, including right-censored trials.",
+       .note =
+           "Kaplan and Meier’s estimate over trials; restricted means count times up to "
+           "the horizon. They describe these trials: intervals treat trials as independent, but "
+           "those of one participant are dependent."},
       with_method_labels(time_to_mark), "",
       {{"Mark, method", "{mark}, {method}"},
        {"trials", "{trials}"},
@@ -217,7 +218,7 @@ PrintedTable printed_answers(const Table& answers) {
 }
 
 PrintedTable printed_scores(const Table& scores) {
-  // By the texts of the first two cells, in the order of the rows.
+  // Grouped by the texts of the first two cells, in the order of the rows.
   std::vector<std::pair<std::vector<std::string>, std::vector<double>>> groups;
   for (const Row& row : scores.rows) {
     const auto name = fill("{status=analysed}{questionnaire} (step {step}), {score}", scores, row);
@@ -253,7 +254,8 @@ PrintedTable printed_background_answers(const Background& background,
   table.id = "background-answers";
   table.title = "Background; published: Table 1.";
   table.note =
-      "Means over n participants with 95 % intervals from Student’s t; age in years, else points. "
+      "Means over n participants with 95 % confidence intervals by Student’s t; age in years, else "
+      "points. "
       "Published: Table 1 of Koskela et al. 2018, section 5.1. Difference: of the means, this "
       "study’s less the published.";
   table.columns = {"Question", "n", "mean [95 %]", "sd", "published", "difference"};
@@ -279,7 +281,8 @@ PrintedTable printed_background(const StudyTables& tables, const Table& correlat
        .title = "Correlation of background with speed-up.",
        .note = joined(
            fmt::format("Pearson’s r of the values, whose two-sided P is that of the stated "
-                       "hypothesis, and Spearman’s ρ of their ranks, with 95 % intervals. Speed-up "
+                       "hypothesis, and Spearman’s ρ of their ranks, with 95 % confidence "
+                       "intervals. Speed-up "
                        "is a participant’s mean over scenes of the logarithm of {}’s time over the "
                        "method’s. A dash: not defined, because of fewer than three participants or "
                        "constant values.",

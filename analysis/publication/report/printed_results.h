@@ -1,4 +1,4 @@
-// The study's results as people read them, the same in the report, in LaTeX and on the terminal.
+// Formats the study's results for readers: the same in the report, in LaTeX and on the terminal.
 #pragma once
 
 #include <cstddef>
@@ -15,47 +15,46 @@
 
 namespace foveola::analysis {
 
-// `mark` and `rating` are indices of the set's measures; `published` is what stands beside the
-// study, empty for one that does not measure what was published.
+// `mark` and `rating` are indices of the set's measures. `published` is the published study to
+// compare with; empty if this study measures something else.
 
-/// The times until a mark in each scene: the baseline's in seconds, the others' in per cent of each
-/// participant's own; the last row has the geometric means over scenes. Below a scene that is a
-/// published one or the counterpart of one stands its row of the published Table 2.
+/// Times until a mark in each scene: the baseline's in seconds, the others' in per cent of each
+/// participant's own. The last row has the geometric means over scenes. A published scene, or the
+/// counterpart of one, is followed by its row of the published Table 2.
 PrintedTable printed_times(const StudyTables& tables, std::size_t mark,
                            const std::optional<PublishedStudy>& published);
 
-/// The other reading of the percentages: means over the baseline's mean, likewise.
+/// The other reading of the percentages: the ratio of mean times, likewise.
 PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark,
                                      const std::optional<PublishedStudy>& published);
 
-/// The geometric means over scenes with their intervals, beside those of the published Table 2.
+/// Geometric means over scenes with confidence intervals, beside those of the published Table 2.
 PrintedTable printed_geometric_means(const StudyTables& tables,
                                      const std::optional<PublishedStudy>& published);
 
 /// The table time_to_mark.
 PrintedTable printed_time_to_mark(const Table& time_to_mark);
 
-/// One rating's answers and their summary, a row for each method.
+/// One rating's answers and their summary, a row per method.
 PrintedTable printed_ratings(const StudyTables& tables, std::size_t rating);
 
-/// The questions of all questionnaires that have answers in numbers; `answers` is the table
-/// answers_by_question.
+/// All questionnaires' questions with numeric answers. `answers`: the table answers_by_question.
 PrintedTable printed_answers(const Table& answers);
 
-/// The mean scores of questionnaires with a published key; `scores` is questionnaire_scores.
+/// Mean scores of questionnaires with a published key. `scores`: the table questionnaire_scores.
 PrintedTable printed_scores(const Table& scores);
 
-/// The answers to the published Table 1's questions beside it; no rows without `published`, or
-/// where none of them was answered.
+/// Answers to the questions of the published Table 1, beside it. No rows without `published` or
+/// without answers.
 PrintedTable printed_background_answers(const Background& background,
                                         const std::optional<PublishedStudy>& published);
 
-/// The correlation that the protocol states; no rows without one. `correlation` is the table
+/// The correlation that the protocol states; no rows without one. `correlation`: the table
 /// background_correlation.
 PrintedTable printed_background(const StudyTables& tables, const Table& correlation);
 
-/// The primary analyses of the planned comparisons, and of the exploratory ones. `results` has the
-/// tables of an analysis.
+/// Primary analyses of the planned comparisons, and of the exploratory ones. `results`: an
+/// analysis's tables.
 std::vector<PrintedTable> primary_tables(const std::vector<Table>& results,
                                          const Comparisons& comparisons);
 

@@ -38,7 +38,7 @@ std::string mean_and_deviation(const PublishedTime* time) {
   return mean_and_deviation(shown, 1);
 }
 
-/// The table without those columns, but the first, that have no value in any row.
+/// Returns the table without columns that have no value in any row; the first column stays.
 PrintedTable without_empty_columns(PrintedTable table) {
   for (std::size_t column = table.columns.size() - 1; column > 0; --column) {
     const auto is_empty = [&](const std::vector<std::string>& row) { return row[column] == "–"; };
@@ -53,8 +53,8 @@ PrintedTable without_empty_columns(PrintedTable table) {
   return table;
 }
 
-/// The patterns of a number with as many decimals, at each "#", as the paper has: those of Table 1
-/// two, counts of the text none, its P three, and all others one.
+/// Returns the pattern with decimals in place of each "#", as many as the paper has: Table 1 two,
+/// counts in the text none, its P three, all others one.
 std::vector<std::string> with_decimals(const std::string& pattern) {
   std::vector<std::string> patterns;
   for (const auto& [condition, decimals] :
@@ -68,13 +68,13 @@ std::vector<std::string> with_decimals(const std::string& pattern) {
   return patterns;
 }
 
-/// The numbers of one source as a table; a column without anything in it is left out.
+/// Formats the numbers of one source as a table without empty columns.
 std::string table_of(const StudyTables& tables, const Table& numbers, const std::string& source,
                      const std::string& title, const std::string& explanation) {
   PrintedColumn published = {
       "Published value [95 %]",
       with_decimals("{published:.#}| [{published_ci95_low:.#}, {published_ci95_high:.#}]| {unit}")};
-  // What the text states is written as there.
+  // Numbers of the text are written as there.
   published.patterns.insert(published.patterns.begin(), "{source=text}{published:g}| {unit}");
   PrintedColumn study = {
       "This study [95 %]",
@@ -91,9 +91,9 @@ std::string table_of(const StudyTables& tables, const Table& numbers, const std:
                          published,
                          study,
                          {"Difference", with_decimals("{difference:+.#}")},
-                         {"Times the published", "{times_published:.2}"},
-                         {"Ours in theirs", "{study_in_published_ci95:yes/no}"},
-                         {"Theirs in ours", "{published_in_study_ci95:yes/no}"},
+                         {"Study over published", "{times_published:.2}"},
+                         {"Study in published interval", "{study_in_published_ci95:yes/no}"},
+                         {"Published in study’s interval", "{published_in_study_ci95:yes/no}"},
                          {"Published SD", with_decimals("{published_sd:.#}")},
                          {"This study’s SD", with_decimals("{study_sd:.#}")},
                          {"Difference of SDs", with_decimals("{difference_of_sds:+.#}")}})));
@@ -119,7 +119,7 @@ constexpr const char* introduction =
     "participant’s own ratio, and the ratio of means with the deviation over OD’s mean. Neither "
     "is claimed to be the published one.";
 
-/// The study's records compared with the paper.
+/// The study's records and their comparison with the paper.
 struct Comparison {
   StudyTables tables;
   std::vector<ComparedNumber> numbers;
@@ -146,31 +146,34 @@ Table published_comparison_table(const StudyTables& tables,
       {"own_row", "", "This study's question or scene that is compared", &Number::own_row},
       {"mark", "", "Id of the mark", &Number::mark},
       {"method", "", "Id of the method", &Number::method},
-      {"reading", "", "How this study's number was formed", &Number::reading},
+      {"reading", "", "Formula of this study's number", &Number::reading},
       {"unit", "", "Unit of the values; of deviations of percentages, percentage points",
        &Number::unit},
       {"published", "", "Number of the paper, or computed from Table 2",
        path(&Number::published, &Estimate::value)},
-      {"published_ci95_low", "", "Lower end of its 95 % interval, which is ours",
+      {"published_ci95_low", "", "Lower 95 % confidence limit of published, computed by us",
        path(&Number::published, &Estimate::interval, &Interval::low)},
-      {"published_ci95_high", "", "Upper end of its 95 % interval, which is ours",
+      {"published_ci95_high", "", "Upper 95 % confidence limit of published, computed by us",
        path(&Number::published, &Estimate::interval, &Interval::high)},
       {"published_sd", "", "Standard deviation in the paper", &Number::published_deviation},
       {"study", "", "This study's number", path(&Number::study, &Estimate::value)},
-      {"study_ci95_low", "", "Lower end of its 95 % interval over participants",
+      {"study_ci95_low", "", "Lower 95 % confidence limit of study, over participants",
        path(&Number::study, &Estimate::interval, &Interval::low)},
-      {"study_ci95_high", "", "Upper end of its 95 % interval over participants",
+      {"study_ci95_high", "", "Upper 95 % confidence limit of study, over participants",
        path(&Number::study, &Estimate::interval, &Interval::high)},
       {"study_sd", "", "This study's standard deviation", &Number::study_deviation},
-      {"study_n", "", "Participants in this study's number", path(&Number::study, &Estimate::n)},
+      {"study_n", "", "Number of participants in this study's number",
+       path(&Number::study, &Estimate::n)},
       {"difference", "", "This study's number less the published one", difference_of},
       {"times_published", "", "This study's time or factor over the published one",
        times_published},
       {"difference_of_sds", "", "This study's deviation less the published one",
        difference_of_deviations},
-      {"study_in_published_ci95", "", "Whether this study's lies in the published interval",
+      {"study_in_published_ci95", "",
+       "Whether study lies within the confidence limits of published",
        is_study_in_published_interval},
-      {"published_in_study_ci95", "", "Whether the published lies in this study's interval",
+      {"published_in_study_ci95", "",
+       "Whether published lies within the confidence limits of study",
        is_published_in_study_interval},
       kind_of_all<Number>(tables)};
   return tabulate("published_comparison", "number of the paper", columns, numbers);

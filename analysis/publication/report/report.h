@@ -1,4 +1,4 @@
-// The study's report: one HTML file that needs no network.
+// Writes the study's report: one HTML file that needs no network.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace foveola::analysis {
 
-/// All that the report shows.
+/// Everything that the report shows.
 struct ReportContent {
   const StudyTables& tables;
   const Background& background;
@@ -25,13 +25,14 @@ struct ReportContent {
   const study::DataQualityRecords& quality;
   const DataQualityReport& checks;
   const std::vector<Figure>& figures;
-  const std::optional<PublishedStudy>& published;    ///< What stands beside; see published_beside.
-  const std::string& methods;                        ///< The text of methods_paragraph.
+  const std::optional<PublishedStudy>&
+      published;               ///< The published study to compare with; see published_beside.
+  const std::string& methods;  ///< The text of methods_paragraph.
   const std::optional<study::Verification>& record;  ///< The verification, if there is a file.
 };
 
-/// The whole page. Its top and each caption say so when its data are not people's; it lists what
-/// was left out and why, and defines every number.
+/// Returns the whole page. It names omitted data with the reasons, and defines every number. If the
+/// data are not people's, its top and each caption say so.
 std::string report_html(const ReportContent& content);
 
 }  // namespace foveola::analysis

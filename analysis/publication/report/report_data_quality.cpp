@@ -36,8 +36,8 @@ std::string fault_list(const std::vector<study::RecordFault>& faults) {
 
 std::string finding(const study::Verification& record) {
   return record.faults.empty() ? "<p>It is unchanged since it was written.</p>\n"
-                               : "<p>It was changed or damaged since it was written, and was "
-                                 "analysed all the same, as was asked for with "
+                               : "<p>It was changed or damaged since it was written, and is "
+                                 "analysed nevertheless, because of "
                                  "<code>--unverified</code>:</p>\n" +
                                      fault_list(record.faults);
 }
@@ -45,15 +45,15 @@ std::string finding(const study::Verification& record) {
 std::string gaps(const study::Verification& record) {
   return record.gaps.empty()
              ? "<p>Nothing is missing in it.</p>\n"
-             : "<p>What is missing in it, which is no damage:</p>\n" + fault_list(record.gaps);
+             : "<p>Missing parts, which are not a sign of damage:</p>\n" + fault_list(record.gaps);
 }
 
 std::string warnings_of(const study::Verification& record) {
-  return record.warnings.empty()
-             ? ""
-             : "<p>What is no damage, and is to be known before its dates or times are "
-               "compared:</p>\n" +
-                   fault_list(record.warnings);
+  return record.warnings.empty() ? ""
+                                 : "<p>Findings that are not a sign of damage, to be considered "
+                                   "before dates or times are "
+                                   "compared:</p>\n" +
+                                       fault_list(record.warnings);
 }
 
 std::string rest_in_words(std::size_t rows, const char* file) {
@@ -62,7 +62,7 @@ std::string rest_in_words(std::size_t rows, const char* file) {
              : "";
 }
 
-/// No more rows of a table than these.
+/// Cuts a table after this many rows.
 PrintedTable shortened(PrintedTable table) {
   table.rows.resize(std::min(max_listed, table.rows.size()));
   return table;
@@ -80,7 +80,7 @@ std::string checks_table(const ReportContent& content) {
                                 {"Limit", "{limit}"}}));
 }
 
-/// The mean latency of each session's frames, from the eye to the display.
+/// Tabulates the mean latency of each session's frames, from the eye to the display.
 std::string latency_html(const ReportContent& content) {
   PrintedTable table;
   table.title = "Latency from the eye to the display.";
@@ -119,7 +119,7 @@ std::string reactions_table(const ReportContent& content) {
                             {"marks within the median", "{marks_within_median}"}})));
 }
 
-/// Where the gaze was, in the mean over each method's trials.
+/// Tabulates where the gaze was, in the mean over each method's trials.
 std::string gaze_html(const ReportContent& content) {
   if (content.checks.gaze.empty()) {
     return "<p>No frames were recorded: where gaze and object were is unknown.</p>\n";
@@ -153,7 +153,7 @@ std::string catches_html(const ReportContent& content) {
            {"false alarms", "{false_alarms}"}})));
 }
 
-/// The number of trials that were timed again, and the most attempts.
+/// The number of retimed trials, and the maximum number of attempts.
 std::string attempts_in_words(const Dataset& set) {
   std::size_t again = 0;
   int most = 0;
@@ -161,9 +161,9 @@ std::string attempts_in_words(const Dataset& set) {
     again += trial.attempts > 1 ? 1 : 0;
     most = std::max(most, trial.attempts);
   }
-  return again == 0 ? "No trial was timed again."
+  return again == 0 ? "No trial was retimed."
                     : fmt::format(
-                          "{} of {} were timed again, at most {} times in all; the last "
+                          "{} of {} were retimed, up to {} timings in all; the last "
                           "timing counts.",
                           again, counted(set.trials.size(), "trial"), most);
 }
@@ -173,7 +173,7 @@ std::string attempts_in_words(const Dataset& set) {
 std::string data_quality_flags(const ReportContent& content) {
   std::string items;
   for (const DataQualityCheck& check : content.checks.checks) {
-    // The top of the report says already that data are simulated or a pilot's.
+    // The report's top already says that data are simulated or a pilot's.
     if (check.verdict == Verdict::flagged && check.found != data_warning(content.tables)) {
       items += fmt::format("<li>⚑ {}: {} (limit: {})</li>\n", escape_html(check.name),
                            escape_html(check.found), escape_html(check.limit));
@@ -202,7 +202,7 @@ std::string amended_section(const ReportContent& content) {
   }
   PrintedTable table;
   table.is_numeric = false;
-  table.title = "Sessions by an amended protocol.";
+  table.title = "Sessions that followed an amended protocol.";
   table.note =
       "Words or time-outs were changed after the study had begun; the design was "
       "not. They are analysed with the others where a session is.";
@@ -255,7 +255,7 @@ std::string record_flags(const ReportContent& content) {
     return "";
   }
   return fmt::format(
-      "<div class=\"flags\" role=\"note\"><p>⚑ The study’s file is not what was written ({}): any "
+      "<div class=\"flags\" role=\"note\"><p>⚑ The study’s file failed its verification ({}): any "
       "number here may be wrong.</p></div>\n",
       counted(record->faults.size(), "fault"));
 }

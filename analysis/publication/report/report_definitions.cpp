@@ -27,10 +27,10 @@ std::string definitions_section(const ReportContent& content) {
   define("Of " + escape_html(reference) + "’s mean time",
          fmt::format("100 × the mean of a method’s times divided by the mean of {}’s times in the "
                      "same scene, and their standard deviation divided by the same: of all "
-                     "measured times, whether or not a participant has both.",
+                     "measured times, including those of participants without both.",
                      reference));
   define("Right-censored",
-         "The participant had not marked when the time-out came, which is only a lower bound of "
+         "The participant had not marked by the time-out, which is a lower bound of "
          "the time. It is in no mean, which makes that method’s mean too small; the count stands "
          "beside it.");
   define("Geometric mean over scenes",
@@ -46,8 +46,8 @@ std::string definitions_section(const ReportContent& content) {
                      reference, reference));
   define(
       "Primary analysis",
-      "The one that the protocol chooses for a comparison, from which its estimate, interval and P "
-      "are taken. Times: with random scenes, a mixed model of log times in which participants and "
+      "The analysis that the protocol chooses for a comparison, with its estimate, interval and P. "
+      "Times: with random scenes, a mixed model of log times in which participants and "
       "scenes are crossed and each has its own difference between the methods, by restricted "
       "maximum likelihood with Satterthwaite’s degrees of freedom, for participants and scenes "
       "like these; with fixed scenes, a paired t test over participants, in these scenes. With "
@@ -77,7 +77,7 @@ std::string definitions_section(const ReportContent& content) {
          "Hodges and Lehmann’s estimate: the median of the means of all pairs of participants’ "
          "values, each with itself too, of log ratios or of rating differences. Its interval "
          "inverts the signed-rank test, exact without ties up to 200 participants; with fewer than "
-         "six participants there is no 95 % interval.");
+         "six participants there is no 95 % confidence interval.");
   define(
       "ε",
       "How far the data are from sphericity, the analysis of variance’s assumption that "
@@ -96,22 +96,26 @@ std::string definitions_section(const ReportContent& content) {
       "blink lasts (600 ms); the mean age of the gaze used plus the mean time from polling to the "
       "display; and how long after the frame on the display the latest mark came. Limits that no "
       "source gives are Foveola’s own and say so.");
-  define("How sessions went",
-         "A session was cut off if its program was killed, lost its display or power, or was left "
-         "before the session’s end; attempts that this ended are lost, and are timed again. Trials "
-         "timed again for another reason (asked for, or after a pause in mid-trial) are named "
-         "apart. Notes are the program’s and the experimenter’s, but for those of devices, clock, "
-         "amended protocol, another program and the window’s size. A program is named by its "
-         "version, compiler, kind of build and ray tracer: where several ran the sessions, their "
-         "times are to be compared with care.");
-  define("Gaze on the object",
-         fmt::format(
-             "The gaze that a frame used lies within the chosen object’s angular radius and {:g}° "
-             "for the tracker’s accuracy; the frame stands for the time until the next one. Valid "
-             "elsewhere, it is “elsewhere”; not valid, or older than a blink lasts, it is none. "
-             "Out of view: the object’s direction is not in the field of view of the frame that "
-             "was on the display at the mark.",
-             study::gaze_margin_deg));
+  define(
+      "How sessions went",
+      "A session was interrupted if its program was killed, lost its display or power, or was left "
+      "before the session’s end; attempts that this ended are lost, and are retimed. Trials "
+      "retimed for another reason (asked for, or after a pause in mid-trial) are named "
+      "separately. Notes are the program’s and the experimenter’s, but for those of devices, "
+      "clock, "
+      "amended protocol, another program and the window’s size. A program is named by its "
+      "version, compiler, kind of build and ray tracer: where several ran the sessions, their "
+      "times are to be compared with care.");
+  define(
+      "Gaze on the object",
+      fmt::format(
+          "The gaze that a frame used lies within the chosen object’s angular radius and {:g}° "
+          "for the tracker’s accuracy; the frame stands for the time until the next one. If valid "
+          "but "
+          "elsewhere, it is “elsewhere”; if not valid, or older than a blink lasts, there is none. "
+          "Out of view: the object’s direction is not in the field of view of the frame that "
+          "was on the display at the mark.",
+          study::gaze_margin_deg));
   define("P",
          "Of the hypothesis of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees "
          "of freedom. "

@@ -21,7 +21,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
   }
 }
 
-/// Removes every element `name`, which holds only text.
+/// Removes every element `name`; its content must be text.
 void remove_elements(std::string& svg, const std::string& name) {
   const std::string end_tag = "</" + name + ">";
   for (std::size_t begin = svg.find("<" + name + ">"); begin != std::string::npos;
@@ -31,7 +31,7 @@ void remove_elements(std::string& svg, const std::string& name) {
   }
 }
 
-/// The page's colour for one of the figure's; gnuplot writes "rgb(  0,114,178)", with or without
+/// Returns the page's colour for a figure's; gnuplot writes "rgb( 0,114,178)", with or without
 /// padding.
 std::string themed_color(const std::string& color) {
   int red = 0;
@@ -100,7 +100,7 @@ std::string header_html(const StudyTables& tables, std::string_view page_name) {
   return html + "</dl>\n</header>\n";
 }
 
-/// The line about the data that every printed page has.
+/// The line about the data at the foot of every printed page.
 std::string page_mark(const std::string& notice) {
   return notice.empty() ? ""
                         : fmt::format("<p class=\"page-mark\" aria-hidden=\"true\">{}</p>\n",
@@ -172,7 +172,7 @@ std::string inline_svg(std::string_view svg, std::string_view id, std::string_vi
   remove_elements(rest, "desc");
   replace_all(rest, "<svg ",
               fmt::format("<svg role=\"img\" aria-label=\"{}\" ", escape_html(description)));
-  // Only tags are changed: a text between them may be a name from the study.
+  // Only tags are changed: text between them may be a name from the study.
   std::string themed;
   std::size_t text_begin = 0;
   for (std::size_t begin = rest.find('<'); begin != std::string::npos;

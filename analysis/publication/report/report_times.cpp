@@ -20,10 +20,10 @@ std::string plan_in_words(const Comparisons& comparisons, std::size_t participan
   const study::AnalysisPlan& plan = comparisons.plan;
   std::string text =
       plan.primary.empty()
-          ? "The protocol plans no comparison: all of these are exploratory, and their P-values "
+          ? "The protocol plans no comparison: all comparisons are exploratory, and their P-values "
             "are not adjusted for their number."
           : fmt::format(
-                "The protocol planned {} before there were data, at a level of {:g} for all "
+                "The protocol planned {} before there were data, at a level of {:g} over all "
                 "of them together (Holm); everything else is exploratory, and not adjusted.",
                 counted(plan.primary.size(), "primary comparison"), plan.alpha);
   if (plan.participants && static_cast<std::size_t>(*plan.participants) != participants) {
@@ -70,8 +70,8 @@ std::string means_explained(const StudyTables& tables, const Measure& measure) {
                 study::scale_in_words(measure))
           : points_left_out();
   return fmt::format(
-      "{} Filled points are the means over n participants, with 95 % intervals over participants, "
-      "{}, which may run off the axis.",
+      "{} Filled points are the means over n participants, with 95 % confidence intervals over "
+      "participants, {}, which may exceed the axis.",
       participants, in_these_scenes(tables));
 }
 
@@ -81,8 +81,8 @@ std::string figure_explained(const StudyTables& tables, const Measure& measure) 
 
 std::string background_in_words(const Background& background) {
   if (background.scale.empty()) {
-    return "The protocol states no scale of background ([analysis] background), so nothing is "
-           "correlated with it.";
+    return "The protocol states no scale of background ([analysis] background), so there is no "
+           "correlation with it.";
   }
   if (!background.correlation) {
     return "The protocol plans no comparison of times with the baseline, with which background "
@@ -94,7 +94,7 @@ std::string background_in_words(const Background& background) {
       listed(background.scale));
 }
 
-/// What the points and lines of participants are in a figure of so many methods.
+/// Explains the points and lines of participants in a figure of this many methods.
 std::string participants_explained(const StudyTables& tables, std::size_t methods) {
   return !draws_participants(tables)
              ? points_left_out()
@@ -106,7 +106,8 @@ std::string participants_explained(const StudyTables& tables, std::size_t method
 
 std::string estimates_explained(const StudyTables& tables) {
   return fmt::format(
-      "Filled points are the geometric means over participants, with 95 % intervals over "
+      "Filled points are the geometric means over participants, with 95 % confidence intervals "
+      "over "
       "participants, {}.",
       in_these_scenes(tables));
 }
@@ -118,7 +119,7 @@ std::string relative_axis_explained(const StudyTables& tables) {
       baseline_label(tables));
 }
 
-/// The marks that a figure of `drawn` ones leaves out; empty if there are none.
+/// Names the marks without values, which the figure does not draw; empty if there are none.
 std::string undrawn_marks(const StudyTables& tables, const std::vector<std::size_t>& drawn,
                           std::string_view reason) {
   std::vector<std::string> undrawn;
@@ -130,12 +131,12 @@ std::string undrawn_marks(const StudyTables& tables, const std::vector<std::size
   return undrawn.empty() ? "" : fmt::format("Not drawn, as {}: {}.", reason, listed(undrawn));
 }
 
-/// The explanation of relative_times or times_in_seconds, which differ by their axis.
+/// Explains relative_times or times_in_seconds, which differ by their axis.
 std::string methods_explained(const StudyTables& tables, std::size_t methods,
                               const std::string& axis) {
   return fmt::format("{} {} {} {}", participants_explained(tables, methods),
                      estimates_explained(tables), axis,
-                     joined(joined("An interval may run off the axis; the table has its ends.",
+                     joined(joined("An interval may exceed the axis; the table has its limits.",
                                    censored_times_in_words(tables.set)),
                             undrawn_marks(tables, marks_over_all_scenes(tables),
                                           "nobody has a scene in which every method’s time was "
@@ -146,22 +147,23 @@ std::string scenes_explained(const StudyTables& tables) {
   const std::string reference = baseline_label(tables);
   std::string text = fmt::format(
       "Points are the geometric means over participants of each one’s own time in per cent of {}’s "
-      "in the same scene, with 95 % intervals over participants; n is the number of participants "
+      "in the same scene, with 95 % confidence intervals over participants; n is the number of "
+      "participants "
       "with both times. ",
       reference);
   if (tables.set.scenes.size() > 1) {
     text += fmt::format(
         "“All scenes” is the geometric mean over the scenes in which every method’s time was "
-        "measured, with its 95 % interval over participants, {}. ",
+        "measured, with its 95 % confidence interval over participants, {}. ",
         in_these_scenes(tables));
   }
   if (lacks_censored_times(tables)) {
     text +=
         "Hollow points leave out pairs in which a time was right-censored, which favours the "
-        "method whose time ran out. ";
+        "method with the censored times. ";
   }
   return text + relative_axis_explained(tables) + " " +
-         joined("An interval may run off the axis; times_by_scene.csv has its ends.",
+         joined("An interval may exceed the axis; times_by_scene.csv has its limits.",
                 undrawn_marks(tables, marks_in_scenes(tables), "nobody has both times in a scene"));
 }
 
@@ -186,7 +188,7 @@ std::string curve_explained(const StudyTables& tables, const Measure& mark) {
                 has_crosses ? "Crosses are right-censored trials." : "");
 }
 
-/// The times with trials in which a mark was never reached.
+/// The times with trials in which a mark was not reached.
 std::string unreached_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
   std::string html;
@@ -235,8 +237,8 @@ std::string methods_section(const ReportContent& content) {
   html += unreached_html(content);
   if (tables.incomplete_scenes > 0) {
     html += fmt::format(
-        "<p>Left out here, because not every method’s time was measured: {} of {} pairs of a "
-        "participant and a scene, each mark counted apart.</p>\n",
+        "<p>Left out, because not every method’s time was measured: {} of {} pairs of a "
+        "participant and a scene, each mark counted separately.</p>\n",
         tables.incomplete_scenes,
         tables.set.participants.size() * tables.set.scenes.size() * tables.set.times().size());
   }
@@ -306,8 +308,8 @@ std::string sensitivity_section(const ReportContent& content) {
   return html_section(
       "Appendix: sensitivity analyses",
       paragraph_html(
-          "The same comparisons by other means. Conclusions rest on the primary analyses; "
-          "here they are seen to depend, or not, on how the data are analysed.") +
+          "The same comparisons by other analyses. Conclusions rest on the primary analyses; "
+          "these show whether they depend on the choice of analysis.") +
           paragraph_html(models_in_words(content.comparisons.models)) +
           tables_html(tables, sensitivity_tables(content.results, content.comparisons)));
 }

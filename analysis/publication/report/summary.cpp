@@ -15,7 +15,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// "for scenes like these 5", "in these 4 of 5 scenes": what the result is of.
+/// Returns "for scenes like these 5" or "in these 4 of 5 scenes": the scenes of a result.
 std::string scenes_in_words(const PrimaryResult& result, const StudyTables& tables,
                             const study::AnalysisPlan& plan) {
   const std::size_t all = tables.set.scenes.size();
@@ -29,7 +29,7 @@ std::string scenes_in_words(const PrimaryResult& result, const StudyTables& tabl
   return is_of_others ? "for scenes like these, from " + count : "in " + count;
 }
 
-/// "right-censored: 23 of 80 times of OD, 1 of 80 of FV"; empty if none are.
+/// Returns "right-censored: 23 of 80 times of OD, 1 of 80 of FV"; empty if there are none.
 std::string censored_in_words(const StudyTables& tables, std::size_t mark, std::size_t method) {
   const Dataset& set = tables.set;
   const std::size_t trials = set.participants.size() * set.scenes.size();
@@ -71,7 +71,7 @@ Headline headline_of(const MethodComparison& row, std::size_t mark, std::size_t 
   return finding;
 }
 
-/// As it is on the terminal: without the note, which the report has.
+/// Returns the table for the terminal, without the note, which the report has.
 std::string block(const StudyTables& tables, PrintedTable table) {
   table.note.clear();
   return fmt::format("\n{}", plain_text_of(table, data_notice(tables)));
@@ -93,7 +93,7 @@ std::string terminal_summary(const StudyTables& tables, const std::vector<Table>
   }
   text += fmt::format(
       "  Mean ± standard deviation; % of each participant's own {} time. The last row: geometric\n"
-      "  mean over scenes with a 95 % interval over participants.\n",
+      "  mean over scenes with a 95 % confidence interval over participants.\n",
       printable(method_label(tables.set.methods[baseline])));
   if (const std::string censored = censored_times_in_words(tables.set); !censored.empty()) {
     text += fmt::format("  {}\n", printable(censored));

@@ -13,7 +13,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Adds the columns of a correlation coefficient, whose names end in `of`.
+/// Adds the columns of a correlation coefficient; the names of its limits end in `of`.
 template <typename Path>
 void add_correlation(const std::string& name, const std::string& of, const std::string& t,
                      const std::string& p, const std::string& meaning, const Path& found,
@@ -22,9 +22,9 @@ void add_correlation(const std::string& name, const std::string& of, const std::
       {name, "", meaning, path(found, &Correlation::r)},
       {t, "", "t of " + name + ", of n − 2 degrees of freedom", path(found, &Correlation::t)},
       {p, "", "Two-sided P of no correlation", path(found, &Correlation::p)},
-      {"ci95_low_" + of, "", "Lower end of the 95 % interval of " + name,
+      {"ci95_low_" + of, "", "Lower 95 % confidence limit of " + name,
        path(found, &Correlation::interval, &Interval::low)},
-      {"ci95_high_" + of, "", "Upper end of the 95 % interval of " + name,
+      {"ci95_high_" + of, "", "Upper 95 % confidence limit of " + name,
        path(found, &Correlation::interval, &Interval::high)}};
   columns.insert(columns.end(), added.begin(), added.end());
 }
@@ -98,24 +98,25 @@ Table times_by_scene(const StudyTables& tables) {
       {"method", "", "Id of the method", &T::method},
       {"n", "", "Number of measured times", path(&T::seconds, &Description::n)},
       {"mean_s", "s", "Mean of the measured times", path(&T::seconds, &Description::mean)},
-      {"sd_s", "s", "Their standard deviation",
+      {"sd_s", "s", "Standard deviation of the measured times",
        path(&T::seconds, &Description::standard_deviation)},
-      {"median_s", "s", "Their median", path(&T::seconds, &Description::median)},
-      {"n_pairs", "", "Participants with a time of the method and of the baseline",
+      {"median_s", "s", "Median of the measured times", path(&T::seconds, &Description::median)},
+      {"n_pairs", "", "Number of participants with a time of the method and of the baseline",
        path(&T::percent_of_baseline, &Description::n)},
       {"mean_percent_of_baseline", "%",
        "Mean of each participant's own time in per cent of the baseline's",
        path(&T::percent_of_baseline, &Description::mean)},
-      {"sd_percent_of_baseline", "percentage points", "Their standard deviation",
+      {"sd_percent_of_baseline", "percentage points",
+       "Standard deviation of the participants' percentages",
        path(&T::percent_of_baseline, &Description::standard_deviation)},
       {"geometric_mean_percent_of_baseline", "%",
        "Geometric mean of each participant's own ratio to the baseline",
        path(&T::geometric_percent, &Estimate::value)},
       {"ci95_low_percent_of_baseline", "%",
-       "Lower end of its 95 % interval over participants, in this scene",
+       "Lower 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
        path(&T::geometric_percent, &Estimate::interval, &Interval::low)},
       {"ci95_high_percent_of_baseline", "%",
-       "Upper end of its 95 % interval over participants, in this scene",
+       "Upper 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
        path(&T::geometric_percent, &Estimate::interval, &Interval::high)},
       {"ratio_of_means_percent", "%",
        "Mean time in per cent of the baseline's mean time: a ratio of means, not a mean of "
@@ -135,20 +136,22 @@ Table times_by_method(const StudyTables& tables) {
   const ColumnsOf<T> columns = {
       {"mark", "", "Id of the mark", &T::mark},
       {"method", "", "Id of the method", &T::method},
-      {"n", "", "Participants with a scene in which every method was measured",
+      {"n", "", "Number of participants with a scene in which every method was measured",
        [](const T& row) { return row.participant_seconds.size(); }},
       {"geometric_mean_s", "s", "Geometric mean over scenes, then over participants",
        path(&T::seconds, &Estimate::value)},
-      {"ci95_low_s", "s", "Lower end of its 95 % interval over participants",
+      {"ci95_low_s", "s", "Lower 95 % confidence limit of geometric_mean_s, over participants",
        path(&T::seconds, &Estimate::interval, &Interval::low)},
-      {"ci95_high_s", "s", "Upper end of its 95 % interval over participants",
+      {"ci95_high_s", "s", "Upper 95 % confidence limit of geometric_mean_s, over participants",
        path(&T::seconds, &Estimate::interval, &Interval::high)},
       {"geometric_mean_percent_of_baseline", "%",
        "Geometric mean of each participant's own ratio to the baseline",
        path(&T::percent_of_baseline, &Estimate::value)},
-      {"ci95_low_percent_of_baseline", "%", "Lower end of its 95 % interval over participants",
+      {"ci95_low_percent_of_baseline", "%",
+       "Lower 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
        path(&T::percent_of_baseline, &Estimate::interval, &Interval::low)},
-      {"ci95_high_percent_of_baseline", "%", "Upper end of its 95 % interval over participants",
+      {"ci95_high_percent_of_baseline", "%",
+       "Upper 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
        path(&T::percent_of_baseline, &Estimate::interval, &Interval::high)},
       kind_of_all<T>(tables)};
   return tabulate("times_by_method", "mark and method", columns, tables.method_times);
@@ -160,24 +163,28 @@ Table time_to_mark_table(const StudyTables& tables) {
   const ColumnsOf<S> columns = {
       {"mark", "", "Id of the mark", &S::mark},
       {"method", "", "Id of the method", &S::method},
-      {"trials", "", "Trials with a time or a right-censored one",
+      {"trials", "", "Number of trials with a time, measured or right-censored",
        path(&S::curve, &SurvivalCurve::n)},
-      {"reached", "", "Trials in which the mark was reached",
+      {"reached", "", "Number of trials in which the mark was reached",
        path(&S::curve, &SurvivalCurve::events)},
-      {"right_censored", "", "Trials in which a time-out came first",
+      {"right_censored", "", "Number of trials in which a time-out came first",
        path(&S::curve, &SurvivalCurve::censored)},
-      {"median_s", "s", "Median time by Kaplan and Meier; empty if half were never reached",
+      {"median_s", "s",
+       "Kaplan-Meier median time; empty if more than half of the trials have no mark",
        path(median, &SurvivalMedian::value)},
-      {"median_ci95_low_s", "s", "Lower end of its 95 % interval, trials taken as independent",
+      {"median_ci95_low_s", "s",
+       "Lower 95 % confidence limit of median_s, trials taken as independent",
        path(median, &SurvivalMedian::low)},
-      {"median_ci95_high_s", "s", "Upper end; empty if there is none",
+      {"median_ci95_high_s", "s", "Upper 95 % confidence limit of median_s; empty if there is none",
        path(median, &SurvivalMedian::high)},
-      {"restricted_mean_s", "s", "Mean of the times, each cut off at horizon_s",
+      {"restricted_mean_s", "s", "Restricted mean of the times, each at most horizon_s",
        path(&S::restricted, &RestrictedMean::mean)},
-      {"restricted_mean_se_s", "s", "Its standard error, trials taken as independent",
+      {"restricted_mean_se_s", "s",
+       "Standard error of restricted_mean_s, trials taken as independent",
        path(&S::restricted, &RestrictedMean::standard_error)},
       {"horizon_s", "s",
-       "Earliest right-censored time of any method, or else the longest time of the mark",
+       "Horizon of the restricted means: minimum right-censored time of any method, or the maximum "
+       "time if none is",
        path(&S::restricted, &RestrictedMean::horizon)},
       kind_of_all<S>(tables)};
   return tabulate("time_to_mark", "mark and method", columns, tables.survival);
@@ -191,9 +198,9 @@ Table ratings_by_method(const StudyTables& tables) {
       {"n", "", "Number of answers, of all scenes and participants",
        path(&R::description, &Description::n)},
       {"mean", "", "Mean of the answers", path(&R::description, &Description::mean)},
-      {"sd", "", "Their standard deviation",
+      {"sd", "", "Standard deviation of the answers",
        path(&R::description, &Description::standard_deviation)},
-      {"median", "", "Their median", path(&R::description, &Description::median)},
+      {"median", "", "Median of the answers", path(&R::description, &Description::median)},
       {"missing", "", "Number of trials without an answer", &R::missing},
       kind_of_all<R>(tables)};
   return tabulate("ratings_by_method", "rating and method", columns, tables.ratings);
@@ -211,9 +218,10 @@ Table rating_counts(const StudyTables& tables) {
   const ColumnsOf<A> columns = {
       {"rating", "", "Id of the rating", &A::rating},
       {"method", "", "Id of the method", &A::method},
-      {"value", "", "The answer", path(&A::answer, &RatingCount::value)},
-      {"label", "", "Its label in the protocol, if it has one", &A::label},
-      {"count", "", "How often it was given", path(&A::answer, &RatingCount::count)},
+      {"value", "", "Answer in points", path(&A::answer, &RatingCount::value)},
+      {"label", "", "Label of the answer in the protocol, if it has one", &A::label},
+      {"count", "", "Number of times that the answer was given",
+       path(&A::answer, &RatingCount::count)},
       kind_of_all<A>(tables)};
   return tabulate("rating_counts", "rating, method and answer", columns, answers);
 }
@@ -223,22 +231,24 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
   const std::string questions = fmt::format("{}", fmt::join(background.scale, "+"));
   ColumnsOf<B> columns = {
       {"mark", "", "Id of the mark", &B::mark},
-      {"method", "", "The method whose times are compared with the baseline's", &B::method},
+      {"method", "", "Id of the method whose times are compared with the baseline's", &B::method},
       {"quantity", "",
-       "What background is held against, a mean over scenes: log_ratio (natural logarithm of the "
+       "Quantity correlated with background, a mean over scenes: log_ratio (natural logarithm of "
+       "the "
        "baseline's time over the method's)",
        &B::quantity},
       {"background_questions", "", "The questions whose answers are averaged",
        [=](const B& /*row*/) { return questions; }},
-      {"n", "", "Participants with all answers and a complete scene", &B::participants},
-      {"censored", "", "Right-censored times of the mark, which are left out",
+      {"n", "", "Number of participants with all answers and a complete scene", &B::participants},
+      {"censored", "", "Number of right-censored times of the mark, which are left out",
        [&](const B& row) { return tables.set.censored(*tables.set.measure_named(row.mark)); }}};
   add_correlation("pearson_r", "r", "t", "p_two_sided",
                   "Pearson's correlation of the mean answer with the quantity", &B::pearson,
                   columns);
   add_correlation("spearman_rho", "rho", "t_rho", "p_rho",
-                  "Spearman's rank correlation of the same", &B::spearman, columns);
-  columns.push_back({"p_rho_exact", "", "Whether p_rho is of all orders of the ranks",
+                  "Spearman's rank correlation of the mean answer with the quantity", &B::spearman,
+                  columns);
+  columns.push_back({"p_rho_exact", "", "Whether p_rho is exact, over all orders of the ranks",
                      path(&B::spearman, &Correlation::exact)});
   columns.push_back(kind_of_all<B>(tables));
   return tabulate("background_correlation", "correlation that the protocol states", columns,
@@ -256,7 +266,7 @@ Table exclusions(const StudyTables& tables) {
       {"scene", "", "Name of the scene; empty: all", &E::scene},
       {"method", "", "Id of the method; empty: all", &E::method},
       {"measure", "", "Id of the mark or rating; empty: all", &E::measure},
-      {"reason", "", "Why no number uses it", &E::reason},
+      {"reason", "", "Reason of the exclusion", &E::reason},
       {kind_column(), kind_of}};
   return tabulate("exclusions", "session or value that no number uses", columns,
                   tables.set.exclusions);
@@ -267,12 +277,12 @@ Table amended_sessions(const StudyTables& tables) {
   const ColumnsOf<A> columns = {
       {"participant", "", "Code of the participant", &A::participant},
       {"protocol_sha256", "", "SHA-256 of the amended protocol's text", &A::protocol_sha256},
-      {"changed_keys", "", "The keys that were changed, separated by spaces; empty: comments only",
+      {"changed_keys", "", "Changed keys, separated by spaces; empty: comments only",
        [](const A& row) { return fmt::format("{}", fmt::join(row.changed_keys, " ")); }},
       {"analysed", "", "Whether the session is in the analysis", &A::is_analysed},
       {kind_column(), &A::kind}};
   return tabulate("amended_sessions",
-                  "session by other words or time-outs than the study's protocol", columns,
+                  "session with other texts or time-outs than the study's protocol", columns,
                   tables.amended);
 }
 

@@ -1,5 +1,5 @@
-// The study's results as tables with fixed columns: means, counts, correlations, and what was left
-// out. The last column of each says who took part: human, pilot or simulated.
+// Tabulates the study's results: means, counts, correlations and exclusions. The last column of
+// each table names the kind of participants: human, pilot or simulated.
 #pragma once
 
 #include <string_view>
@@ -27,7 +27,7 @@ Table time_to_mark_table(const StudyTables& tables);
 /// ratings_by_method: as its Fig. 6 (section 5.3), for every rating in numbers.
 Table ratings_by_method(const StudyTables& tables);
 
-/// rating_counts: how often each answer was given, where a rating has points that can be counted.
+/// rating_counts: frequency of each answer, for ratings with countable points.
 Table rating_counts(const StudyTables& tables);
 
 /// background_correlation.
@@ -41,9 +41,9 @@ Table reaction_times_table(const StudyTables& tables, const DataQualityReport& r
 
 // The tests: a row for each comparison, omnibus test and order effect.
 Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons);
-/// models: what R fitted; without rows if it did not.
+/// models: the models fitted by R; no rows if R did not run.
 Table models_table(const StudyTables& tables, const Comparisons& comparisons);
-/// model_versions: of R and its packages.
+/// model_versions: versions of R and its packages.
 Table model_versions_table(const StudyTables& tables, const Comparisons& comparisons);
 Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons);
 Table order_effects_table(const StudyTables& tables, const Comparisons& comparisons);
@@ -51,18 +51,18 @@ Table order_effects_table(const StudyTables& tables, const Comparisons& comparis
 /// exclusions: sessions and values that no number uses.
 Table exclusions(const StudyTables& tables);
 
-/// amended_sessions: those by other words or time-outs than the study's protocol.
+/// amended_sessions: sessions whose texts or time-outs differ from the study's protocol.
 Table amended_sessions(const StudyTables& tables);
 
-/// All tables of an analysis but those that are written by rows, in the order of OUTPUTS.md.
+/// Returns all tables of an analysis except those written row by row, in the order of OUTPUTS.md.
 std::vector<Table> result_tables(const study::StudyRecords& records, const StudyTables& tables,
                                  const Background& background, const Comparisons& comparisons,
                                  const DataQualityReport& checks);
 
-/// The table with this id, which is among them.
+/// Returns the table with this id, which must be among them.
 const Table& table_named(const std::vector<Table>& tables, std::string_view id);
 
-/// The table with the methods in its columns named as in print.
+/// Returns the table with its methods' labels in place of their ids.
 Table with_method_labels(Table table);
 
 template <typename Item>

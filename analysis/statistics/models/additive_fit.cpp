@@ -13,7 +13,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// The trial with the largest studentized residual; empty where none has any freedom.
+/// Returns the trial with the maximum studentized residual; empty if none has any freedom.
 std::optional<ResidualOutlier> farthest(const AdditiveFit& fit, std::size_t values,
                                         double standard_deviation) {
   std::optional<ResidualOutlier> found;
@@ -29,9 +29,9 @@ std::optional<ResidualOutlier> farthest(const AdditiveFit& fit, std::size_t valu
   return found;
 }
 
-/// What the largest of n studentized residuals exceeds with a probability of at most alpha. One of
-/// them, squared and over the degrees of freedom, is t^2 / (degrees - 1 + t^2) with t of Student's
-/// distribution of one degree less.
+/// Returns the bound that the maximum of n studentized residuals exceeds with a probability of at
+/// most alpha. One of them, squared and over the degrees of freedom, is t^2 / (degrees - 1 + t^2)
+/// with t of Student's distribution with one degree less.
 double largest_expected(double n, double degrees, double alpha) {
   const double t = student_t_quantile(1.0 - alpha / n, degrees - 1.0);
   return t * std::sqrt(degrees / (degrees - 1.0 + t * t));
@@ -101,7 +101,7 @@ double AdditiveFit::freedom(std::size_t index) const {
   return 1.0 - 1.0 / of_participant - 1.0 / of_condition + 1.0 / static_cast<double>(size_);
 }
 
-/// Adds to the effects what the residuals of each have on average; returns the largest change.
+/// Adds the mean residual of each effect to it; returns the maximum change.
 double AdditiveFit::sweep(Effects& effects, std::size_t TrialValue::* index) const {
   std::vector<double> sums(effects.means.size(), 0.0);
   for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -120,7 +120,8 @@ double AdditiveFit::sweep(Effects& effects, std::size_t TrialValue::* index) con
   return largest;
 }
 
-/// By turns of participants and conditions: at once without missing cells, else in a few sweeps.
+/// Alternates participants and conditions: exact at once without missing cells, else in a few
+/// sweeps.
 void AdditiveFit::fit() {
   constexpr int max_sweeps = 1000;
   for (int i = 0; i < max_sweeps; ++i) {

@@ -1,4 +1,4 @@
-// What participants and conditions make one expect of a trial, and trials that stand out from it.
+// Fits an additive model of participants and conditions, and finds outlying trials.
 #pragma once
 
 #include <cstddef>
@@ -19,24 +19,24 @@ class AdditiveFit {
  public:
   explicit AdditiveFit(std::vector<TrialValue> values);
 
-  /// Fits anew without a trial that was kept.
+  /// Fits anew without a kept trial.
   void take_out(std::size_t index);
 
   std::size_t size() const { return size_; }  ///< Number of trials kept.
   bool keeps(std::size_t index) const { return kept_[index]; }
-  /// Residual degrees of freedom, where all participants are connected by conditions.
+  /// Returns the residual degrees of freedom, if all participants are connected by conditions.
   double degrees_of_freedom() const;
-  /// A trial's deviation from the fit, whether it is kept or not.
+  /// Returns a trial's deviation from the fit, whether it is kept or not.
   double residual(std::size_t index) const;
-  /// Residual standard deviation of the trials kept; needs a degree of freedom.
+  /// Returns the residual standard deviation of the kept trials; needs a degree of freedom.
   double standard_deviation() const;
-  /// The share of a kept trial's residual variance that the fit leaves to it, one less its
-  /// leverage in a complete design: 1 - 1 / n_participant - 1 / n_condition + 1 / n. 0 where the
-  /// trial alone decides a part of its fit.
+  /// Returns the factor of a kept trial's residual variance, 1 less its leverage in a complete
+  /// design: 1 - 1 / n_participant - 1 / n_condition + 1 / n. 0 if the trial alone determines a
+  /// part of its fit.
   double freedom(std::size_t index) const;
 
  private:
-  /// The effects of participants, or of conditions, and how many kept trials each has.
+  /// Effects of participants, or of conditions, and their numbers of kept trials.
   struct Effects {
     std::vector<double> means;
     std::vector<double> counts;
@@ -57,23 +57,23 @@ class AdditiveFit {
 };
 
 struct ResidualOutlier {
-  std::size_t index = 0;     ///< Index of the trial in the values given.
-  double deviation = 0.0;    ///< From the fit to the trials that are no outliers, in values' unit.
-  double studentized = 0.0;  ///< Its studentized residual when it was taken out.
+  std::size_t index = 0;     ///< Index of the trial in the given values.
+  double deviation = 0.0;    ///< From the fit without outliers, in the values' unit.
+  double studentized = 0.0;  ///< Studentized residual at its removal.
 };
 
-/// At most so many outliers are found.
+/// Maximum number of outliers.
 inline constexpr std::size_t max_residual_outliers = 20;
 
-/// The trials that do not belong to an additive model of participants and conditions with normal
-/// residuals, the farthest first, by the generalized extreme studentized residual (Paul and Fung
-/// 1991, Technometrics 33; Rosner's 1983 method in a linear model): the trial with the largest
-/// studentized residual is taken out and the model fitted anew, `max_residual_outliers` times or
-/// up to a fifth of the residual degrees of freedom; the outliers are those up to the last that
-/// exceeded its limit, the Bonferroni bound of the largest at level alpha. So some outliers do not
-/// mask each other, and of studies with normal residuals a share of about alpha has any. Cells may
-/// be missing or repeated; leverages are those of a complete design, 1 / n_participant + 1 /
-/// n_condition - 1 / n. Empty where the values do not vary beyond the model.
+/// Returns the trials that do not fit an additive model of participants and conditions with normal
+/// residuals, the most distant first, by the generalized extreme studentized residual (Paul and
+/// Fung 1991, Technometrics 33; Rosner's 1983 method in a linear model). The trial with the maximum
+/// studentized residual is removed and the model fitted anew, `max_residual_outliers` times or up
+/// to a fifth of the residual degrees of freedom. The outliers are those up to the last that
+/// exceeded its limit, the Bonferroni bound of the maximum at level alpha. So outliers do not mask
+/// each other, and about a share alpha of studies with normal residuals has any. Cells may be
+/// missing or repeated; leverages are those of a complete design, 1 / n_participant + 1 /
+/// n_condition - 1 / n. Empty if the values do not vary beyond the model.
 std::vector<ResidualOutlier> residual_outliers(const std::vector<TrialValue>& values,
                                                double alpha = 0.05);
 

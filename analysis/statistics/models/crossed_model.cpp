@@ -19,8 +19,8 @@ struct Stratum {
   long double mean_square() const { return squares / degrees; }
 };
 
-/// The strata of the two-way layout. A factor whose variance is 0 is pooled with the residual: its
-/// stratum is empty.
+/// Strata of the two-way layout. A factor with variance 0 is pooled with the residual: its stratum
+/// is empty.
 struct Strata {
   std::size_t participant_count = 0;
   std::size_t scene_count = 0;
@@ -43,7 +43,7 @@ std::vector<long double> column_means(const RepeatedMeasures& data) {
   return means;
 }
 
-/// Strata with their degrees of freedom, and no squares yet.
+/// Returns strata with their degrees of freedom, without squares.
 Strata empty_strata(std::size_t participant_count, std::size_t scene_count) {
   const long double participants = static_cast<long double>(participant_count) - 1.0L;
   const long double scenes = static_cast<long double>(scene_count) - 1.0L;
@@ -81,8 +81,8 @@ void pool(std::optional<Stratum>& factor, Stratum& residual) {
   factor.reset();
 }
 
-/// Pools factors whose mean square is below the residual's, the smaller first: afterwards the other
-/// may be above it.
+/// Pools factors whose mean square is below the residual's, the smaller first: the other may be
+/// above it afterwards.
 void pool_negative_components(Strata& strata) {
   std::optional<Stratum>* first = &strata.participants;
   std::optional<Stratum>* second = &strata.scenes;
@@ -109,7 +109,7 @@ struct Combination {
   double satterthwaite() const { return static_cast<double>(value * value / variance); }
 };
 
-/// participants x scenes times the variance of the mean.
+/// Returns participants x scenes times the variance of the mean.
 Combination variance_of_mean(const Strata& strata) {
   Combination sum;
   long double factors = 0.0L;
@@ -175,7 +175,7 @@ std::optional<LeaveOneOut> leave_one_out(
   if (values.size() < 2) {
     return std::nullopt;
   }
-  // The first value is left out first; then each takes the place of the next.
+  // The first value is left out first; then each replaces the next.
   std::vector<double> others(values.begin() + 1, values.end());
   const double first = estimate(others);
   LeaveOneOut range{.estimates = {first, first}};

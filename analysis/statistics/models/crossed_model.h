@@ -1,5 +1,5 @@
-// The mixed model of paired log times with participants and scenes crossed, and the influence of
-// each participant on an estimate.
+// The mixed model of paired log times with participants and scenes crossed, and each participant's
+// influence on an estimate.
 #pragma once
 
 #include <cstddef>
@@ -29,13 +29,12 @@ struct CrossedModel {
   double participant_variance = 0.0;  ///< Between participants, in their gain; 0 at the boundary.
   double scene_variance = 0.0;        ///< Between scenes, in their gain; 0 at the boundary.
   double residual_variance = 0.0;     ///< Residual variance of one difference.
-  std::optional<CrossedTest> test;    ///< Empty where the differences do not vary.
+  std::optional<CrossedTest> test;    ///< Empty if the differences do not vary.
 };
 
 /// Fits the model to the differences of log times, method minus baseline, of each participant
-/// (rows) and scene (conditions), without gaps. Participants and scenes are random: the interval is
-/// for other people and other scenes. For the people in these scenes alone, where the scenes are
-/// fixed, take ratio_t of the participants' mean differences.
+/// (rows) and scene (conditions), without gaps. Participants and scenes are random: the interval
+/// generalises to others. With fixed scenes, use ratio_t of the participants' mean differences.
 ///
 /// It is the comparison of two methods in `log time ~ method + (1|participant) +
 /// (1|participant:method) + (1|scene) + (1|scene:method) + (1|participant:scene)`; its
@@ -50,8 +49,8 @@ struct CrossedModel {
 /// variance components"), the smallest first. The variance of the mean is that of (MS_participants
 /// + MS_scenes - MS_residual) / (participants x scenes), with these pooled mean squares, and has
 /// Satterthwaite's (1946) degrees of freedom (sum c MS)^2 / sum((c MS)^2 / df), where a component
-/// at 0 counts as known: scenes - 1, participants - 1 or, with both at 0, participants x scenes
-/// - 1. All of it equals lme4 and lmerTest, at the boundary too. Kenward and Roger's (1997) method
+/// at 0 counts as known: scenes - 1, participants - 1 or, with both at 0, participants x scenes -
+/// 1. All of it equals lme4 and lmerTest, at the boundary too. Kenward and Roger's (1997) method
 /// has the same standard error, and fewer degrees of freedom only at the boundary, where the
 /// interval covers too often already: see data/golden/README.md.
 ///
@@ -59,15 +58,14 @@ struct CrossedModel {
 std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios,
                                           double confidence = default_confidence);
 
-/// What an estimate becomes when each participant in turn is left out. Participants are indices
-/// into the values given.
+/// The estimate without each participant in turn. Participants are indices into the given values.
 struct LeaveOneOut {
-  Interval estimates;            ///< The smallest and the largest estimate.
-  std::size_t without_low = 0;   ///< Without this participant the estimate is the smallest.
-  std::size_t without_high = 0;  ///< Without this participant the estimate is the largest.
+  Interval estimates;            ///< The minimum and maximum of the estimates.
+  std::size_t without_low = 0;   ///< The participant left out for the minimum.
+  std::size_t without_high = 0;  ///< The participant left out for the maximum.
 };
 
-/// Of `estimate`, which takes the values of the others. Empty with fewer than two values.
+/// Calls `estimate` with the others' values. Empty with fewer than two values.
 std::optional<LeaveOneOut> leave_one_out(
     std::span<const double> values, const std::function<double(std::span<const double>)>& estimate);
 

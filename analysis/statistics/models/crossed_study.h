@@ -1,4 +1,4 @@
-// Studies drawn from a crossed model, to count how often the intervals of its analyses hold.
+// Draws studies from a crossed model, to measure the coverage of its analyses' intervals.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace foveola::analysis {
 
-/// A study of two methods, of which every participant uses both in every scene. Standard deviations
-/// are of natural logarithms of times, and not below zero.
+/// A study of two methods, both used by every participant in every scene. Standard deviations are
+/// of natural logarithms of times, and not below zero.
 struct CrossedDesign {
   std::size_t participants = 16;
   std::size_t scenes = 5;
@@ -21,12 +21,12 @@ struct CrossedDesign {
   double residual_sd = 0.3;     ///< Residual of one time; a log ratio's is sqrt(2) times that.
 };
 
-/// The log ratios [participant][scene] of one study.
+/// Draws the log ratios [participant][scene] of one study.
 RepeatedMeasures draw_log_ratios(const CrossedDesign& design, Pcg32& generator);
 
-/// In how many studies an interval covers a value of the mean log ratio. In the others the test of
-/// this value rejects it: the error of the first kind where it is the design's mean, the power
-/// where it is 0 and the mean is not.
+/// Number of studies in which an interval covers a value of the mean log ratio. In the others the
+/// test of this value rejects it: a type I error if it is the design's mean, power if it is 0 and
+/// the mean is not.
 struct CrossedCoverage {
   std::size_t studies = 0;
   std::size_t crossed_model = 0;      ///< By crossed_model's interval.
@@ -34,8 +34,8 @@ struct CrossedCoverage {
 };
 
 /// Counts over the studies first ... last - 1. Each is a function of the seed and its number alone,
-/// so that parts of a simulation may be counted apart and added. The design has two participants
-/// and two scenes at least, and a residual.
+/// so that parts of a simulation may be counted separately and added. The design has at least two
+/// participants and two scenes, and a residual.
 CrossedCoverage count_coverage(const CrossedDesign& design, double value, std::uint64_t seed,
                                std::uint64_t first, std::uint64_t last,
                                double confidence = default_confidence);

@@ -13,7 +13,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// The additive fit of what `quantity` is of each value.
+/// Returns the additive fit of a member of each value.
 AdditiveFit fit_of(const std::vector<OrderedValue>& values, double OrderedValue::* quantity) {
   std::vector<TrialValue> trials;
   trials.reserve(values.size());
@@ -76,7 +76,7 @@ std::optional<TTest> order_effect(const std::vector<OrderedValue>& values, doubl
       slopes.push_back(static_cast<double>(own.products / own.squares));
     }
   }
-  // Two participants' residuals are each other's negative, and so their slopes are equal.
+  // Two participants' residuals are negatives of each other, so their slopes are equal.
   constexpr std::size_t fewest = 3;
   return slopes.size() < fewest ? std::nullopt : one_sample_t(slopes, 0.0, confidence);
 }

@@ -8,13 +8,13 @@
 namespace foveola::study {
 namespace {
 
-/// Symmetric in (-1, 1), with a triangular density.
+/// Draws a value in (-1, 1), with a symmetric triangular density.
 double triangular(Pcg32& random) {
   const double first = random.uniform();
   return first - random.uniform();
 }
 
-/// The answers of the scale on both sides of `value`.
+/// Returns the adjacent answers of the scale on both sides of `value`.
 Span answers_around(const Question& rating, double value) {
   if (rating.kind != QuestionKind::choice) {
     return {.low = std::max(rating.minimum, std::floor(value)),
@@ -31,13 +31,13 @@ Span answers_around(const Question& rating, double value) {
   return around;
 }
 
-/// One of the answers around `value`; its expectation is `value`.
+/// Draws one of the answers around `value`, with expectation `value`.
 double rounded_by_chance(const Question& rating, double value, Pcg32& random) {
   const Span around = answers_around(rating, value);
   return random.uniform() * around.width() < value - around.low ? around.high : around.low;
 }
 
-/// The logarithm of the injected factor on the mark's time in this trial.
+/// Returns the logarithm of the injected factor on the mark's time in this trial.
 double injected_log(const InjectedEffect& effect, const DrawnTrial& trial,
                     const std::string& mark) {
   double log = std::log(effect.order_factor) * trial.trials_before;

@@ -1,4 +1,4 @@
-// Times and ratings of trials that are drawn from a model, with known differences between methods.
+// Draws times and ratings of trials from a model with known differences between methods.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct DrawnTrial {
   std::string scene;
   std::string method;
   int trials_before = 0;
-  std::uint32_t timing = 0;  ///< Number of the attempt; each draws a new effect of the trial.
+  std::uint32_t timing = 0;  ///< Number of the attempt; each has a new effect of the trial.
 };
 
 /// The natural logarithm of a time is a sum of independent normal effects of the participant, of
@@ -37,24 +37,23 @@ struct DrawnMark {
   std::string id;
 };
 
-/// The time of a mark after the trial's first frame, in seconds. It depends on its arguments alone,
-/// and the scene's effect on its name alone. Between two methods' trials the logarithm of the ratio
-/// of a mark's times is normal with mean -ln(factor_a / factor_b), where a method's factor is the
-/// product of its own and the mark's with it, plus ln(order_factor) for each trial between them,
-/// and standard deviation sqrt(2) trial_spread.
+/// Returns the time of a mark after the trial's first frame, in seconds. It depends on its
+/// arguments alone, and the scene's effect on its name alone. Between two methods' trials, the
+/// logarithm of the ratio of a mark's times is normal with standard deviation sqrt(2) trial_spread.
+/// Its mean is -ln(factor_a / factor_b), plus ln(order_factor) for each trial between them. A
+/// method's factor is the product of its own and the mark's with it.
 double drawn_time_s(const TimesModel& model, const InjectedEffect& effect, const DrawnTrial& trial,
                     const DrawnMark& mark);
 
-/// The shifts of a rating's answers, of which a method without one has 0.
+/// Returns the range of the shifts of a rating's answers; a method without a shift has 0.
 Span span_of(const InjectedEffect::ByMethod& shifts);
 
-/// Draws the answer to a rating that the effect shifts. Around the middle of what the shifts leave
-/// of the scale, an independent effect of the participant and one of the trial, both with a
-/// triangular distribution, move it by at most a quarter of that each, so that no answer has to be
-/// cut off at an end; it is then rounded up or down to an answer that the scale has, by chance,
-/// such that its expectation stays. So the expected difference between two methods is that of their
-/// shifts, on any scale. The answer depends on the arguments alone. `rating` is numeric, and its
-/// span wider than that of the shifts.
+/// Draws the answer to a rating that the effect shifts. The answer is centred in the scale less the
+/// shifts' span. Independent effects of the participant and of the trial, both with triangular
+/// distributions, move it by at most a quarter of that range each, so that no answer is clipped. It
+/// is then rounded up or down to an answer of the scale, by chance, with unchanged expectation. The
+/// expected difference of two methods is thus that of their shifts, on any scale. The answer
+/// depends on the arguments alone. `rating` is numeric, and its range wider than the shifts' span.
 double drawn_rating(const InjectedEffect& effect, const Question& rating, const DrawnTrial& trial);
 
 }  // namespace foveola::study

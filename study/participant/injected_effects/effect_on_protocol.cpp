@@ -15,16 +15,16 @@
 namespace foveola::study {
 namespace {
 
-/// The least ratio of a mark's median time to that of the mark before: marks are made one after the
-/// other, a glance apart at least.
+/// Minimum ratio of a mark's median time to the previous mark's: marks are made one after the
+/// other, at least a glance apart.
 constexpr double least_mark_ratio = 2.0;
 
-/// Throws UsageError if `id` is not one of `there`, which are all of the protocol's `kind`.
+/// Throws UsageError if `id` is not one of `there`, all ids of the protocol's `kind`.
 void require_known(const std::string& where, const std::string& kind, const std::string& id,
                    const std::vector<std::string>& there) {
   if (std::find(there.begin(), there.end(), id) == there.end()) {
     throw UsageError(where, fmt::format("the protocol has no {} '{}'", kind, id),
-                     there.empty() ? fmt::format("it has no {} at all; leave this out", kind)
+                     there.empty() ? fmt::format("the protocol has no {}; remove this effect", kind)
                                    : fmt::format("choose one of {}", fmt::join(there, ", ")));
   }
 }
@@ -41,18 +41,17 @@ std::vector<std::string> ids_of(const Entries& entries) {
 void require_drawable_shifts(const std::string& where, const Question& rating,
                              const InjectedEffect::ByMethod& shifts) {
   if (!Measure{.kind = MeasureKind::rating, .questionnaire = {}, .question = rating}.is_numeric()) {
-    throw UsageError(where, fmt::format("the answers to '{}' are no numbers", rating.id),
+    throw UsageError(where, fmt::format("the answers to '{}' are not numbers", rating.id),
                      "shift a rating on a scale, a number, or a choice whose options have values");
   }
   const double scale = span_of(rating).width();
   const double shifted = span_of(shifts).width();
   if (!(shifted < scale)) {
-    throw UsageError(
-        where,
-        fmt::format("shifts that are {:g} apart do not fit on the scale of '{}', which "
-                    "is {:g} wide",
-                    shifted, rating.id, scale),
-        "shift it by less");
+    throw UsageError(where,
+                     fmt::format("shifts {:g} apart do not fit on the scale of '{}', which "
+                                 "is {:g} wide",
+                                 shifted, rating.id, scale),
+                     "use smaller shifts");
   }
 }
 
@@ -73,9 +72,8 @@ void require_marks_in_order(const InjectedEffect& effect, const Protocol& protoc
       if (factor_of(effect, mark, method) > most * factor_of(effect, before, method)) {
         throw UsageError(
             "--inject faster-mark",
-            fmt::format("with {} the mark '{}' would come too soon after '{}'", method, mark,
-                        before),
-            fmt::format("keep its factor at or below {:g} times that of '{}'", most, before));
+            fmt::format("with {} the mark '{}' would follow '{}' too soon", method, mark, before),
+            fmt::format("use a factor of at most {:g} times that of '{}'", most, before));
       }
     }
   }

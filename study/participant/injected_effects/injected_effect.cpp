@@ -29,7 +29,7 @@ double number_from(std::string_view text, double minimum, double maximum, std::s
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() ||
       !(value >= minimum && value <= maximum)) {
-    refuse(part, fmt::format("'{}' is no number from {} to {}", text, minimum, maximum));
+    refuse(part, fmt::format("'{}' is not a number from {} to {}", text, minimum, maximum));
   }
   return value;
 }
@@ -38,16 +38,16 @@ double factor_from(std::string_view text, std::string_view part) {
   return number_from(text, 1.0 / largest_factor, largest_factor, part);
 }
 
-/// From -max_points to max_points, with or without a sign.
+/// Parses a number from -max_points to max_points, with or without a sign.
 double points_from(std::string_view text, std::string_view part) {
   const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
   return number_from(text.substr(has_plus ? 1 : 0), -max_points, max_points, part);
 }
 
-/// The text of one effect, divided at its first and its last colon.
+/// The text of one effect, split at its first and its last colon.
 struct Words {
   std::string_view kind;
-  std::string_view subject;  ///< Between the two; empty if there is only one.
+  std::string_view subject;  ///< Between the colons; empty if there is only one.
   std::string_view amount;
 };
 
@@ -63,7 +63,7 @@ Words words_of(std::string_view part) {
           .amount = part.substr(last + 1)};
 }
 
-/// Whether the effect may be there more than once.
+/// Returns whether the effect may be repeated.
 bool is_of_a_method(std::string_view kind) {
   return kind == "faster" || kind == "faster-mark" || kind == "shift-rating";
 }
@@ -80,7 +80,7 @@ void add_of_method(std::string_view method, double amount, std::string_view part
   }
 }
 
-/// `subject` is a measure's id, which has no colon in it, a colon and a method.
+/// `subject`: the id of a measure, which has no colon, a colon, and a method.
 void add_of_measure(std::string_view subject, double amount, std::string_view part,
                     std::map<std::string, InjectedEffect::ByMethod>& effects) {
   const std::size_t colon = std::min(subject.find(':'), subject.size());
@@ -104,7 +104,7 @@ void add(std::string_view part, InjectedEffect& effect) {
   } else if (words.kind == "outlier") {
     const double number = number_from(words.subject, 1.0, 1e6, part);
     if (number != std::floor(number)) {
-      refuse(part, "participants have whole numbers");
+      refuse(part, "the participant's number is not whole");
     }
     effect.outlier = {.participant = static_cast<int>(number),
                       .slower = factor_from(words.amount, part)};
@@ -130,7 +130,7 @@ InjectedEffect parse_injected_effect(const std::string& text) {
     const std::string_view part = std::string_view(text).substr(begin, end - begin);
     const std::string_view kind = words_of(part).kind;
     if (!is_of_a_method(kind) && std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
-      refuse(part, "is there twice");
+      refuse(part, "is given twice");
     }
     add(part, effect);
     kinds.push_back(kind);

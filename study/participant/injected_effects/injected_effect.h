@@ -1,5 +1,4 @@
-// Effects that are injected into a simulated study, so that it is known what an analysis has to
-// find.
+// Effects injected into simulated studies, to test whether analyses find them.
 #pragma once
 
 #include <map>
@@ -9,11 +8,10 @@
 
 namespace foveola::study {
 
-/// Participants with an injected effect do not look at images: their times and ratings are drawn
-/// (see drawn_times.h and drawn_ratings.h), from one distribution for all methods except for the
-/// injected effects.
+/// Participants with an injected effect do not look at images. Their times and ratings are drawn
+/// (see drawn_trial.h), from one distribution for all methods except for the injected effects.
 struct InjectedEffect {
-  /// A number for each method that has one, by a mark's or a rating's id.
+  /// A number per method, by the id of a mark or a rating.
   using ByMethod = std::map<std::string, double>;
 
   struct Outlier {
@@ -21,24 +19,24 @@ struct InjectedEffect {
     double slower = 1.0;  ///< Factor on all of that participant's times.
   };
   ByMethod faster;  ///< A method's times are divided by its number.
-  /// Of one mark, a method's times are divided by its number as well.
+  /// A method's times of one mark are divided by its number as well.
   std::map<std::string, ByMethod> faster_marks;
-  /// A method's answers to a rating are its number of points higher.
+  /// A method's answers to a rating are higher by its number of points.
   std::map<std::string, ByMethod> shifted_ratings;
-  double order_factor = 1.0;  ///< Times are multiplied by it with every trial.
+  double order_factor = 1.0;  ///< Factor on times per trial.
   std::optional<Outlier> outlier;
   double dropout_part = 0.0;  ///< Fraction of participants who withdraw, after the first trial.
   double tracker_loss_part = 0.0;  ///< Fraction of its samples that the eye tracker loses.
 };
 
-/// Parses "none" or any of "faster:METHOD:FACTOR", "faster-mark:MARK:METHOD:FACTOR",
-/// "shift-rating:RATING:METHOD:POINTS", "order:FACTOR", "outlier:PARTICIPANT:FACTOR",
-/// "dropout:FRACTION" and "tracker-loss:FRACTION" with commas between them; factors are positive,
-/// fractions in [0, 1], points may be below zero. The first three may be there more than once, each
-/// for different methods, marks or ratings. METHOD may have colons in it. Throws UsageError.
+/// Parses "none" or a comma-separated list of "faster:METHOD:FACTOR",
+/// "faster-mark:MARK:METHOD:FACTOR", "shift-rating:RATING:METHOD:POINTS", "order:FACTOR",
+/// "outlier:PARTICIPANT:FACTOR", "dropout:FRACTION" and "tracker-loss:FRACTION". Factors are
+/// positive, fractions in [0, 1], points may be negative. The first three may be repeated, each for
+/// different methods, marks or ratings. METHOD may contain colons. Throws UsageError.
 InjectedEffect parse_injected_effect(const std::string& text);
 
-/// What parse_injected_effect() takes, for the command line's help.
+/// Help of the option that takes an injected effect.
 inline constexpr const char* injected_effect_help =
     "Draw times and ratings from a model with known effects, instead of judging images: none "
     "(judge images), or, separated by commas, faster:METHOD:FACTOR (divides the method's times of "

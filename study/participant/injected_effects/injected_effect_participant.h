@@ -1,5 +1,5 @@
-// A participant with an injected effect, who moves the eyes like any other, but presses the key at
-// drawn times and gives drawn ratings, whatever the display shows.
+// Simulates a participant with an injected effect: drawn times and ratings, whatever the display
+// shows, with ordinary eye movements.
 #pragma once
 
 #include "study/participant/injected_effects/drawn_trial.h"
@@ -11,8 +11,8 @@ namespace foveola::study {
 
 class InjectedEffectParticipant final : public SimulatedParticipant {
  public:
-  /// `person` answers forms, chooses objects and moves the eyes. The session's plan says of which
-  /// scene and method a trial is.
+  /// `person` answers forms, chooses objects and moves the eyes. The session's plan has each
+  /// trial's scene and method.
   InjectedEffectParticipant(const InjectedEffect& effect, const SimulatedParticipant& person,
                             const Background& background, const ObservedSession& session);
 
@@ -27,12 +27,12 @@ class InjectedEffectParticipant final : public SimulatedParticipant {
   /// Draws the ratings that the effect shifts by its model, others like the answers to a form.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
-  /// The first glance of an attempt counts as its first frame. There is no mark in a catch trial.
+  /// The first glance of an attempt counts as its first frame. Catch trials have no marks.
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
   bool looks() const override { return false; }
 
  private:
-  /// The number of trials before withdrawing; empty for a participant who stays.
+  /// Number of trials before withdrawing; empty for a participant who stays.
   std::optional<int> draw_dropout() const;
 
   const PlannedTrial& planned() const;

@@ -11,25 +11,25 @@
 namespace foveola::study {
 namespace {
 
-/// Beyond this a tangent plane is too far away.
+/// Maximum radius of a tangent plane.
 constexpr double widest_radius_deg = 75.0;
 
-/// The number of parts of about `size` that a whole is divided into, at least one.
+/// Returns the number of parts, of about `size`, of a whole; at least one.
 int parts_of(double whole, double size) {
   return std::max(1, static_cast<int>(std::lround(whole / size)));
 }
 
-/// The coordinates of a block or a patch among others of its kind.
+/// Coordinates of a block or a patch among others of its kind.
 struct Place {
   int row = 0;
   int column = 0;
   auto operator<=>(const Place&) const = default;
 };
 
-/// Cells, gathered in blocks and patches.
+/// Gathers cells in blocks and patches.
 class Gathering {
  public:
-  /// Returns the number of the cell's block.
+  /// Adds a cell. Returns the number of its block.
   std::uint32_t add(const Place& block, const Place& patch, const Vec3& direction) {
     const std::uint32_t patch_number = number_of(patch_numbers_, patch, patches);
     const std::uint32_t block_number = number_of(block_numbers_, {patch, block}, blocks);
@@ -70,7 +70,7 @@ Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, doub
   cells.right_ = level * Vec3(1.0F, 0.0F, 0.0F);
   cells.up_ = level * Vec3(0.0F, 1.0F, 0.0F);
   cells.forward_ = level * Vec3(0.0F, 0.0F, -1.0F);
-  // However small the object is, the four cells around its middle belong to it.
+  // Even for a tiny object, the four cells around its centre belong to it.
   const double reach_rad = radians(std::clamp(radius_deg, 0.75 * cell_deg, widest_radius_deg));
   const int half = std::max(1, static_cast<int>(std::ceil(std::tan(reach_rad) / cells.cell_size_)));
   const int cells_per_patch = block * parts_of(patch_deg, block * cell_deg);
@@ -139,7 +139,7 @@ CellPixels pixels_of(const Cells& cells, const Viewport& viewport, int width, in
 
 std::vector<ChannelValues> cell_means(const RgbImage& image, const CellPixels& pixels,
                                       double jnd_lab) {
-  // Channels are linear in colours, so that means of colours will do.
+  // Channels are linear in colours, so means of colours suffice.
   std::vector<DVec3> sums(pixels.pixels_in_cell.size(), DVec3(0.0));
   for (const CellPixels::Member& member : pixels.members) {
     sums[member.cell] += DVec3(image.pixels[member.pixel]);

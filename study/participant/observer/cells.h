@@ -20,14 +20,15 @@ namespace foveola::study {
 /// A part of the view that is divided into square cells, and these into patches.
 class Cells {
  public:
-  /// Within radius_deg of `center` (unit length, world): a square grid on the tangent plane there,
-  /// level with the horizon; a cell belongs to it if its middle does. patch_deg is rounded to a
-  /// whole number of blocks, of block x block cells each, but at least one.
+  /// Returns the cells within radius_deg of `center` (unit length, world): a square grid on the
+  /// tangent plane there, level with the horizon. A cell belongs to it if its centre does.
+  /// patch_deg is rounded to a whole number of blocks, of block x block cells each, but at least
+  /// one.
   static Cells around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg,
                       int block = 1);
 
   struct Patch {
-    Vec3 direction{0.0F};     ///< Direction of its middle; unit length, world.
+    Vec3 direction{0.0F};     ///< Direction of its centre; unit length, world.
     std::uint32_t cells = 0;  ///< Number of its cells.
   };
   const std::vector<Patch>& patches() const { return patches_; }
@@ -37,17 +38,17 @@ class Cells {
     std::uint32_t cells = 0;
   };
   const std::vector<Block>& blocks() const { return blocks_; }
-  /// The number of cells of a complete block.
+  /// Number of cells of a complete block.
   int cells_of_whole_block() const { return block_ * block_; }
   double cell_deg() const { return cell_deg_; }
-  /// From the center to the nearest edge of the square that holds all cells.
+  /// Returns the angle from the centre to the nearest edge of the square that holds all cells.
   double half_width_rad() const { return std::atan(0.5 * across_ * cell_size_); }
   std::size_t count() const { return block_of_cell_.size(); }
   std::uint32_t block_of(std::uint32_t cell) const { return block_of_cell_[cell]; }
   std::uint32_t patch_of(std::uint32_t cell) const { return blocks_[block_of(cell)].patch; }
 
   static constexpr std::uint32_t none = 0xffffffffU;
-  /// The cell that `direction` (unit length, world) lies in, or none.
+  /// Returns the index of the cell that contains `direction` (unit length, world), or none.
   std::uint32_t at(const Vec3& direction) const;
 
  private:
@@ -80,7 +81,7 @@ struct CellPixels {
 };
 CellPixels pixels_of(const Cells& cells, const Viewport& viewport, int width, int height);
 
-/// The means of cells in an sRGB-encoded image; 0 for cells without pixels.
+/// Returns the means of cells in an sRGB-encoded image; 0 for cells without pixels.
 std::vector<ChannelValues> cell_means(const RgbImage& image, const CellPixels& pixels,
                                       double jnd_lab);
 

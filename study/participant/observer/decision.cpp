@@ -8,7 +8,7 @@
 namespace foveola::study {
 namespace {
 
-/// A factor that is 1 in the median, its logarithm normal with deviation `spread`.
+/// Draws a factor with median 1, whose logarithm is normal with deviation `spread`.
 double log_normal_factor(double spread, Pcg32& random) {
   return std::exp(spread * random.normal());
 }

@@ -12,7 +12,7 @@ constexpr auto achromatic = static_cast<std::size_t>(Channel::achromatic);
 
 double square(double x) { return x * x; }
 
-/// The mean achromatic value of all pixels in cells.
+/// Returns the mean achromatic value of all pixels in cells.
 double mean_lightness(const CellPixels& pixels, const std::vector<ChannelValues>& values) {
   double sum = 0.0;
   double count = 0.0;
@@ -27,7 +27,7 @@ int block_of(const Vision& vision) {
   return std::max(1, static_cast<int>(std::lround(vision.coarseness)));
 }
 
-/// The sum of presented - expected over each block's pixels, in each channel.
+/// Returns the sum of presented - expected over each block's pixels, in each channel.
 std::vector<ChannelValues> block_differences(const Cells& cells, const CellPixels& pixels,
                                              const std::vector<ChannelValues>& presented,
                                              const std::vector<ChannelValues>& expected) {
@@ -42,8 +42,8 @@ std::vector<ChannelValues> block_differences(const Cells& cells, const CellPixel
   return differences;
 }
 
-/// (presented - expected)^2 of each block's mean in each channel, times its pixels. A block at an
-/// edge, with fewer cells, is noisier than a complete one, and weighs as much less.
+/// Returns (presented - expected)^2 of each block's mean in each channel, times its pixels. A block
+/// at an edge, with fewer cells, is noisier than a complete one, and has less weight accordingly.
 std::vector<ChannelValues> block_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,
                                           const ExpectedMeans& expected) {
@@ -93,7 +93,7 @@ std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, doub
 }
 
 Cells cells_around(const Vision& vision, const Vec3& place, double radius_deg, double cell_deg) {
-  constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
+  constexpr double blocks_to_each_side = 0.8;  // a whole block, at any offset of the grid
   const double reach_deg = blocks_to_each_side * block_of(vision) * cell_deg;
   return Cells::around(place, std::max(radius_deg, reach_deg), cell_deg, vision.view_patch_deg,
                        block_of(vision));

@@ -1,7 +1,7 @@
-// The evidence of one glance: how well the thing that a task is about can be seen.
+// Computes the evidence of one glance: the visibility of a task's signal.
 //
-// Rendered and predicted simulations share it: the one computes PatchEnergies from presented
-// pixels, the other from tables, and everything that follows from them is the same.
+// Rendered simulations compute PatchEnergies from presented pixels, predicted ones from tables. All
+// later steps are shared.
 #pragma once
 
 #include <span>
@@ -19,11 +19,11 @@ struct Evidence {
   double outline_signal_to_noise = 0.0;
   /// Visible root mean square difference of the object from the expected image.
   double material_jnd = 0.0;
-  /// Visible root mean square difference of what is around the gaze from the expected image.
+  /// Visible root mean square difference from the expected image around the gaze.
   double artifacts_jnd = 0.0;
 };
 
-/// The signal and noise in a patch, wherever the eye looks.
+/// The signal and noise in a patch, independent of the eye's direction.
 struct PatchEnergies {
   Vec3 direction{0.0F};  ///< Unit length, world.
   double cells = 0.0;    ///< Number of cells with pixels.
@@ -32,37 +32,38 @@ struct PatchEnergies {
   ChannelValues noise{};
   /// For an outline: the mean over the patch's cells of the expected image's squared contrast, in
   /// JND^2. The contrast of a cell is twice the deviation of its achromatic value from the mean of
-  /// all judged cells: in an image of two tones of equal area, their difference, which is Rose's
-  /// signal.
+  /// all judged cells. In an image of two tones of equal area it is their difference, which is
+  /// Rose's signal.
   double contrast = 0.0;
 };
 
-/// The cells that an object's outline is judged on: half a line pair wide, with
-/// recognition_line_pairs across the object (Johnson 1958), over surround_factor times its radius.
+/// Returns the cells for an object's outline: half a line pair wide, with recognition_line_pairs
+/// across the object (Johnson 1958), over surround_factor times its radius.
 Cells outline_cells(const Vision& vision, const Vec3& object, double radius_deg);
-/// The widths of cells on all scales, from the finest, finest_cell_deg, on.
+/// Returns the widths of cells on all scales, from the finest, finest_cell_deg, on.
 std::vector<double> scales_deg(const Vision& vision, double finest_cell_deg);
-/// The cells that an object's material is judged on: within its radius, a set for each scale from
+/// Returns the cells for an object's material: within its radius, a set for each scale from
 /// material_cell_deg on.
 std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, double radius_deg);
-/// Cells within radius_deg of a place in the view, or as far from it as a whole block reaches.
+/// Returns cells within radius_deg of a place in the view, extended to whole blocks.
 Cells cells_around(const Vision& vision, const Vec3& place, double radius_deg, double cell_deg);
-/// The cells that artifacts are judged on in a glance: within looked_at_deg of the gaze, a set for
-/// each scale from view_cell_deg on.
+/// Returns the cells for artifacts in a glance: within looked_at_deg of the gaze, a set for each
+/// scale from view_cell_deg on.
 std::vector<Cells> glance_cells(const Vision& vision, const Vec3& gaze);
 
-/// The expected means of cells: by the same image twice if it is known, else by two images of it
-/// whose noise is independent. Squares of what is compared with them are products of the two, whose
-/// mean has no noise of theirs, and which may be negative where there is hardly any difference.
+/// The expected means of cells: twice of the same image if it is known, else of two images with
+/// independent noise. Squared differences are products of the differences to either, whose
+/// expectation has no noise of theirs, and which may be negative where there is hardly any
+/// difference.
 struct ExpectedMeans {
   const std::vector<ChannelValues>& first;
   const std::vector<ChannelValues>& second;
 };
 
-/// The patches' signal and noise from the means of the same cells in two images. A patch's means
-/// weight cells by their pixels: the noise of a cell falls with its pixels, so that this is the
-/// noise of a solid angle, whether pixels are small or nearly as large as cells. Patches of which
-/// no cell has pixels are left out. `with_contrast` says whether to compute the contrast.
+/// Returns the patches' signal and noise from the means of the same cells in two images. A patch's
+/// means weight cells by their pixels. The noise of a cell falls with its pixels, so that this is
+/// the noise of a solid angle, whether pixels are small or nearly as large as cells. Patches
+/// without pixels are left out. `with_contrast`: whether to compute the contrast.
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,
                                           const ExpectedMeans& expected, bool with_contrast);
@@ -86,12 +87,12 @@ double outline_signal_to_noise(std::span<const PatchEnergies> patches, const Vis
 ///
 ///   sqrt(sum w sum_c N_c / T_c^2 / sum w)
 ///
-/// Infinite without patches: a thing that is not in view cannot be judged finished.
+/// Infinite without patches: an object that is not in view cannot be judged finished.
 double visible_difference_jnd(std::span<const PatchEnergies> patches, const Visibility& visibility,
                               const Vec3& gaze);
 
-/// The difference noticed on all scales together, by probability summation (Quick 1974): the root
-/// of the sum of powers with vision's pooling_exponent.
+/// Returns the difference noticed on all scales together, by probability summation (Quick 1974):
+/// the root of the sum of powers with vision's pooling_exponent.
 double pooled_jnd(const Vision& vision, std::span<const double> jnd_of_scales);
 
 }  // namespace foveola::study

@@ -9,7 +9,7 @@
 namespace foveola::study {
 namespace {
 
-/// 0 before `start`, 1 after `end`, and smooth between them.
+/// Returns 0 before `start`, 1 after `end`, and a smooth transition between.
 double eased(Nanoseconds time, Nanoseconds start, Nanoseconds end) {
   if (time >= end) {
     return 1.0;
@@ -18,7 +18,7 @@ double eased(Nanoseconds time, Nanoseconds start, Nanoseconds end) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// The last item of a path that has begun by `time`; the first if none has.
+/// Returns the last item of a path that has begun by `time`; the first if none has.
 template <typename Items>
 std::size_t current(const Items& items, Nanoseconds time) {
   std::size_t i = items.size() - 1;
@@ -32,7 +32,7 @@ double between(double low, double high, Pcg32& random) {
   return low + (high - low) * random.uniform();
 }
 
-/// How far to turn from one heading to another, the short way.
+/// Returns the shorter turn from one heading to another.
 AzimuthElevation turn_between(const AzimuthElevation& from, const AzimuthElevation& to) {
   return {.azimuth_rad = std::remainder(to.azimuth_rad - from.azimuth_rad, 2.0 * std::numbers::pi),
           .elevation_rad = to.elevation_rad - from.elevation_rad};
@@ -98,7 +98,7 @@ Vec3 ScanPath::gaze(Nanoseconds time) {
   if (to.turn == 0) {
     return glm::normalize(glm::mix(from.target, to.target, static_cast<float>(part)));
   }
-  // From one place in the head to another, whichever way the head turns.
+  // From one place in the head to another, for any turn of the head.
   const AzimuthElevation before =
       turn_between(turns_[to.turn - 1].heading, azimuth_elevation(from.target));
   const AzimuthElevation after =

@@ -9,14 +9,14 @@ namespace foveola::study {
 
 class SimulatedObserver : public Participant {
  public:
-  /// The part of see() after the evidence is known; used alone for predicted glances, which have no
-  /// pixels.
+  /// The part of see() after the evidence is known. Predicted glances, which have no pixels, use it
+  /// alone.
   virtual std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) = 0;
 
-  /// Whether the participant judges what is shown; otherwise evidence may be empty.
+  /// Whether the participant judges images; otherwise evidence may be empty.
   virtual bool looks() const = 0;
 
-  /// The scan path that gaze() and head() follow.
+  /// Returns the scan path that gaze() and head() follow.
   virtual ScanPath& path() = 0;
 };
 

@@ -9,8 +9,8 @@
 namespace foveola::study {
 namespace {
 
-/// The derivatives of CIELAB's L*, a* and b* by sRGB-encoded red, green and blue at (0.5, 0.5,
-/// 0.5), by central differences of the formulas of CIE 15 and IEC 61966-2-1.
+/// Derivatives of CIELAB's L*, a* and b* by sRGB-encoded red, green and blue at (0.5, 0.5, 0.5), by
+/// central differences of the formulas of CIE 15 and IEC 61966-2-1.
 constexpr std::array<std::array<double, 3>, channel_count> lab_by_encoded{{
     {21.2716, 71.5296, 7.2190},
     {95.3972, -146.1253, 50.7280},

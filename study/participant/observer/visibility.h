@@ -1,4 +1,4 @@
-// The eye's thresholds over eccentricity, in channels of lightness and colour.
+// Computes the eye's thresholds over eccentricity, in channels of lightness and colour.
 #pragma once
 
 #include <array>
@@ -15,28 +15,28 @@ enum class Channel : std::size_t { achromatic, red_green, blue_yellow };
 inline constexpr std::size_t channel_count = 3;
 using ChannelValues = std::array<double, channel_count>;
 
-/// The channels of an sRGB-encoded colour, in just noticeable differences at the gaze: CIELAB (D65,
-/// whose L*, a* and b* are the three channels), linearised at middle grey (encoded 0.5), over
-/// jnd_lab. For greys from 0.2 to 1, CIELAB's derivatives by encoded values stay within 17 % of
-/// this linear map's.
+/// Returns the channels of an sRGB-encoded colour, in just noticeable differences at the gaze:
+/// CIELAB (D65, whose L*, a* and b* are the three channels), linearised at middle grey (encoded
+/// 0.5), over jnd_lab. For greys from 0.2 to 1, CIELAB's derivatives by encoded values stay within
+/// 17 % of this linear map's.
 ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab);
 
-/// The threshold of `channel` at eccentricity_deg over that of a large area at the gaze, for cells
-/// of cell_deg, of which two make a period: with f = 1 / (2 cell_deg) it is exp(decay f (e + e2) /
-/// e2), the contrast threshold of Geisler and Perry (1998, eq. 1) over its CT0. For chromatic
-/// channels it is exp(decay f (chromatic_decay_factor + e / e2)), for red-green times 10^(decades
-/// e).
+/// Returns the threshold of `channel` at eccentricity_deg over that of a large area at the gaze,
+/// for cells of cell_deg, of which two make a period. With f = 1 / (2 cell_deg) it is exp(decay f
+/// (e + e2) / e2), the contrast threshold of Geisler and Perry (1998, eq. 1) over its CT0. For
+/// chromatic channels it is exp(decay f (chromatic_decay_factor + e / e2)), for red-green times
+/// 10^(decades e).
 double relative_threshold(const Vision& vision, Channel channel, double cell_deg,
                           double eccentricity_deg);
 
-/// The inverse squares of thresholds over eccentricity for cells of one size, tabulated.
+/// Tabulates the inverse squares of thresholds over eccentricity for cells of one size.
 class Visibility {
  public:
   Visibility(const Vision& vision, double cell_deg);
 
-  /// 1 / threshold^2 of each channel where the direction's cosine with the gaze is `cosine`: less
-  /// than 1, and less the farther away. In steps of 0.02 degrees; more than 90 degrees away as
-  /// at 90.
+  /// Returns 1 / threshold^2 of each channel at the angle from the gaze whose cosine is `cosine`:
+  /// less than 1, and decreasing with the angle. In steps of 0.02 degrees; constant beyond 90
+  /// degrees.
   const std::array<float, channel_count>& at(float cosine) const;
 
  private:

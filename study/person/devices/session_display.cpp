@@ -64,7 +64,7 @@ Nanoseconds SessionDisplay::show(SessionPicture picture) {
   if (shown) {
     refresh_.swap_completed(*shown);
   }
-  // Who waits for refreshes anyway must not miss one by sleeping.
+  // Sleeping might miss a refresh; the wait for refreshes limits the rate already.
   const bool waits = shown && !refresh_.is_unsynchronised();
   next_frame_ = waits ? start : start + refresh_.interval();
   return shown.value_or(clock_->now());

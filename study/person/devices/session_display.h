@@ -1,4 +1,4 @@
-// What a participant sees: films as a head looks at them, and pages, in the window, frame by frame.
+// Draws a session's films, seen by the participant's head, and its pages, frame by frame.
 #pragma once
 
 #include <filesystem>
@@ -32,9 +32,9 @@ struct SessionPicture {
 
 class SessionDisplay {
  public:
-  /// framebuffer: the window's size in pixels. The fields of view are those of this size for as
-  /// long as it lives: a trial must not be seen through another view than its record says.
-  /// presenter and clock must outlive it.
+  /// framebuffer: the window's size in pixels. It fixes the fields of view for the display's
+  /// lifetime, so that a trial's view is always the recorded one. presenter and clock must outlive
+  /// it.
   SessionDisplay(Presenter& presenter, const DisplayProfile& profile, const IVec2& framebuffer,
                  const Clock& clock);
   SessionDisplay(const SessionDisplay&) = delete;
@@ -43,44 +43,43 @@ class SessionDisplay {
   void resize(const IVec2& framebuffer);
   void hide(bool is_hidden) { area_.is_hidden = is_hidden; }
 
-  /// From now on, until show_no_film(): film and workers must outlive that. Has to be called for
-  /// every new film, even if it lies where an old one was.
+  /// Shows the film from now on, until show_no_film(). film and workers must last until then. Call
+  /// it for every new film, even at the address of an old one.
   void show_film(const EquirectFilm& film, const Workers& workers);
-  /// Below pages that cover all, what was shown last may stay.
+  /// Stops showing a film. Pages that cover everything may hide the last picture.
   void show_no_film() { drawing_.reset(); }
 
-  /// The next frame that is drawn becomes a file, too.
+  /// Writes the next frame that is drawn to `file`.
   void take_picture(const std::filesystem::path& file) { picture_file_ = file; }
-  /// Waits until the pictures so far are files. Throws Error for the first one that cannot be
-  /// written.
+  /// Waits until all pictures are written. Throws Error for the first one that cannot be written.
   void finish_pictures() { pictures_.finish(); }
 
-  /// The pixels of the next frame that is drawn to be seen, and becomes no file, are kept: those
-  /// that are in the framebuffer once all is drawn, before it is swapped to the front.
+  /// Keeps the pixels of the next visible frame that is not written to a file, as they are in the
+  /// framebuffer before the swap.
   void keep_pixels() { keeps_pixels_ = true; }
-  /// What was kept since it was asked for, sRGB in [0, 1], top row first; empty if nothing was.
+  /// Returns the kept pixels, sRGB in [0, 1], top row first; empty if there are none.
   std::optional<RgbImage> take_pixels();
 
-  /// Hands a frame over; returns when it is drawn. Throws Error if the graphics card cannot do it.
+  /// Submits a frame; returns when it is drawn. Throws Error if the graphics card fails.
   void draw(SessionPicture picture);
-  /// Waits until it is shown, and says when, if it was drawn to be seen.
+  /// Waits until the frame is shown. Returns that time; empty if it was not drawn to be seen.
   std::optional<Nanoseconds> wait_until_shown();
-  /// draw and wait_until_shown, not faster than the display refreshes. Returns when it was shown,
-  /// or would have been.
+  /// Calls draw and wait_until_shown, at most once per refresh. Returns the time at which the frame
+  /// was shown, or would have been.
   Nanoseconds show(SessionPicture picture);
 
   const ViewGeometry& geometry() const { return geometry_; }
-  /// By OpenXR.
+  /// Whether the display is an OpenXR headset.
   bool is_headset() const { return profile_.kind == DisplayKind::openxr; }
   const IVec2& framebuffer() const { return area_.framebuffer; }
   const RefreshEstimator& refresh() const { return refresh_; }
-  /// What was learnt of the refreshes elsewhere.
+  /// Sets the refreshes that were measured elsewhere.
   void set_refresh(const RefreshEstimator& refresh) { refresh_ = refresh; }
-  /// What the next attempt's frames know of drawing here.
+  /// Drawing times, for the next attempt's frames.
   const FrameBudget& frame_budget() const { return frame_budget_; }
   void set_frame_budget(const FrameBudget& budget) { frame_budget_ = budget; }
   const std::optional<TimingPatch>& timing_patch() const { return profile_.timing_patch; }
-  /// The graphics card and its driver, in their own words.
+  /// The graphics card and its driver, as they name themselves.
   const std::string& graphics() const { return presenter_->graphics(); }
 
  private:

@@ -1,4 +1,4 @@
-// What a session in the window begins with, whoever takes part.
+// Prepares the window of a session: measures refreshes, describes the equipment.
 #pragma once
 
 #include <stop_token>
@@ -13,21 +13,21 @@
 
 namespace foveola::study {
 
-/// Shows that the study is being loaded, until the rate of refreshes is measured or `stop` is
-/// requested.
+/// Shows that the study is loading until the refresh rate is measured or `stop` is requested.
 void measure_refreshes(SessionDisplay& display, const Texts& texts, const std::stop_token& stop);
 
-/// What the record keeps of the display, as "display" of SessionFacts::devices.
+/// Returns the recorded facts of the display, as "display" of SessionFacts::devices.
 nlohmann::ordered_json display_json(const SessionDisplay& display, const DisplayProfile& profile);
 
-/// What it keeps of the machine, as "machine" there; threads: that render.
+/// Returns the recorded facts of the machine, as "machine" there. threads: number of rendering
+/// threads.
 nlohmann::ordered_json machine_json(int threads);
 
-/// What it keeps of a headset beside that, as its runtime told it, as "headset" there.
+/// Returns the recorded facts of a headset, as its runtime reported them, as "headset" there.
 nlohmann::ordered_json headset_json(const HeadsetFacts& facts);
 
-/// What it keeps of the tracker, as "tracker" there: the profile's name, and "filter" if there is
-/// one.
+/// Returns the recorded facts of the tracker, as "tracker" there: the profile's name, and "filter"
+/// if there is one.
 nlohmann::ordered_json tracker_json(const std::string& profile, const GazeFilterSettings& filter);
 
 }  // namespace foveola::study

@@ -1,9 +1,9 @@
-// Which source the program is of.
+// Names the commit that the program was built from.
 #pragma once
 
 namespace foveola::study {
 
-/// The commit that was checked out, as 12 digits; empty outside of the source's repository.
+/// Returns the commit as 12 digits; empty if built outside of a repository.
 const char* source_commit();
 
 }  // namespace foveola::study

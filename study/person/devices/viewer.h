@@ -1,4 +1,4 @@
-// The participant's head, and what turns it.
+// Tracks the participant's head: worn tracker, or steering by keys, mouse and gamepad.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@ namespace foveola::study {
 
 class Viewer {
  public:
-  /// Looks straight ahead at first. pointer: receives where the pointer is, if there is one. worn:
-  /// what the head is tracked by, if it is not turned by keys. Both must outlive it.
+  /// Looks straight ahead at first. pointer: receives the pointer's position, unless null. worn:
+  /// the head's tracker, null if keys turn the head. Both must outlive it.
   explicit Viewer(PointerEyeTracker* pointer, HeadTracker* worn = nullptr)
       : pointer_(pointer), worn_(worn) {
     look_along({});
   }
 
-  /// At once; what is held no longer turns it. Whoever has head() has to ask for it again.
+  /// Turns the head at once and releases all held keys. References from head() become invalid.
   void look_along(const AzimuthElevation& heading);
-  /// How large the window is, and what it shows from now on.
+  /// Sets the window's size and geometry from now on.
   void show(const ViewGeometry& geometry, const IVec2& framebuffer, double pixels_per_unit);
-  /// sees_picture: below a page, keys must not turn the head, but what was held may be let go.
+  /// sees_picture: false below a page, where keys must not turn the head but may be released.
   void follow(const WindowEvent& event, bool sees_picture);
-  /// Turns to a direction of the world. time: by the clock of the window's events.
+  /// Turns towards a direction in the world. time: by the clock of the window's events.
   void turn_to(const Vec3& direction, Nanoseconds time);
 
   /// World from head.

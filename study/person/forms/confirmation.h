@@ -1,4 +1,4 @@
-// The choice that a participant makes before something that is not to happen by a slip.
+// Asks a participant to confirm a choice that must not happen by a slip.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@ namespace foveola::study {
 
 enum class Confirmed { timing_again, stopping };
 
-/// A list of two: to continue, which is chosen at first, and what is to be confirmed.
+/// A list of two: to continue, which is selected at first, and the choice to be confirmed.
 class Confirmation {
  public:
   Confirmation(Confirmed what, const Texts& texts);
 
   Confirmed what() const { return what_; }
-  /// Chooses by arrows, digits or a step. Returns whether the key meant something.
+  /// Selects by arrows, digits or a step. Returns whether the key had a meaning.
   bool follow(const FormInput& input);
-  /// The event of what is chosen; empty while that is to continue.
+  /// Returns the event of the selected choice; empty if it is to continue.
   std::optional<Event> chosen() const;
   ScreenPage screen(const Texts& texts) const;
 

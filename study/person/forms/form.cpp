@@ -15,14 +15,14 @@ std::size_t lines_of(std::string_view paragraph) {
   return count_characters(paragraph) / screen_line_characters + 1;
 }
 
-/// The start of a paragraph that fills a page, up to a space.
+/// Returns the bytes of the paragraph's beginning that fill a page, up to a space.
 std::size_t bytes_of_a_page(std::string_view paragraph) {
   const std::size_t most = bytes_of_first(paragraph, (screen_lines - 1) * screen_line_characters);
   const std::size_t space = paragraph.rfind(' ', most);
   return space != std::string_view::npos && space > 0 ? space : most;
 }
 
-/// Paragraphs of a page at most.
+/// Paragraphs of at most a page each.
 std::vector<std::string> short_paragraphs(const std::vector<std::string>& paragraphs) {
   std::vector<std::string> result;
   for (std::string_view rest : paragraphs) {
@@ -54,7 +54,7 @@ std::vector<std::vector<std::string>> pages_of(const std::vector<std::string>& p
   std::vector<std::vector<std::string>> pages;
   std::size_t lines = 0;
   for (std::string& paragraph : short_paragraphs(paragraphs)) {
-    lines += lines_of(paragraph) + 1;  // and one before the next
+    lines += lines_of(paragraph) + 1;  // plus an empty line
     if (pages.empty() || lines > screen_lines + 1) {
       pages.emplace_back();
       lines = lines_of(paragraph) + 1;
@@ -133,7 +133,7 @@ const Question* Form::question() const {
   return is_reading() || is_confirming() ? nullptr : &entry().question();
 }
 
-/// Where up chooses something, left goes back.
+/// Left goes back where up selects an option.
 FormKey Form::back_key() const {
   const bool is_list =
       !is_reading() && !is_confirming() && entry().question().kind == QuestionKind::choice;

@@ -1,4 +1,4 @@
-// A form on a participant's screen: pages of words, a question a page, and one to hand it in.
+// A form on a participant's screen: introductory pages, a page per question, a page to submit it.
 #pragma once
 
 #include <optional>
@@ -13,38 +13,39 @@ namespace foveola::study {
 
 struct FormPages {
   std::string title;
-  std::vector<std::string> intro;  ///< paragraphs; over as many pages as they take
+  std::vector<std::string> intro;  ///< paragraphs, split over pages as needed
   std::vector<Question> questions;
-  std::string confirmation;  ///< on the last page, {answers} filled in; none: there is no such page
-  std::string confirm_keys;  ///< which keys do what there
+  std::string
+      confirmation;  ///< text of the last page, with {answers} filled in; empty: no such page
+  std::string confirm_keys;  ///< the help line of that page: its keys
   bool covers_picture = true;
 };
 
-/// Driven by keys alone. A page is left only with an answer that is one; a question that need not
-/// be answered can be left without.
+/// Driven by keys alone. A page is left only with a valid answer; an optional question can also be
+/// left empty.
 class Form {
  public:
   /// texts: the protocol's.
   Form(FormPages pages, Texts texts);
 
-  /// Returns whether the key meant something here.
+  /// Returns whether the key had a meaning here.
   bool follow(const FormInput& input);
 
-  /// The page was on the display at `time`, and since the call before if nothing was pressed
-  /// meanwhile. Called at each of its frames, and before each key. Times are of one clock.
+  /// Records that the page was visible at `time`, and since the last call unless a key was pressed
+  /// in between. Called at each of its frames, and before each key. Times are of one clock.
   void was_shown(Nanoseconds time);
-  /// Something else is shown: no response time runs.
+  /// Records that something else is shown: response times pause.
   void was_hidden() { shown_.reset(); }
 
-  /// The page without its progress, which others fill in.
+  /// Returns the page without its progress, which the caller fills in.
   ScreenPage screen() const;
 
-  /// The question on this page; none where there is only something to read or to hand in.
+  /// Returns the question on this page; null on introductory pages and the submitting one.
   const Question* question() const;
 
   bool is_submitted() const { return is_submitted_; }
-  /// The answers in the questions' order, without those that were left out. The response time is
-  /// that of all of the question's showings.
+  /// Returns the answers in the questions' order, without skipped ones. A response time is the sum
+  /// over all showings of its question.
   std::vector<Answer> answers() const;
 
  private:
@@ -69,13 +70,13 @@ class Form {
   std::vector<std::vector<std::string>> intro_pages_;
   std::vector<QuestionEntry> entries_;
   std::vector<Nanoseconds> shown_for_;  ///< [entry]
-  std::optional<Nanoseconds> shown_;    ///< when the page was last known to be on the display
+  std::optional<Nanoseconds> shown_;    ///< time at which the page was last known to be visible
   std::size_t page_ = 0;
-  std::string fault_;  ///< what is wrong with the answer on this page
+  std::string fault_;  ///< the fault of the answer on this page, in words
   bool is_submitted_ = false;
 };
 
-/// Paragraphs over as many pages as a screen of any window needs for them (screen_lines); long ones
+/// Splits paragraphs into pages that fit on a screen of any window (screen_lines). Long paragraphs
 /// are broken between words.
 std::vector<std::vector<std::string>> pages_of(const std::vector<std::string>& paragraphs);
 

@@ -1,4 +1,4 @@
-// What a form understands of a keyboard.
+// Maps window events to the inputs of a form.
 #pragma once
 
 #include <optional>
@@ -16,16 +16,16 @@ enum class FormKey {
   up,
   down,
   erase,
-  step  ///< the next one, and after the last one the first: for who has a single button to choose
+  step  ///< the next option, cyclically: for controllers with a single button to choose with
 };
 
-/// A key, or what was typed.
+/// A key, or a typed character.
 using FormInput = std::variant<FormKey, char32_t>;
 
-/// Empty for events that mean nothing to a form, such as keys that are let go.
+/// Returns the event's input; empty if it means nothing to a form, such as a key release.
 std::optional<FormInput> form_input(const WindowEvent& event);
 
-/// An event that means this.
+/// Returns an event that stands for `input`.
 WindowEvent press_of(const FormInput& input, Nanoseconds time);
 
 }  // namespace foveola::study

@@ -26,7 +26,7 @@ void add_question(std::vector<ShownText>& texts, const std::string& form,
 
 bool is_private_use(char32_t character) { return character >= 0xE000 && character <= 0xF8FF; }
 
-/// By the blocks of Unicode: radicals to Yi, Hangul, ideographs, full-width forms.
+/// By Unicode blocks: radicals to Yi, Hangul, ideographs, full-width forms.
 bool is_east_asian(char32_t character) {
   return (character >= 0x2E80 && character <= 0xA4CF) ||
          (character >= 0xAC00 && character <= 0xD7FF) ||

@@ -1,4 +1,4 @@
-// Letters of a protocol's words that no font at hand has, before a participant misses them.
+// Finds characters of a protocol's texts that no installed font has, before a session begins.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace foveola::study {
 
-/// Words that participants read, and where the protocol has them: "texts.consent",
+/// A text that participants read, and its key in the protocol: "texts.consent",
 /// "questionnaire.background.age".
 struct ShownText {
   std::string key;
   std::string words;
 };
 
-/// All that are the protocol's own, without the built-in ones.
+/// Returns all texts of the protocol itself, without the built-in ones.
 std::vector<ShownText> shown_texts(const Protocol& protocol);
 
 struct MissingLetters {
@@ -24,14 +24,14 @@ struct MissingLetters {
   Characters characters;
 };
 
-/// For each text with letters that would be shown as question marks.
+/// Returns an entry for each text with characters that would be shown as question marks.
 std::vector<MissingLetters> missing_letters(const Protocol& protocol);
 
-/// "texts.consent: no font here has あ (U+3042), shown as a question mark; install ...".
-/// Without the name of the file.
+/// Returns "texts.consent: no font here has あ (U+3042), shown as a question mark; install ...",
+/// without the name of the protocol's file.
 std::string warning_of(const MissingLetters& missing);
 
-/// Says so on standard error, a line for each text.
+/// Prints the warnings on standard error, a line per text.
 void warn_of_missing_letters(const Protocol& protocol);
 
 }  // namespace foveola::study

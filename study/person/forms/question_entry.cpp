@@ -34,7 +34,7 @@ ScreenField::Kind kind_of(const Question& question) {
   return ScreenField::Kind::line;
 }
 
-/// The words of a scale's point; none, those of its ends, or those of each point are given.
+/// Returns the label of a scale's point. A question labels no point, the ends, or every point.
 std::string point_words(const Question& question, std::size_t point, std::size_t points) {
   if (question.labels.size() == points) {
     return question.labels[point];
@@ -59,7 +59,7 @@ std::vector<std::string> point_labels(const Question& question) {
   return labels;
 }
 
-/// With the digits that choose them.
+/// Returns the options' labels with their digits.
 std::vector<std::string> option_labels(const Question& question) {
   constexpr std::size_t max_digits = 9;
   std::vector<std::string> labels;
@@ -117,7 +117,7 @@ bool QuestionEntry::follow(const FormInput& input) {
   }
 }
 
-/// From the lowest number, or the highest one, if there is none yet.
+/// Counts from the minimum, or from the maximum, if there is no number yet.
 bool QuestionEntry::count(double by) {
   const std::optional<double> from = number();
   const double next = from ? *from + by : (by > 0.0 ? question_.minimum : question_.maximum);

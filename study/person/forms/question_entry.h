@@ -1,4 +1,4 @@
-// What a participant has answered to one question so far.
+// Edits a participant's answer to one question.
 #pragma once
 
 #include <cstddef>
@@ -16,29 +16,31 @@ class QuestionEntry {
  public:
   explicit QuestionEntry(Question question);
 
-  /// Chooses or types. Returns whether the key meant something: on a scale, left, right, digits and
-  /// erase; in a list, up, down, digits and erase; of a number, which they count, left and right,
-  /// characters and erase; elsewhere, characters and erase. Step is right, or down, and goes round.
+  /// Selects or types. Returns whether the key had a meaning. A scale takes left, right, digits and
+  /// erase; a list takes up, down, digits and erase. A number takes characters, erase, and left and
+  /// right, which count. Other entries take characters and erase. Step acts as right or down,
+  /// cyclically.
   bool follow(const FormInput& input);
 
-  /// The field without words on what is wrong and without focus. A number that was typed in another
-  /// way than it is shown has a note.
+  /// Returns the field, without a fault and without focus. A typed number that differs from its
+  /// display has a note.
   ScreenField field() const;
 
-  /// A number where one is asked for and typed, if it has one reading. An empty text if there is no
-  /// answer yet.
+  /// Returns a number if one is asked for and the typed text has one reading, else the text. Empty
+  /// text if there is no answer yet.
   std::variant<double, std::string> value() const;
   bool is_empty() const;
 
-  /// Why the value is no answer, in the protocol's words; empty if it is one.
+  /// Returns the reason why the value is not a valid answer, in the protocol's words; empty if it
+  /// is one.
   std::string fault(const Texts& texts) const;
 
-  /// The answer as the screen shows it: a number as it was read.
+  /// Returns the answer as the screen shows it; a number as it was parsed.
   std::string shown_value() const;
 
   const Question& question() const { return question_; }
 
-  /// Scales with more points than this are typed in as numbers.
+  /// Maximum number of points of a scale on the screen; others are typed as numbers.
   static constexpr std::size_t max_points = 21;
 
  private:
@@ -49,7 +51,7 @@ class QuestionEntry {
   bool choose_by(char32_t typed);
   bool type(char32_t typed);
   bool erase();
-  /// The number that was typed; empty if there is none, or several that are meant.
+  /// Returns the typed number; empty if there is none, or several readings.
   std::optional<double> number() const;
 
   Question question_;
@@ -57,7 +59,7 @@ class QuestionEntry {
   std::vector<std::string> labels_;
   std::optional<std::size_t> chosen_;
   std::string typed_;
-  bool is_counted_ = false;  ///< by arrows: what is typed then begins anew
+  bool is_counted_ = false;  ///< counted by arrows: the next character begins a new number
 };
 
 }  // namespace foveola::study

@@ -26,7 +26,7 @@ std::vector<FormInput> typed(const Value& value) {
   return inputs;
 }
 
-/// The first press chooses the first of them.
+/// The first press selects the first option.
 std::vector<FormInput> presses(FormKey key, std::ptrdiff_t index) {
   return std::vector<FormInput>(static_cast<std::size_t>(index + 1), key);
 }

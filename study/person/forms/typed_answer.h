@@ -1,4 +1,4 @@
-// The keys that answer a question of a form.
+// Translates answers of forms to key presses.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace foveola::study {
 
-/// What an entry that is empty takes for this answer: arrows on scales and in lists, elsewhere its
-/// characters, which are ASCII. None for none.
+/// Returns the keys that enter the question's answer into an empty entry: arrows on scales and in
+/// lists, elsewhere its characters, which are ASCII. Empty if `answers` has none.
 std::vector<FormInput> typed_answer(const Question& question, const std::vector<Answer>& answers);
 
 }  // namespace foveola::study

@@ -16,7 +16,7 @@ bool has_only_digits(std::string_view text) {
   return text.find_first_not_of(digits) == std::string_view::npos;
 }
 
-/// Whether `separator` parts the text into thousands: "12,345,678".
+/// Whether `separator` splits the text into thousands: "12,345,678".
 bool is_in_thousands(std::string_view text, char separator) {
   constexpr std::size_t group = 3;
   const std::size_t first = text.find(separator);
@@ -46,7 +46,7 @@ std::optional<double> plain_number(std::string_view text) {
   return fault == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
-/// With a decimal mark, and maybe the other one between thousands.
+/// A number with a decimal mark, and optionally the other mark between thousands.
 std::optional<double> decimal_number(std::string_view text, char mark, char between_thousands) {
   const std::string_view whole = text.substr(0, text.find(mark));
   const std::string_view decimals = text.substr(whole.size() + 1);

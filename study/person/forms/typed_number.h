@@ -1,5 +1,4 @@
-// Numbers as people type them: with a decimal comma or point, and with commas or points between
-// thousands.
+// Parses numbers as people type them: with a decimal comma or point, and separated thousands.
 #pragma once
 
 #include <string>
@@ -8,11 +7,11 @@
 
 namespace foveola::study {
 
-/// Every number that `typed`, of ASCII characters, may mean: none if it is not a number, two where
-/// its only separator may stand before decimals or thousands. Of "1,500" these are 1.5 and 1500.
+/// Returns every number that `typed`, of ASCII characters, may mean. Empty if it is not a number;
+/// two if its only separator may precede decimals or thousands: 1.5 and 1500 for "1,500".
 std::vector<double> readings_of(std::string_view typed);
 
-/// The number as it has to be typed to have one reading: 1.125 as "1.1250".
+/// Returns the number in a spelling with one reading: 1.125 as "1.1250".
 std::string unambiguous(double number, char decimal_mark = '.');
 
 }  // namespace foveola::study

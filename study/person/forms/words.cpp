@@ -11,7 +11,7 @@ namespace {
 constexpr const char* consent_question = "consent";
 constexpr double agrees = 1.0;
 
-/// Paragraphs are parted by empty lines; within one, a line break is a space.
+/// Paragraphs are separated by empty lines; a line break within one is a space.
 std::vector<std::string> paragraphs_of(std::string_view text) {
   std::vector<std::string> paragraphs;
   while (!text.empty()) {
@@ -26,7 +26,7 @@ std::vector<std::string> paragraphs_of(std::string_view text) {
   return paragraphs;
 }
 
-/// The texts of `id` and its title, with these keys.
+/// Returns the page of text `id` and its title, with these keys.
 ScreenPage page_of(const std::string& id, const std::string& keys, const Texts& texts) {
   return {.title = text_of(texts, id + "_title"),
           .paragraphs = paragraphs_of(text_of(texts, id)),
@@ -76,7 +76,7 @@ const char* id_of(Notice notice) {
   return "goodbye";
 }
 
-/// What is said of it; empty if there is nothing to say.
+/// Returns the text's id; empty if nothing is to be said.
 std::optional<std::string> id_of(TimedAgain again) {
   switch (again) {
     case TimedAgain::asked_for:

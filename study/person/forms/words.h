@@ -1,6 +1,6 @@
-// What participants read, from the protocol's words and the built-in ones: forms and plain screens.
+// Builds forms and plain screens from the protocol's texts and the built-in ones.
 //
-// No screen says which method is shown.
+// No screen names the method that is shown.
 #pragma once
 
 #include <string>
@@ -14,21 +14,21 @@ namespace foveola::study {
 
 // --- Forms ---
 
-/// Ends with the question whether one agrees.
+/// Ends with the question whether the participant agrees.
 Form consent_form(const Texts& texts);
-/// The answers of who agrees.
+/// Returns the answers of a participant who agrees.
 std::vector<Answer> consent_answers();
 
 Form questionnaire_form(const Questionnaire& questionnaire, const Texts& texts);
 
-/// The form in a band below the picture.
+/// Returns the form in a band below the picture.
 Form rating_form(const std::vector<Question>& ratings, const Texts& texts);
 
 // --- Pages of a title, a paragraph and a line of keys ---
 
 enum class Notice {
   welcome,
-  loading,           ///< something takes a moment
+  loading,           ///< while something is loaded
   validation,        ///< before the first look at the targets
   validation_again,  ///< before another look at the targets
   refused,           ///< the gaze did not pass the protocol's gate
@@ -45,17 +45,17 @@ ScreenPage notice_screen(Notice notice, const Texts& texts);
 
 // --- The reaction test ---
 
-/// Before the first press.
+/// The page before the first press.
 ScreenPage reaction_screen(int presses, const Texts& texts);
 ScreenPage reaction_wait_screen(const Texts& texts);
-/// Bright, as its change is what is reacted to.
+/// The bright stimulus: its onset is reacted to.
 ScreenPage reaction_now_screen(const Texts& texts);
-/// After a press that came too early; then it waits anew.
+/// The page after a premature press; a new wait follows.
 ScreenPage reaction_early_screen(const Texts& texts);
 
 // --- Bands below the picture ---
 
-/// An object of the scene, as the view shows it.
+/// An object of the scene, and whether the view shows it.
 struct NamedObject {
   std::string name;
   bool is_in_view = true;
@@ -64,13 +64,13 @@ struct NamedObject {
 /// object: the one that Enter would choose.
 ScreenPage choosing_screen(const NamedObject& object, const Texts& texts);
 
-/// Which of a session's trials it is, from 1; those of the practice are counted by themselves.
+/// Number of a trial within its session, from 1; practice trials are counted separately.
 struct TrialCount {
   std::size_t trial = 1;
   std::size_t trials = 1;
 };
 
-/// Why a trial is timed again.
+/// Reason why a trial is retimed.
 enum class TimedAgain {
   no,
   asked_for,
@@ -78,29 +78,29 @@ enum class TimedAgain {
   gaze_elsewhere,
 };
 
-/// What is to be known before a trial.
+/// Facts shown before a trial.
 struct ReadyPage {
   NamedObject object;  ///< the chosen one
   TrialCount count;
   TimedAgain again = TimedAgain::no;
 };
 
-/// What is to be marked, before a trial.
+/// The marks to be made, before a trial.
 ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const ReadyPage& page,
                         const Texts& texts);
 
-/// A trial that follows the gaze waits for one.
+/// The page while a trial that follows the gaze waits for gaze.
 ScreenPage no_gaze_screen(const Texts& texts);
 
-/// For a moment: the first `taken` of `marks` are kept.
+/// The message that the first `taken` of `marks` are recorded.
 ScreenPage mark_taken_screen(std::size_t taken, std::size_t marks, const Texts& texts);
 
-/// Before the rating.
+/// The page before the rating.
 ScreenPage look_around_screen(const Texts& texts);
 
-/// Asks whether to time the trial again; a list of choices belongs to it.
+/// Asks whether to retime the trial; shown with a list of choices.
 ScreenPage retiming_screen(const Texts& texts);
-/// Asks whether to stop taking part; a list of choices belongs to it, and it is no band.
+/// Asks whether to stop taking part; shown with a list of choices, over the whole screen.
 ScreenPage stopping_screen(const Texts& texts);
 
 }  // namespace foveola::study

@@ -11,7 +11,7 @@ MaybeIntent intent_if(bool is_meant, KeyIntent intent) {
   return is_meant ? MaybeIntent(intent) : std::nullopt;
 }
 
-/// One key goes on, another one raises a confirmation.
+/// Of a phase with two keys: one continues, the other opens a confirmation.
 MaybeIntent intent_of_two(PersonKey key, PersonKey first, KeyIntent intent, PersonKey second,
                           KeyIntent other) {
   return key == first ? MaybeIntent(intent) : intent_if(key == second, other);

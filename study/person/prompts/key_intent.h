@@ -1,4 +1,4 @@
-// What a participant's key means where the session is.
+// Maps participants' key presses to session intents.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 namespace foveola::study {
 
 enum class KeyIntent {
-  read_on,  ///< the notice was read
-  // They ask for a confirmation.
+  read_on,  ///< the notice has been read
+  // Intents that open a confirmation.
   confirm_timing,
   confirm_stopping,
-  // They answer what the phase waits for.
+  // Intents that answer the phase's effect.
   begin_validation,
-  press,  ///< the key at what appears
+  press,  ///< a press in the reaction test
   next_object,
   choose_object,
   start_trial,
@@ -25,11 +25,12 @@ enum class KeyIntent {
   leave,
 };
 
-/// Empty if it means nothing there. A notice comes before the phase; confirmations and forms take
-/// their keys themselves. PersonKey::pause is left to others.
+/// Returns the key's intent in this phase; empty if it has no meaning there. A notice takes keys
+/// before the phase; confirmations and forms handle their keys themselves. PersonKey::pause is the
+/// caller's.
 std::optional<KeyIntent> intent_of(PersonKey key, Phase phase, bool reads_notice);
 
-/// The event of the session that the intent is, if it says all of one.
+/// Returns the session event of an intent; empty if the intent alone does not determine it.
 std::optional<Event> event_of(KeyIntent intent);
 
 }  // namespace foveola::study

@@ -4,13 +4,13 @@ namespace foveola::study {
 
 void PageWatch::turn_page() {
   since_.reset();
-  // Here, for within an attempt a page may come and be shown between two looks at it.
+  // Reset here, because within an attempt a page may come and go between two frames.
   frames_ = 0;
   has_picture_ = false;
 }
 
 std::optional<int> PageWatch::picture_due(bool stands) {
-  // What comes without another page, such as a note, needs no other picture.
+  // Additions to a page, such as a note, need no new picture.
   if (has_picture_) {
     return std::nullopt;
   }

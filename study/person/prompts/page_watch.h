@@ -1,4 +1,4 @@
-// Since when the participant has seen a page, and when its picture is to be taken.
+// Tracks since when a page has been visible, and at which frame its picture is taken.
 #pragma once
 
 #include <optional>
@@ -7,31 +7,31 @@
 
 namespace foveola::study {
 
-/// Has to be informed of every frame. All times are of one clock, whichever.
+/// Must be told of every frame. All times are of one clock.
 class PageWatch {
  public:
-  /// The frame of a page by which its words have been measured and stand still.
+  /// The frame of a page at which its text has been measured and no longer moves.
   static constexpr int frame_to_keep = 3;
 
-  /// The frames from the next one on show another page, even if one page follows the other between
-  /// two looks at them.
+  /// Marks the frames from the next one on as another page, even if the old page is hidden and the
+  /// new one shown between two frames.
   void turn_page();
 
-  /// Before each frame. stands: nothing else is about to be shown. Returns the page's number, from
-  /// 1, if this is the frame of which a picture is to be taken.
+  /// Call before each frame. stands: no other page is about to be shown. Returns the page's number,
+  /// from 1, if its picture is to be taken at this frame; else empty.
   std::optional<int> picture_due(bool stands);
 
-  /// After each frame, with the time at which it was shown.
+  /// Call after each frame, with the time at which it was shown.
   void was_shown(Nanoseconds time) { since_ = since_.value_or(time); }
 
-  /// What was pressed before the page could be seen was no answer to it.
+  /// Returns whether the page was visible at `time`. Earlier key presses are not answers to it.
   bool was_seen_at(Nanoseconds time) const { return since_ && time >= *since_; }
 
  private:
   std::optional<Nanoseconds> since_;
-  int frames_ = 0;  ///< for which the page has been shown, until its picture was due
+  int frames_ = 0;  ///< number of frames of this page, until its picture was due
   bool has_picture_ = false;
-  int pages_ = 0;  ///< how many pages had a picture due
+  int pages_ = 0;  ///< number of pages whose picture was due
 };
 
 }  // namespace foveola::study

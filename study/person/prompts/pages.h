@@ -8,12 +8,13 @@
 
 namespace foveola::study {
 
-/// Over the picture, or instead of it; empty: the picture alone. now: session clock.
+/// Returns the page over the picture, or in place of it; empty: the picture alone. now: session
+/// clock.
 std::optional<ScreenPage> page_of(const PromptState& prompt, const SessionContext& context,
                                   Nanoseconds now);
 
-/// The keys that the participant's page names, in the protocol's words; "[Space] outline" where the
-/// picture is marked. now: session clock.
+/// Returns the keys that the participant's page names, in the protocol's words; "[Space] outline"
+/// where the picture is marked. now: session clock.
 std::string words_for_next_key(const PromptState& prompt, const SessionContext& context,
                                Nanoseconds now);
 

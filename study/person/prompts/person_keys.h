@@ -1,4 +1,4 @@
-// The keys of a participant: few and large, the same everywhere.
+// The participant's keys: few and large, the same in every phase.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,17 @@
 namespace foveola::study {
 
 enum class PersonKey {
-  mark,     ///< Space: also starts a trial, and answers what appears
-  confirm,  ///< Enter: also goes on
+  mark,     ///< Space: marks, starts a trial, answers the reaction test
+  confirm,  ///< Enter: confirms, continues
   next,     ///< Tab
   back,     ///< Backspace
   pause,    ///< Escape, or the window's cross
 };
 
-/// What an event means, if it is a key that goes down: by its place, the same on every layout.
+/// Returns the key of a press, by its place on the keyboard, whatever the layout; else empty.
 std::optional<PersonKey> person_key(const WindowEvent& event);
 
-/// An event that means this.
+/// Returns an event that stands for `key`.
 WindowEvent press_of(PersonKey key, Nanoseconds time);
 
 }  // namespace foveola::study

@@ -5,7 +5,7 @@ namespace {
 
 constexpr Nanoseconds acknowledgement = std::chrono::milliseconds(900);
 
-/// What each event leaves behind; most leave nothing.
+/// Updates the prompt for each event; most change nothing.
 struct Following {
   PromptState& prompt;
   const Texts& texts;
@@ -21,7 +21,7 @@ struct Following {
   void operator()(const Other& /*event*/) const {}
 };
 
-/// What each effect asks for.
+/// Prepares the prompt for each effect.
 struct Preparing {
   PromptState& prompt;
   const SessionContext& context;
@@ -40,7 +40,7 @@ struct Preparing {
     prompt.form_of.clear();
   }
   void operator()(const AskQuestionnaire& effect) const {
-    // After a pause the answers so far are still there.
+    // After a pause, the answers so far are kept.
     if (!prompt.form || prompt.form_of != effect.questionnaire) {
       const Questionnaire& asks = questionnaire_of(context.protocol, effect.questionnaire);
       prompt.form.emplace(questionnaire_form(asks, texts()));

@@ -1,4 +1,4 @@
-// What the participant is asked at the moment, and what is to be read before.
+// State of the participant's screen: the current question, and the notices before it.
 #pragma once
 
 #include <deque>
@@ -14,43 +14,44 @@
 
 namespace foveola::study {
 
-/// Each is there while it is needed. Times are of the session's clock.
+/// Each member is set while it is needed. Times are of the session's clock.
 struct PromptState {
-  std::optional<Confirmation> confirmation;  ///< asked before everything else
-  std::deque<ScreenPage> notices;            ///< to be read before anything is asked
+  std::optional<Confirmation> confirmation;  ///< takes precedence over everything else
+  std::deque<ScreenPage> notices;            ///< read before anything is asked
   std::optional<Form> form;
   std::string form_of;  ///< the questionnaire's id; empty: consent, or the ratings
   std::optional<GazeValidationRuns> validation;  ///< its times are of the steady clock
   ReactionPresses reaction;                      ///< its times are of the steady clock
-  bool awaits_gaze = false;  ///< whether an armed trial shows nothing until there is a gaze
-  NamedObject object;        ///< while one is chosen or to be turned to
-  TimedAgain timed_again = TimedAgain::no;  ///< why the trial is asked for again
-  Nanoseconds acknowledged_until{0};        ///< until then it is shown that a mark was taken
+  bool awaits_gaze = false;  ///< whether an armed trial waits, without a picture, for gaze
+  NamedObject object;        ///< set while an object is chosen or is to be turned to
+  TimedAgain timed_again = TimedAgain::no;  ///< why the trial is retimed
+  Nanoseconds acknowledged_until{0};        ///< end of the message that a mark was taken
   bool wants_to_rate = false;
-  Nanoseconds look_around_until{0};          ///< the rating form does not come up before
-  std::optional<Nanoseconds> looked_around;  ///< until it came up
+  Nanoseconds look_around_until{0};  ///< earliest time of the rating form
+  std::optional<Nanoseconds>
+      looked_around;  ///< time up to which the participant looked around before rating
 };
 
-/// An event is on the disk: `context` is after it.
+/// Updates the prompt for an event that is durable; `context` is the state after it.
 void follow(PromptState& prompt, const Event& event, const SessionContext& context);
 
-/// The session now waits for something else: makes ready what it asks for, and says what is to be
-/// read before. now: session clock.
+/// Updates the prompt for the session's next effect: prepares its form or list, and queues the
+/// notices before it. now: session clock.
 void prepare(PromptState& prompt, const Effect& effect, const SessionContext& context,
              Nanoseconds now);
 
-/// The rating form comes up. Returns false, and does nothing, if it is there, not wanted yet, or to
-/// be looked around before. now: session clock.
+/// Shows the rating form. Returns false and does nothing if it is shown already, is not due, or the
+/// participant is still to look around. now: session clock.
 bool begin_rating(PromptState& prompt, const Protocol& protocol, Nanoseconds now);
 
-/// The first target comes up, at `start` by the steady clock, if none is shown yet.
+/// Shows the first target at `start`, steady clock, if none is shown yet.
 void begin_validation(PromptState& prompt, const ValidationSettings& settings,
                       const ViewGeometry& geometry, Nanoseconds start);
 
-/// Whether the participant fills in the form in this phase.
+/// Returns whether the participant fills in the form in this phase.
 bool is_form_shown(const PromptState& prompt, Phase phase);
 
-/// What the form that was filled in says in this phase; empty if no consent was given.
+/// Returns the event of the completed form in this phase; empty if consent was refused.
 std::optional<Event> event_of_form(const PromptState& prompt, Phase phase,
                                    const Protocol& protocol);
 

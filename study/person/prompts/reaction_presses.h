@@ -1,4 +1,4 @@
-// The presses of a reaction test as a display and a key bring them, one after the other.
+// Runs the presses of a reaction test, one after the other, from frames and key presses.
 #pragma once
 
 #include <optional>
@@ -9,36 +9,36 @@ namespace foveola::study {
 
 enum class ReactionLook {
   waiting,
-  waiting_again,  ///< after a press that came too early
+  waiting_again,  ///< after a premature press
   appeared,
 };
 
-/// Whoever drives it keeps the clock, frame by frame.
+/// The caller keeps the clock, frame by frame.
 class ReactionPresses {
  public:
-  /// waits: draws how long nothing appears.
+  /// waits: draws the durations before the stimulus appears.
   explicit ReactionPresses(const Pcg32& waits) : waits_(waits) {}
 
-  /// The next press is asked for; its wait begins with the next frame that is shown.
+  /// Asks for the next press; its wait begins with the next frame that is shown.
   void ask() { test_.reset(); }
-  /// Before a frame is drawn.
+  /// Call before a frame is drawn.
   void begin_frame(Nanoseconds now) { appears_ = test_ && test_->appears_at(now); }
-  /// The frame was shown. Returns a press once it is known; then the next one is waited for.
+  /// Call after the frame was shown. Returns a press once it is known, and then waits for the next.
   std::optional<ReactionPressed> end_frame(const ReactionSettings& settings, Nanoseconds shown);
-  /// The key; before the first wait it means nothing.
+  /// The key; ignored before the first wait.
   void press(Nanoseconds time);
-  /// A press is on the disk, and may therefore be known.
+  /// Records that a press is durable, and may be reported to the participant.
   void was_kept(const ReactionPressed& pressed) { was_early_ = pressed.time < pressed.shown; }
 
-  /// Whether the press that was kept last came too early.
+  /// Whether the last durable press was premature.
   bool was_early() const { return was_early_; }
-  /// What the frame shows.
+  /// The stimulus of the frame.
   ReactionLook look() const;
 
  private:
   Pcg32 waits_;
   std::optional<ReactionTest> test_;
-  bool appears_ = false;  ///< in this frame
+  bool appears_ = false;  ///< whether the stimulus is in this frame
   bool was_early_ = false;
 };
 

@@ -24,7 +24,7 @@ const PlannedTrial& trial_at(const SessionContext& context) {
 }
 
 TrialCount trial_count(const Plan& plan, std::size_t trial) {
-  // Who takes part must not know of catch trials: they count as others do.
+  // Participants must not know of catch trials, which are counted like other trials.
   TrialCount count{.trial = 0, .trials = 0};
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const bool counts = is_practice(plan[i]) == is_practice(plan[trial]);

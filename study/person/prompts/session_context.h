@@ -1,4 +1,4 @@
-// Where a session stands, as far as its participant may know, and what that says of the trial.
+// State of a session as far as its participant may know it, and its consequences for the trial.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,21 @@
 
 namespace foveola::study {
 
-/// All that it refers to must outlive it.
+/// Everything referred to must outlive it.
 struct SessionContext {
   const Protocol& protocol;
   const Plan& plan;
   const Procedure& procedure;
-  const SessionState& seen;  ///< what is on the disk: nothing else may be seen
+  const SessionState& seen;  ///< the durable state: nothing else may be seen
 };
 
-/// The trial that the participant is in. Throws std::logic_error if there is none.
+/// Returns the participant's current trial. Throws std::logic_error if there is none.
 const PlannedTrial& trial_at(const SessionContext& context);
 
-/// Practice and the others are counted by themselves. trial: index into the plan.
+/// Counts practice trials and the others separately. trial: index into the plan.
 TrialCount trial_count(const Plan& plan, std::size_t trial);
 
-/// What is to be said before the trial that the participant is in, if anything; nothing if it is
-/// tried again.
+/// Returns the notice before the current trial; empty if there is none or the trial is retimed.
 std::optional<Notice> notice_before_trial(const SessionContext& context);
 
 }  // namespace foveola::study

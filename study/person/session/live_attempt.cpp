@@ -8,7 +8,7 @@
 namespace foveola::study {
 namespace {
 
-/// Nothing is bright enough to be seen at it.
+/// Below the threshold of vision for any radiance.
 constexpr double darkness_stops = -60.0;
 
 PreviewSettings preview_settings(const AttemptSetting& setting, const SceneStage& stage) {

@@ -1,4 +1,4 @@
-// One attempt at a trial as a person sees it: frames at the display's pace, and their record.
+// Runs one attempt at a trial for a person: frames at the display's rate, and their record.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,11 @@
 
 namespace foveola::study {
 
-/// What an attempt is made of; what is referred to must outlive it.
+/// Inputs of an attempt; everything referred to must outlive it.
 struct AttemptSetting {
   const Protocol& protocol;
-  const SceneStage& stage;  ///< or until another is shown in its place
+  const SceneStage&
+      stage;  ///< must outlive the attempt, or the call of show_scene() that replaces it
   const Workers& workers;
   const Clock& clock;
   SessionDisplay& display;
@@ -32,41 +33,42 @@ struct AttemptSetting {
   AttemptKey key;
   PlannedTrial trial;
   std::uint32_t seed = 0;       ///< the seed of the sample points and light paths
-  Nanoseconds session_zero{0};  ///< the clock's time at which the session's is 0
-  /// What is done while a frame waits for its refresh, before it looks at head and gaze.
+  Nanoseconds session_zero{0};  ///< the clock's time of session time 0
+  /// Called while a frame waits for its refresh, before it reads head and gaze.
   std::function<void()> while_waiting;
-  /// The page over the picture, if there is one.
+  /// Returns the page over the picture; empty if there is none.
   std::function<std::optional<ScreenPage>()> page;
-  bool is_dark = false;  ///< the picture is drawn as ever, but black
+  bool is_dark = false;  ///< the picture is drawn as usual, but black
 };
 
 class LiveAttempt final : public AttemptPort {
  public:
-  /// The display shows its film for as long as it lives, and then knows what its frames told of
-  /// drawing.
+  /// The display shows the attempt's film during its lifetime, and keeps the drawing times that its
+  /// frames measured.
   explicit LiveAttempt(AttemptSetting setting);
   ~LiveAttempt() override;
   LiveAttempt(const LiveAttempt&) = delete;
   LiveAttempt& operator=(const LiveAttempt&) = delete;
 
-  /// Renders and presents the next frame, nothing but its picture in a catch trial.
+  /// Renders and presents the next frame; a catch trial presents its picture without rendering.
   Nanoseconds show(Nanoseconds until) override;
   void complete_record() override { log_.finish(preview_.film()); }
-  /// Goes on in another version of the scene, with an empty film. `stage` must outlive the attempt.
+  /// Continues in another version of the scene, with an empty film. `stage` must outlive the
+  /// attempt.
   void show_scene(const SceneStage& stage);
-  /// The questions come: what the picture does from the next frame on.
+  /// Begins the questions. picture: behaviour of the picture from the next frame on.
   void begin_rating(WhileRating picture);
   /// As LiveFrames::give_way.
   void give_way(bool gives_way) { frames_.give_way(gives_way); }
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 
-  /// What is known of drawing, if it is found too slow for frames to be in time.
+  /// Returns the measured drawing time if drawing is too slow for frames to be in time; else empty.
   std::optional<SlowDrawing> slow_drawing() const;
-  /// The last frame, as the record keeps it.
+  /// The last frame, as recorded.
   const FrameRow& newest_frame() const { return newest_frame_; }
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
-  /// The viewport through which the last frame was shown.
+  /// The viewport of the last frame.
   const Viewport& viewport() const { return preview_.viewport(); }
 
  private:

@@ -1,4 +1,4 @@
-// Which of a scene's objects is about to be chosen: the one that the view is turned to.
+// Selects the object of a scene that the view is turned to.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace foveola::study {
 
-/// The index of the object that is nearest to the view's middle. offered: at least one. ahead: unit
-/// length, world.
+/// Returns the index of the object nearest to the centre of the view. offered: at least one. ahead:
+/// unit length, world.
 std::size_t object_ahead(const std::vector<OfferedObject>& offered, const Vec3& ahead);
 
-/// A ring for each, the highlighted one's on top.
+/// Returns a ring for each object, that of the highlighted one on top.
 std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered, std::size_t highlighted);
 
-/// The ring of the object that is already chosen.
+/// Returns the ring of the chosen object.
 OfferRing ring_of(const OfferedObject& chosen);
 
 }  // namespace foveola::study

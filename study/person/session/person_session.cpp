@@ -9,7 +9,7 @@
 namespace foveola::study {
 namespace {
 
-/// Enough to know an object by, and a second's work.
+/// Sufficient to recognise an object, and rendered within a second.
 constexpr IVec2 largest_panorama{2048, 1024};
 
 IVec2 panorama_size(const FilmSettings& film) {
@@ -49,7 +49,7 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const ShownS
 }
 
 SessionOutcome PersonSession::run(const std::stop_token& stop) {
-  // By this, what else was recorded on the machine can be laid beside the session.
+  // Lets other recordings of this machine be aligned with the session.
   console_.say(
       fmt::format("Session time 0 is {:.9f} s of this machine's monotonic clock.", seconds(zero_)));
   return driver_.run(stop);
@@ -92,8 +92,9 @@ void PersonSession::carry_out(const Effect& effect) {
   } else if (is<EndSession>(effect) && driver_.seen().is_over()) {
     const Phase end = driver_.seen().phase;
     const bool can_be_undone = end == Phase::withdrawn || end == Phase::excluded;
-    console_.say(fmt::format("The session is over. Enter in the window, or quit here, closes it{}.",
-                             can_be_undone ? "; undo takes the end back" : ""));
+    console_.say(
+        fmt::format("The session is over. To close it, press Enter in the window or quit here{}.",
+                    can_be_undone ? "; undo takes the end back" : ""));
   }
 }
 
@@ -125,7 +126,7 @@ void PersonSession::draw_panorama() {
 }
 
 bool PersonSession::needs_gaze() const {
-  // Whose eyes are simulated sits before every trial as it was planned, whatever is lost of them.
+  // A simulated eye uses the planned contrast before every trial, even after lost attempts.
   const double adaptive_contrast =
       settings_of(study_.protocol, trial().scene, trial().method).film.adaptive_contrast;
   return seat_.simulated_operator == nullptr &&

@@ -1,8 +1,8 @@
-// A person's session in the window: the driver's ports by which what the session waits for becomes
-// pages and pictures, and keys become its events.
+// Runs a person's session in the window. Implements the driver's ports: effects become pages and
+// pictures, key presses become session events.
 //
-// It runs in one thread, frame by frame, beside the window's, the one that draws, the one that
-// writes the record, and the trackers'.
+// It runs in one thread, frame by frame. The window, the drawing, the record's writer and the
+// trackers have threads of their own.
 #pragma once
 
 #include <filesystem>
@@ -36,35 +36,35 @@ inline constexpr const char* no_focus_line =
     "the window; then the participant continues.";
 
 struct PersonSessionSettings {
-  std::string participant;  ///< the code
-  const char* eye = "";     ///< whose the gaze is: eye_of()
+  std::string participant;  ///< the participant's code
+  const char* eye = "";     ///< source of the gaze, as eye_of() names it
   SessionSeed seed;
-  SessionPosition position;            ///< where the session goes on
-  std::vector<std::string> notes;      ///< written when the session begins or goes on
+  SessionPosition position;            ///< where the session begins or resumes
+  std::vector<std::string> notes;      ///< written when the session begins or resumes
   bool is_experimenter_blind = false;  ///< the console names no methods
-  /// Each page and picture that the participant comes to is written there, as a file.
+  /// Folder into which a picture of each page is written, if any.
   std::optional<std::filesystem::path> screens;
 };
 
-/// What is shown; all of it must outlive the session.
+/// The study to run; everything referred to must outlive the session.
 struct ShownStudy {
   const Protocol& protocol;
   const Plan& plan;
   const SceneStages& stages;
   const Workers& workers;
-  StageReloader* reloader = nullptr;  ///< in a rehearsal: loads scenes again whose files change
+  StageReloader* reloader = nullptr;  ///< in a rehearsal: reloads scenes whose files have changed
 };
 
-/// What the participant sits before; all of it must outlive the session.
+/// The participant's equipment; everything referred to must outlive the session.
 struct Seat {
   const Clock& clock;  ///< steady
   WindowEvents& events;
   SessionDisplay& display;
   EyeTracker& tracker;
-  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the pointer is
-  HeadTracker* head = nullptr;           ///< none: keys, mouse and gamepad turn the head
-  bool has_focus = true;                 ///< whether keys come to the window at the beginning
-  /// Who takes part in a person's place, and whose `events` then are.
+  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the pointer is the eye
+  HeadTracker* head = nullptr;           ///< null: keys, mouse and gamepad turn the head
+  bool has_focus = true;                 ///< whether the window has the keyboard's focus at first
+  /// The simulated participant, if one takes part; `events` is then its own.
   SimulatedOperator* simulated_operator = nullptr;
   /// The computer's clocks, read before each frame.
   std::function<ClockReadings()> read_clocks = study::read_clocks;
@@ -76,15 +76,15 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   PersonSession(const PersonSessionSettings& settings, const ShownStudy& study, const Seat& seat,
                 Console& console, SessionRecorder& recorder);
 
-  /// Until the session is over and the participant has read so, it is interrupted by the
-  /// experimenter, or `stop` is requested. Rethrows what kept the record from being written.
+  /// Runs until the session is over and the participant has read so, the experimenter interrupts
+  /// it, or `stop` is requested. Rethrows the error that kept the record from being written.
   SessionOutcome run(const std::stop_token& stop);
 
  private:
-  // The clock.
+  // SessionClock
   Nanoseconds now() const override { return seat_.clock.now() - zero_; }
 
-  // The display.
+  // Display
   void follow(const DurableEvent& durable) override;
   void carry_out(const Effect& effect) override;
   std::unique_ptr<AttemptPort> begin_attempt() override;
@@ -93,10 +93,10 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void end_frame(Nanoseconds shown) override;
   void enter_scene();
   void draw_panorama();
-  /// In a rehearsal: shows a scene whose files have changed, and notes it in the record.
+  /// Rehearsals: shows a scene whose files have changed, and notes it in the record.
   void follow_changes();
   void show_changed(const std::string& scene, std::unique_ptr<const SceneStage> stage);
-  /// No trial that follows the gaze is begun without one.
+  /// Returns whether the trial follows the gaze, and there is none: such a trial does not begin.
   bool needs_gaze() const;
   bool has_gaze() const { return eye_.has_gaze(seat_.clock.now()); }
   void wait_for_gaze();
@@ -107,7 +107,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void go_on_reacting(Nanoseconds shown);
   SessionPicture picture();
 
-  // The input: what the experimenter types, and what the participant does.
+  // Input: the experimenter's commands, and the participant's keys.
   void act(SessionDriver& driver) override;
   void answer_console();
   void note_tracker();
@@ -118,7 +118,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void follow_focus(bool has_focus);
   void follow_headset(HeadsetChange change);
   void pause_if_due();
-  /// What it shows does not depend on the window that shows it too.
+  /// Whether the headset's pages are independent of the window that mirrors it.
   bool is_in_headset() const { return seat_.display.is_headset(); }
   void pause_or_leave();
   void answer_confirmation(const FormInput& input);
@@ -130,13 +130,13 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   std::size_t object_ahead_now();
   bool is_picture_shown() const;
 
-  // How the session stands, for the experimenter.
+  // Status for the experimenter.
   void count_frame(Nanoseconds shown);
   void show_status();
   SessionStatus status() const;
   std::vector<StatusWarning> warnings() const;
 
-  // Whether the participant looks at the trial's object.
+  // Checks that the participant looks at the trial's object.
   const OfferedObject& chosen_object() const;
   void show_object(const OfferedObject& object, const Quat& head);
   void watch_gaze(Nanoseconds shown);
@@ -153,32 +153,32 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   PersonSessionSettings settings_;
   ShownStudy study_;
   Seat seat_;
-  Plan told_plan_;  ///< as the experimenter may know it
+  Plan told_plan_;  ///< the plan as the experimenter may see it
   Console& console_;
   SessionRecorder& recorder_;
-  Nanoseconds zero_;  ///< the clock's time at which the session's is 0
+  Nanoseconds zero_;  ///< the clock's time of session time 0
   ClockWatch clock_watch_;
   PersonTracker eye_;
   PromptState prompt_;
   PageWatch page_watch_;
   Viewer viewer_;
   std::string scene_;  ///< the scene that the viewer is in
-  /// By name: the scenes that have changed, as they are now.
+  /// Scenes that have been reloaded, by name.
   std::map<std::string, std::unique_ptr<const SceneStage>> changed_;
-  std::unique_ptr<EquirectFilm>
-      panorama_;                     ///< the scene as it looks without noise, in direct light
-  LiveAttempt* attempt_ = nullptr;   ///< the driver's, while it goes on
-  LookingTimes looking_times_;       ///< the attempt's, up to its last mark
-  Nanoseconds watched_until_{0};     ///< when the attempt's frame before was shown
-  std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
-  bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
+  std::unique_ptr<EquirectFilm> panorama_;  ///< noise-free view of the scene, in direct light
+  LiveAttempt* attempt_ = nullptr;          ///< the driver's, while it lasts
+  LookingTimes looking_times_;              ///< the attempt's, up to its last mark
+  Nanoseconds watched_until_{0};     ///< time at which the attempt's previous frame was shown
+  std::vector<GazeSample> arrived_;  ///< gaze samples of frames outside of attempts
+  bool was_lost_ = false;            ///< whether the tracker was lost at the previous frame
   Nanoseconds last_key_;             ///< session clock; at first the session's beginning
-  bool has_focus_;                   ///< otherwise the participant's keys go elsewhere
-  bool is_pause_due_ = false;        ///< what is seen or pressed is not what should be
-  std::optional<Nanoseconds> waits_for_disk_since_;  ///< session clock, while an event does
-  std::optional<SlowDrawing> slow_drawing_;          ///< once it was found in an attempt
+  bool has_focus_;                   ///< false: the participant's keys go to another window
+  bool is_pause_due_ = false;        ///< the next effect is preceded by a pause
+  std::optional<Nanoseconds>
+      waits_for_disk_since_;                 ///< session clock; set while an event is being written
+  std::optional<SlowDrawing> slow_drawing_;  ///< set once an attempt has found it
   LiveFigures figures_;
-  std::string last_mark_;  ///< in words; empty before the first
+  std::string last_mark_;  ///< in words; empty before the first mark
   std::optional<Nanoseconds> status_shown_;
   SessionDriver driver_;
 };

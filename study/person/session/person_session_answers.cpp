@@ -1,4 +1,4 @@
-// What the participant's keys and the experimenter's words do.
+// Input of a person's session: the participant's keys and the experimenter's commands.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -22,7 +22,7 @@ void PersonSession::act(SessionDriver& driver) {
 }
 
 void PersonSession::answer_console() {
-  // A command is about what can be seen, like a key.
+  // A command, like a key, refers to the visible state.
   if (driver_.has_effects_to_come()) {
     return;
   }
@@ -75,7 +75,7 @@ void PersonSession::answer(const WindowEvent& event) {
   const Phase phase = driver_.state().phase;
   if (prompt_.confirmation || is_form_shown(prompt_, phase)) {
     std::optional<FormInput> input = form_input(event);
-    // Who wears a headset has maybe two buttons.
+    // A headset's controllers may have two buttons only.
     if (is_in_headset() && key == PersonKey::mark) {
       input = FormKey::step;
     }
@@ -120,8 +120,8 @@ void PersonSession::answer_window_itself(const WindowEvent& event) {
   }
 }
 
-/// Marks must not run out of time while keys go elsewhere. Controllers and simulated participants
-/// need no window's focus.
+/// Times of marks must not run while keys go elsewhere. Controllers and simulated participants need
+/// no focus.
 void PersonSession::follow_focus(bool has_focus) {
   const bool needs_focus = !is_in_headset() && seat_.simulated_operator == nullptr;
   if (!needs_focus || has_focus == std::exchange(has_focus_, has_focus)) {
@@ -132,7 +132,7 @@ void PersonSession::follow_focus(bool has_focus) {
   is_pause_due_ = is_pause_due_ || !has_focus;
 }
 
-/// Whatever is seen through it then, no time is taken of it.
+/// Times of frames that the headset did not show are not counted.
 void PersonSession::follow_headset(HeadsetChange change) {
   driver_.feed(NoteWritten{words_for(change)});
   switch (change) {
@@ -149,7 +149,7 @@ void PersonSession::follow_headset(HeadsetChange change) {
   }
 }
 
-/// As soon as the session takes it.
+/// Pauses as soon as the session accepts it.
 void PersonSession::pause_if_due() {
   if (is_pause_due_ && !driver_.has_effects_to_come()) {
     is_pause_due_ = false;
@@ -199,7 +199,7 @@ void PersonSession::hand_in() {
     prompt_.form.emplace(consent_form(study_.protocol.texts));
     ask_to_confirm(Confirmed::stopping);
   } else if (!driver_.feed(*event)) {
-    throw std::logic_error("the session does not take what a form was filled in with");
+    throw std::logic_error("the session refuses the event of a completed form");
   }
 }
 

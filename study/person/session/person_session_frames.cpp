@@ -1,4 +1,4 @@
-// What the participant sees, frame by frame.
+// Frames of a person's session.
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Vec3 forward{0.0F, 0.0F, -1.0F};
 
-/// The part of a picture of the whole window.
+/// Crops a picture of the whole window to a part of it.
 RgbImage cut(RgbImage window, const WindowPart& part) {
   if (part.size == IVec2(window.width, window.height)) {
     return window;
@@ -55,19 +55,20 @@ void PersonSession::follow_changes() {
   }
   std::string note;
   if (reloaded->stage == nullptr) {
-    note = fmt::format("the changed scene {} is not shown: {}", reloaded->scene, reloaded->refusal);
+    note =
+        fmt::format("the changed scene {} cannot be shown: {}", reloaded->scene, reloaded->refusal);
   } else {
-    note = fmt::format("the scene {} has changed, from here on it is that of SHA-256 {}",
-                       reloaded->scene, reloaded->stage->scene().sha256);
+    note = fmt::format("the scene {} has changed; from here on its SHA-256 is {}", reloaded->scene,
+                       reloaded->stage->scene().sha256);
     show_changed(reloaded->scene, std::move(reloaded->stage));
   }
   driver_.feed(NoteWritten{note});
 }
 
-/// View, method and gaze stay, and an attempt goes on.
+/// View, method and gaze stay; a running attempt continues.
 void PersonSession::show_changed(const std::string& scene,
                                  std::unique_ptr<const SceneStage> stage) {
-  // Until here, what is shown refers to the former one.
+  // The former stage is in use until here.
   const auto former = std::exchange(changed_[scene], std::move(stage));
   if (scene != scene_) {
     return;

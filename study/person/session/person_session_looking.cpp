@@ -1,4 +1,4 @@
-// Whether the participant looks at the trial's object, and what follows if not.
+// Checks of whether the participant looks at the trial's object, and their consequences.
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace foveola::study {
 namespace {
 
-/// More of a trial than this is most of it.
+/// A larger share than this counts as most of a trial.
 constexpr double most = 0.5;
 
 }  // namespace
@@ -50,7 +50,7 @@ void PersonSession::judge_mark() {
 }
 
 void PersonSession::judge_gaze() {
-  // Whoever moves the pointer has no reason to do so where nothing follows it.
+  // Participants have no reason to move the pointer where no method follows it.
   if (seat_.pointer != nullptr && !needs_gaze()) {
     return;
   }
@@ -68,7 +68,7 @@ void PersonSession::judge_gaze() {
 
 void PersonSession::follow_up(const std::string& finding, Remedy remedy, TimedAgain reason) {
   const bool is_timed_again = remedy == Remedy::retime && driver_.state().timing <= max_retimings;
-  driver_.feed(NoteWritten{finding + (is_timed_again ? "; it is timed again" : "")});
+  driver_.feed(NoteWritten{finding + (is_timed_again ? "; the trial is retimed" : "")});
   if (is_timed_again) {
     prompt_.timed_again = reason;
     driver_.feed(RetimeRequested{});

@@ -1,4 +1,4 @@
-// How the session stands, as the experimenter sees it.
+// Status lines of a person's session for the experimenter.
 #include <utility>
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ std::vector<StatusWarning> PersonSession::warnings() const {
   if (prompt_.awaits_gaze) {
     all.push_back(
         {WarningKind::awaits_gaze,
-         fmt::format("The trial does not begin: {}. It begins by itself once there is a valid "
+         fmt::format("The trial does not begin: {}. It begins by itself once there is valid "
                      "gaze; no time runs until then.",
                      !tracker.empty()           ? tracker
                      : seat_.pointer != nullptr ? "the pointer, which is the eye here, is not in "
@@ -68,10 +68,11 @@ std::vector<StatusWarning> PersonSession::warnings() const {
                                                 : "the eye tracker does not see the eyes")});
   }
   if (was_lost_) {
-    all.push_back({WarningKind::no_gaze,
-                   fmt::format("The eye tracker sends no gaze{}{}. The session goes on; pause if "
-                               "it should not.",
-                               tracker.empty() ? "" : ": ", tracker)});
+    all.push_back(
+        {WarningKind::no_gaze,
+         fmt::format("The eye tracker sends no gaze{}{}. The session continues; pause it if "
+                     "it should wait.",
+                     tracker.empty() ? "" : ": ", tracker)});
   }
   if (std::optional<StatusWarning> late =
           warning_of(figures_.frames(seat_.display.refresh().rate_hz()))) {
@@ -82,9 +83,10 @@ std::vector<StatusWarning> PersonSession::warnings() const {
   }
   constexpr Nanoseconds longest_commit = std::chrono::seconds(2);
   if (waits_for_disk_since_ && now() - *waits_for_disk_since_ > longest_commit) {
-    all.push_back({WarningKind::slow_record,
-                   "The study's file takes nothing: another program has locked it, or the disk is "
-                   "slow. The session waits for up to a minute; close that program."});
+    all.push_back(
+        {WarningKind::slow_record,
+         "The study's file cannot be written: another program has locked it, or the disk is "
+         "slow. The session waits for up to a minute; close that program."});
   }
   return all;
 }

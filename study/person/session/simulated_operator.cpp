@@ -10,7 +10,7 @@
 namespace foveola::study {
 namespace {
 
-/// What a hand at the machine does, and a wish to close.
+/// Events of a person at the machine, and requests to close the window.
 bool is_of_a_hand(const WindowEvent& event) {
   return std::holds_alternative<KeyMoved>(event.what) ||
          std::holds_alternative<CharacterTyped>(event.what) ||
@@ -102,7 +102,7 @@ void SimulatedOperator::withdraw() {
 }
 
 void SimulatedOperator::begin_attempt(const Attempt& attempt) {
-  thought_ = {};  // about the attempt before: who destroys it waits for it
+  thought_ = {};  // of the previous attempt; destruction waits for it
   zero_ = now();
   object_.clear();
   parts_.participant.begin_attempt(attempt);
@@ -127,12 +127,12 @@ void SimulatedOperator::start_trial() {
 }
 
 void SimulatedOperator::ask_for_retime() {
-  thought_ = {};  // about the mark before
+  thought_ = {};  // of the previous mark
   press(PersonKey::back);
 }
 
 void SimulatedOperator::begin_task(Task task) {
-  thought_ = {};  // about the mark before
+  thought_ = {};  // of the previous mark
   due_.reset();
   last_glance_.reset();
   ratings_.reset();

@@ -1,5 +1,4 @@
-// Who sits before the window in a person's place: a simulated participant, who sees what the window
-// shows, is asked what its pages ask, and answers by keys.
+// Operates the window for a simulated participant, who sees its pixels and answers by keys.
 #pragma once
 
 #include <cstdint>
@@ -30,47 +29,46 @@ struct SeenFrame {
   /// The objects of the scene that the session is in; null if it is in none.
   const std::vector<OfferedObject>* offered;
   Nanoseconds shown{0};
-  Nanoseconds session_time{0};        ///< the present, by the session's clock
-  std::optional<ShownPixels> pixels;  ///< the pixels of a trial's frame, if they were wanted
+  Nanoseconds session_time{0};        ///< current time of the session's clock
+  std::optional<ShownPixels> pixels;  ///< the pixels of a trial's frame, if wants_to_look()
 };
 
-/// Head, eye and keys follow the steady clock. The keys reach the session as the window's own do,
-/// with the time at which they go down; the participant's times are those of an attempt, which
-/// begins where a trial is prepared or a validation begins, and has another number each time. Looks
-/// take a thread of their own, since frames must not wait for them; while one goes on, there is no
-/// other.
+/// Head, eye and keys follow the steady clock. Keys reach the session as the window's own do, with
+/// the times of their presses. The participant's times are relative to an attempt, which begins
+/// where a trial is prepared or a validation begins, and has a new number each time. Looks run in a
+/// thread of their own, one at a time, since frames must not wait for them.
 class SimulatedOperator final : private ParticipantActions {
  public:
-  /// All that is referred to must outlive the operator.
+  /// Everything referred to must outlive the operator.
   struct Parts {
     Participant& participant;
     const Protocol& protocol;
     const Plan& plan;
     SessionSeed seed;
     const Clock& clock;  ///< steady
-    /// The window's. Keys, pointer and gamepad of whoever is at the machine are not passed on.
+    /// The window's events. Keys, pointer and gamepad of a person at the machine are not passed on.
     WindowEvents& window;
   };
 
   explicit SimulatedOperator(const Parts& parts);
 
-  /// What the session takes in place of the window's events.
+  /// The events for the session, in place of the window's.
   WindowEvents& events() { return events_; }
 
   AzimuthElevation heading(Nanoseconds time) { return parts_.participant.head(time - zero_); }
   /// Unit length, in the head's axes.
   Vec3 gaze_in_head(Nanoseconds time);
 
-  /// Whether a trial's frame that is shown now should be looked at.
+  /// Returns whether the pixels of the trial frame shown now are needed.
   bool wants_to_look() const;
 
-  /// Has to be called for every frame; may_answer: whether what it asks for is still asked.
+  /// Call for every frame. may_answer: whether its effect still awaits an answer.
   void follow(SeenFrame frame, bool may_answer);
 
  private:
   void act(SeenFrame& frame);
 
-  // What the participant does.
+  // Actions of the participant.
   Participant& participant() override {
     if (thought_.valid()) {
       thought_.wait();
@@ -95,34 +93,34 @@ class SimulatedOperator final : private ParticipantActions {
   void resume() override { press(withdraws_ ? PersonKey::back : PersonKey::confirm); }
   void leave() override { press(PersonKey::confirm); }
 
-  /// Types the answer to the question that the form shows, and the key that goes on.
+  /// Types the answer to the form's question, then the key that continues.
   void fill_in(const std::vector<Answer>& answers);
   void turn_to(const std::string& scene, const OfferedObject& object);
-  /// Begins a look at the frame, if its pixels were wanted.
+  /// Begins a look at the frame if its pixels are there.
   void look();
-  /// Knows what came of a look that is over.
+  /// Takes the result of a finished look.
   void take_thought();
 
   Nanoseconds now() const { return parts_.clock.now(); }
   bool is_settled() const;
   void press(PersonKey key) { events_.push(press_of(key, now())); }
   void press(FormKey key) { events_.push(press_of(FormInput(key), now())); }
-  /// Presses the mark's key once it is time to.
+  /// Presses the mark's key once it is due.
   void press_mark_when_due();
   void pass_on_window_events();
 
   Parts parts_;
   SimulatedConduct conduct_;
-  SeenFrame* frame_ = nullptr;  ///< the frame that is acted upon, meanwhile
+  SeenFrame* frame_ = nullptr;  ///< the current frame, during follow()
   WindowEvents events_;
-  Nanoseconds zero_;       ///< the clock's time at which the attempt's is 0
-  Nanoseconds turned_{0};  ///< when it last turned to an object
-  std::string object_;     ///< the object that it last turned to
+  Nanoseconds zero_;       ///< the clock's time of attempt time 0
+  Nanoseconds turned_{0};  ///< time of the last turn to an object
+  std::string object_;     ///< the object of the last turn
   std::optional<Nanoseconds> last_glance_;
-  /// What see() returns, while a look goes on.
+  /// The result of see(), while a look lasts.
   std::future<std::optional<Nanoseconds>> thought_;
-  std::optional<Nanoseconds> due_;  ///< when the mark's key goes down
-  bool has_reacted_ = false;        ///< whether it has reacted to what has appeared
+  std::optional<Nanoseconds> due_;  ///< time of the mark's key press
+  bool has_reacted_ = false;        ///< whether it has reacted to the current stimulus
   std::optional<Vec3> target_;      ///< in the head's axes
   std::optional<std::vector<Answer>> ratings_;
   bool withdraws_ = false;

@@ -31,7 +31,7 @@ std::vector<Measure> comparable_measures(const Protocol& protocol) {
   return measures;
 }
 
-/// The largest difference that could be called small: a factor of times, or a range of values.
+/// Returns the maximum margin that is plausibly small: a factor of times, or a range of values.
 double largest_margin(const Measure& measure) {
   if (measure.kind == MeasureKind::time) {
     return 100.0;
@@ -46,14 +46,14 @@ double largest_margin(const Measure& measure) {
 
 std::string read_measure(TomlReader& reader, const std::vector<Measure>& measures) {
   const std::string id =
-      reader.require_text("measure", "The id of a mark, or of a rating in numbers.");
+      reader.require_text("measure", "The id of a mark, or of a numeric rating.");
   std::vector<std::string> known;
   for (const Measure& measure : measures) {
     known.push_back(measure.id());
   }
   if (std::find(known.begin(), known.end(), id) == known.end()) {
     reader.fail(reader.source("measure"),
-                fmt::format("no mark and no rating in numbers has the id '{}'", id),
+                fmt::format("'{}' is not the id of a mark or a numeric rating", id),
                 fmt::format("choose one of {}", fmt::join(known, ", ")));
   }
   return id;
@@ -72,13 +72,13 @@ PlannedComparison read_comparison(TomlReader reader, const Protocol& protocol,
   reader.reject_unknown_keys();
   if (comparison.method == comparison.baseline) {
     reader.fail(reader.source("method"),
-                fmt::format("'{}' would be compared with itself", comparison.method),
+                fmt::format("'{}' is compared with itself", comparison.method),
                 "choose another method or baseline");
   }
   return comparison;
 }
 
-/// In either direction: its P-value is the same, and the family of planned tests would have it
+/// In either direction: both have the same P-value, which the family of planned tests would count
 /// twice.
 bool is_same(const PlannedComparison& a, const PlannedComparison& b) {
   return a.measure == b.measure &&
@@ -94,11 +94,11 @@ std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protoc
   const std::vector<Measure> measures = comparable_measures(protocol);
   std::vector<PlannedComparison> comparisons;
   for (const TomlReader& entry :
-       reader.tables("primary", "The primary comparisons, for which the study is done.")) {
+       reader.tables("primary", "The primary comparisons of the study.")) {
     const PlannedComparison next = read_comparison(entry, protocol, measures);
     if (std::any_of(comparisons.begin(), comparisons.end(),
                     [&](const PlannedComparison& other) { return is_same(other, next); })) {
-      entry.fail(entry.source(), "this comparison is planned twice", "leave one out");
+      entry.fail(entry.source(), "this comparison is planned twice", "remove one of them");
     }
     comparisons.push_back(next);
   }
@@ -138,23 +138,22 @@ std::vector<std::string> read_background(TomlReader& reader, const Protocol& pro
   std::vector<std::string> scale;
   for (const TomlReader::Text& id : reader.texts(
            "background",
-           "Questions in numbers of the questionnaire background. Their mean is a participant's "
-           "background, whose correlation with the speed-up in the first primary comparison of "
-           "times is the one that is tested. Default: none, and no correlation.")) {
+           "Numeric questions of the questionnaire background. Their mean is a participant's "
+           "background. Its correlation with the speed-up in the first primary comparison of "
+           "times is tested. Default: none, and no correlation.")) {
     if (std::find(known.begin(), known.end(), id.value) == known.end()) {
       reader.fail(
           id.source,
-          fmt::format("the questionnaire background has no question '{}' in numbers", id.value),
-          known.empty() ? "leave the key out"
-                        : fmt::format("choose from {}", fmt::join(known, ", ")));
+          fmt::format("the questionnaire background has no numeric question '{}'", id.value),
+          known.empty() ? "remove the key" : fmt::format("choose from {}", fmt::join(known, ", ")));
     }
     scale.push_back(id.value);
   }
   return scale;
 }
 
-/// Throws Error for a file out of the folder, for one that is no image of weights, and for one that
-/// somebody writes at this moment.
+/// Throws Error for a file out of the folder, for one that is not an image of weights, and for one
+/// that is being written.
 MethodFile read_method_file(const std::string& method, const std::string& file,
                             const fs::path& folder) {
   fs::path path;
@@ -168,26 +167,26 @@ MethodFile read_method_file(const std::string& method, const std::string& file,
   const std::string digest = sha256_of_file(path);
   auto weights = std::make_shared<const WeightImage>(read_weights(path));
   if (sha256_of_file(path) != digest) {
-    throw Error(path.string(), "changed while it was read", "try again when it is finished");
+    throw Error(path.string(), "changed while it was being read", "try again when it is finished");
   }
   return {.method = method, .file = file, .sha256 = digest, .weights = std::move(weights)};
 }
 
-/// What is made of a protocol may take each of its methods and trials with each other.
+/// Code may combine each method and trial of a protocol with each other.
 void require_moderate_number(const TomlReader& reader, std::size_t scenes, std::size_t methods) {
   constexpr std::size_t max_methods = 100;
   constexpr std::size_t max_trials = 1000;
   if (methods > max_methods) {
     reader.fail(reader.source("methods"),
-                fmt::format("{} methods, and a study has at most {}", methods, max_methods),
-                "name fewer");
+                fmt::format("the protocol has {} methods; the maximum is {}", methods, max_methods),
+                "use fewer");
   }
   if (scenes * methods > max_trials) {
     reader.fail(
         reader.source("methods"),
-        fmt::format("{} scenes with {} methods make {} trials, and a session has at most {}",
+        fmt::format("{} scenes with {} methods make {} trials; the maximum of a session is {}",
                     scenes, methods, scenes * methods, max_trials),
-        "name fewer");
+        "use fewer");
   }
 }
 
@@ -195,19 +194,19 @@ void require_moderate_length(const TomlReader& reader, const TomlReader::Text& m
   constexpr std::size_t longest = 1000;
   if (method.value.size() > longest) {
     reader.fail(method.source,
-                fmt::format("a method of {} characters, and the longest has {}",
-                            method.value.size(), longest),
+                fmt::format("the method has {} characters; the maximum is {}", method.value.size(),
+                            longest),
                 "write it shorter, or paint it as the image of a mask");
   }
 }
 
-/// Throws Error for what no session could use.
+/// Throws Error for methods that no session can use.
 void require_usable(const std::string& method, const fs::path& folder,
                     std::vector<MethodFile>& files) {
   if (follows_pointer(method)) {
     throw Error(fmt::format("method '{}'", method),
-                "follows a pointer, which sessions do not have in this version",
-                "hold it in place with azimuth= and elevation=, or choose another method");
+                "follows a pointer, which sessions do not support",
+                "fix its place with azimuth= and elevation=, or choose another method");
   }
   make_view_sampler(method, [&](const std::string& file) {
     if (find_method_file(files, method, file) == nullptr) {
@@ -269,8 +268,9 @@ AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   reader.read("participants", plan.participants, 1, 100'000, "The planned number of participants.");
   reader.read(
       "scenes", plan.scenes, scene_effects,
-      "Whether times are compared for scenes like these (random: a mixed model with participants "
-      "and scenes crossed) or for these scenes alone (fixed: a paired t test over participants).");
+      "Whether comparisons of times generalise to other scenes (random: a mixed model with "
+      "participants "
+      "and scenes crossed) or hold for these only (fixed: a paired t test over participants).");
   reader.read("ratings", plan.ratings, rating_analyses,
               "The primary analysis of ratings: a cumulative link mixed model, which needs R, or "
               "Wilcoxon's signed ranks of the participants' means.");
@@ -279,7 +279,7 @@ AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   plan.equivalence_margins = read_margins(
       reader.table_by_ids(
           "equivalence_margins",
-          "The margins of equivalence tests, the largest differences that do not matter: by a "
+          "Margins of equivalence tests, the largest differences that do not matter: by a "
           "mark's id, a ratio of times above 1; by a rating's id, points."),
       protocol);
   reader.reject_unknown_keys();
@@ -289,16 +289,16 @@ AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
 void require_computable(TomlReader reader, const AnalysisPlan& plan) {
   if (plan.participants == 1 && !plan.primary.empty()) {
     reader.fail(reader.source("participants"),
-                "one participant cannot be tested: a comparison needs two",
-                "plan more participants, or no comparison");
+                "a single participant cannot be tested: a comparison needs two",
+                "plan more participants, or remove the comparison");
   }
   const std::vector<TomlReader> entries = reader.tables("primary");
   for (std::size_t i = 0; i < plan.primary.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other) {
       if (is_same(plan.primary[i], reversed(plan.primary[other]))) {
         entries[i].fail(entries[i].source(),
-                        "this comparison is planned already, the other way round",
-                        "leave one out: a test is the same in both directions");
+                        "this comparison is planned already, in the other direction",
+                        "remove one of them: a test is the same in both directions");
       }
     }
   }

@@ -10,7 +10,7 @@
 namespace foveola::study {
 namespace {
 
-/// Where an [[override]] applies, and its settings.
+/// The scope of an [[override]], and its settings.
 struct Override {
   std::string scene;   ///< Empty for all scenes.
   std::string method;  ///< Empty for all methods.
@@ -19,7 +19,7 @@ struct Override {
   bool holds_for(const std::string& a_scene, const std::string& a_method) const {
     return (scene.empty() || scene == a_scene) && (method.empty() || method == a_method);
   }
-  /// The scene's come first, then the method's, then those of both.
+  /// Order of application: the scene's first, then the method's, then those of both.
   int rank() const { return (scene.empty() ? 0 : 1) + (method.empty() ? 0 : 2); }
 };
 
@@ -29,8 +29,8 @@ Override read_place(TomlReader reader, const Protocol& protocol) {
   const std::string method =
       read_method_name(reader, "method", protocol, "One of the protocol's methods.");
   if (scene.empty() && method.empty()) {
-    reader.fail(reader.source(), "the override names no scene and no method",
-                "give it a scene, a method or both");
+    reader.fail(reader.source(), "the override has neither a scene nor a method",
+                "add a scene, a method or both");
   }
   return {scene, method, std::move(reader)};
 }
@@ -45,7 +45,7 @@ std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) 
     if (std::any_of(overrides.begin(), overrides.end(), [&](const Override& other) {
           return other.scene == next.scene && other.method == next.method;
         })) {
-      entry.fail(entry.source(), "there is another override for the same", "put both into one");
+      entry.fail(entry.source(), "another override has the same scope", "put both into one");
     }
     overrides.push_back(std::move(next));
   }
@@ -54,15 +54,14 @@ std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) 
   return overrides;
 }
 
-/// The settings with the override's keys replaced.
+/// Returns the settings with the override's keys replaced.
 TrialSettings overridden(TomlReader& reader, TrialSettings settings) {
   settings.film =
       read_film(reader.table("film", "The film: the 360-degree image that samples are summed in."),
                 settings.film);
   settings.timing = read_timing(reader.table("timing", "Time-outs and times."), settings.timing);
-  reader.read(
-      "fill_unsampled", settings.fill_unsampled,
-      "Whether unsampled pixels are filled. If it is left out, what `[display]` says holds.");
+  reader.read("fill_unsampled", settings.fill_unsampled,
+              "Whether unsampled pixels are filled. Default: as in `[display]`.");
   reader.reject_unknown_keys();
   return settings;
 }

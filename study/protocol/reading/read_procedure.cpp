@@ -24,15 +24,15 @@ constexpr std::array orders{
     Word<Order>{"williams", Order::williams},
 };
 
-/// Throws Error for names in braces that the built-in words of `id` do not have.
+/// Throws Error for names in braces that the built-in text of `id` does not have.
 void require_known_names(const TomlReader& reader, const std::string& id, const std::string& text) {
   const std::vector<std::string> known = names_in(text_of({}, id));
   for (const std::string& name : names_in(text)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      reader.fail(reader.source(id), fmt::format("this text has no name {{{}}} to fill in", name),
+      reader.fail(reader.source(id), fmt::format("{{{}}} is not a name of this text", name),
                   known.empty()
-                      ? "leave it out"
-                      : fmt::format("the names here are {{{}}}", fmt::join(known, "}, {")));
+                      ? "remove it"
+                      : fmt::format("the names of this text are {{{}}}", fmt::join(known, "}, {")));
     }
   }
 }
@@ -43,7 +43,7 @@ Texts read_words(TomlReader reader) {
     std::string text = text_of({}, id);
     reader.read(id, text,
                 id == "consent"
-                    ? "The text that the participant agrees to. There are no built-in words "
+                    ? "The text that the participant agrees to. There is no built-in text "
                       "for it; with this key, a session begins by asking for consent."
                     : "");
     if (reader.has(id)) {
@@ -92,7 +92,7 @@ CatchTrials read_catch_trials(TomlReader reader, int tests) {
   if (trials.count > tests) {
     reader.fail(reader.source("count"),
                 fmt::format("{} do not fit between {} trials", trials.count, tests),
-                "no two may follow one another: ask for fewer");
+                "use fewer: no two may be adjacent");
   }
   return trials;
 }
@@ -102,16 +102,16 @@ ReactionSettings read_reaction(TomlReader reader) {
   ReactionSettings reaction;
   reader.read("presses", reaction.presses, 1, 1000, "Number of presses; early ones are repeated.");
   reader.read("shortest_wait_s", reaction.shortest_wait_s, 0.1, longest_s,
-              "The shortest wait in seconds; waits are drawn uniformly.");
+              "The minimum wait in seconds; waits are drawn uniformly.");
   reader.read("longest_wait_s", reaction.longest_wait_s, 0.1, longest_s,
-              "The longest wait in seconds.");
+              "The maximum wait in seconds.");
   reader.reject_unknown_keys();
   if (reaction.longest_wait_s < reaction.shortest_wait_s) {
     const bool has_longest = reader.has("longest_wait_s");
     reader.fail(reader.source(has_longest ? "longest_wait_s" : "shortest_wait_s"),
                 fmt::format("the range of waits from {} to {} seconds is empty",
                             reaction.shortest_wait_s, reaction.longest_wait_s),
-                "make the longest wait longer than the shortest");
+                "make the maximum wait longer than the minimum");
   }
   return reaction;
 }
@@ -121,10 +121,11 @@ LookingSettings read_looking(TomlReader reader) {
                                 Word<Remedy>{"retime", Remedy::retime}};
   LookingSettings looking;
   reader.read("object_out_of_view", looking.object_out_of_view, remedies,
-              "What follows when the view did not show the object at a mark; \"retime\" has the "
-              "trial timed again, up to two times.");
-  reader.read("gaze_elsewhere", looking.gaze_elsewhere, remedies,
-              "What follows when the gaze was elsewhere for most of the time until the last mark.");
+              "The consequence if the view did not show the object at a mark; \"retime\" has the "
+              "trial retimed, up to two times.");
+  reader.read(
+      "gaze_elsewhere", looking.gaze_elsewhere, remedies,
+      "The consequence if the gaze was elsewhere for most of the time until the last mark.");
   reader.reject_unknown_keys();
   return looking;
 }
@@ -136,8 +137,8 @@ bool has_questionnaire(const Protocol& protocol, const std::string& id) {
                      [&](const Questionnaire& known) { return known.id == id; });
 }
 
-/// All possible phases of this protocol in their default order: questionnaires come last except
-/// "background", which precedes the trials.
+/// Returns all possible phases of this protocol in their default order: questionnaires come last
+/// except "background", which precedes the trials.
 std::vector<PhaseEntry> possible_phases(const Protocol& protocol) {
   using Kind = PhaseEntry::Kind;
   std::vector<PhaseEntry> phases;
@@ -169,12 +170,12 @@ std::vector<std::string> names_of(const std::vector<PhaseEntry>& phases) {
 
 std::string remedy_for(const std::string& phase, const std::vector<PhaseEntry>& possible) {
   if (phase == "consent") {
-    return "say in [texts] what the consent is to: consent = \"...\"";
+    return "write the text of the consent in [texts]: consent = \"...\"";
   }
   if (phase == "validation" || phase == "reaction") {
-    return fmt::format("begin a table [{}]", phase == "reaction" ? phase : "tracker.validation");
+    return fmt::format("add a table [{}]", phase == "reaction" ? phase : "tracker.validation");
   }
-  return fmt::format("choose of {}, or give a [[questionnaire]] this id",
+  return fmt::format("choose one of {}, or give a [[questionnaire]] this id",
                      fmt::join(names_of(possible), ", "));
 }
 
@@ -190,14 +191,14 @@ PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
   return *found;
 }
 
-/// Throws Error if the protocol describes something that no phase uses.
+/// Throws Error if no phase uses a part that the protocol describes.
 void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::Text>& chosen,
                         const std::vector<PhaseEntry>& possible) {
   for (const std::string& name : names_of(possible)) {
     if (std::none_of(chosen.begin(), chosen.end(),
                      [&](const TomlReader::Text& text) { return text.value == name; })) {
       reader.fail(reader.source("phases"), fmt::format("'{}' is in no phase", name),
-                  "name it where it belongs, or leave out what describes it");
+                  "add it to phases, or remove its description");
     }
   }
 }
@@ -207,7 +208,7 @@ MarkEntry read_mark(TomlReader& entry, const std::string& id) {
       entry.require_text("instruction", "The text that the participant reads before the trial.");
   constexpr std::array judgements{Word<std::string_view>{"outline", "outline"},
                                   Word<std::string_view>{"material", "material"}};
-  // A mark that is called as a published one means what that does, unless it says otherwise.
+  // A mark with the id of a published one is judged likewise, unless it says otherwise.
   std::string_view simulated = id == "outline" || id == "material" ? std::string_view(id) : "";
   entry.read("simulated", simulated, judgements,
              "The judgement by which simulated participants make the mark. Default: that of its "
@@ -230,8 +231,8 @@ void read_texts(TomlReader& reader, Protocol& protocol) {
   }
   protocol.texts =
       read_words(reader.table("texts",
-                              "The words of the participant's screens, which replace the built-in "
-                              "English ones. Names in braces are filled in."));
+                              "Texts of the participant's screens, which replace the built-in "
+                              "English ones. Names in braces are replaced."));
 }
 
 std::vector<MarkEntry> published_marks() {
@@ -259,11 +260,11 @@ std::vector<MarkEntry> read_marks(TomlReader& reader) {
        reader.tables("mark",
                      "The moments that the participant marks while a trial is rendered, in this "
                      "order. Default: outline, material, as published.")) {
-    ids.push_back(
-        read_new_id(entry,
-                    "The mark's name in records, tables and files: at most 64 letters, digits, - "
-                    "and _, and not that of another mark or rating in other capitals.",
-                    ids));
+    ids.push_back(read_new_id(
+        entry,
+        "The mark's name in records, tables and files: at most 64 letters, digits, - "
+        "and _, and different from those of other marks and ratings by more than letter case.",
+        ids));
     marks.push_back(read_mark(entry, ids.back()));
     entry.reject_unknown_keys();
   }
@@ -285,7 +286,7 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
   const auto same = std::find(taken.begin(), taken.end(), ratings.front().id);
   if (same != taken.end()) {
     const TomlReader mark = reader.tables("mark")[static_cast<std::size_t>(same - taken.begin())];
-    mark.fail(mark.source("id"), fmt::format("the id '{}' is that of the built-in rating", *same),
+    mark.fail(mark.source("id"), fmt::format("'{}' is the id of the built-in rating", *same),
               "give the mark another id, or write the ratings ([[rating]])");
   }
   return ratings;
@@ -302,9 +303,8 @@ void read_procedure(TomlReader& reader, Protocol& protocol) {
               "The order of methods within each scene. fixed: as listed; random: drawn anew for "
               "every participant, as published; latin: the rows of a cyclic Latin square; "
               "williams: those of a Williams square, which is also balanced for carry-over.");
-  reader.read(
-      "object", protocol.object_choice, choices,
-      "How long a participant's object is kept: for all trials of a scene, or for one trial.");
+  reader.read("object", protocol.object_choice, choices,
+              "The scope of a participant's chosen object: all trials of a scene, or one trial.");
   protocol.marks = read_marks(reader);
   protocol.ratings = read_ratings(reader, protocol.marks);
   protocol.practice = read_practice(reader, protocol);
@@ -314,12 +314,12 @@ void read_procedure(TomlReader& reader, Protocol& protocol) {
                    "participant did not look. They are never analysed."),
       static_cast<int>(protocol.scenes.size() * protocol.methods.size()));
   reader.read_table("reaction", protocol.reaction, read_reaction,
-                    "The reaction test: key presses at something that appears, which measure the "
+                    "The reaction test: key presses at a stimulus, which measure the "
                     "participant's reaction time.");
   protocol.looking =
       read_looking(reader.table("looking",
-                                "What follows when a participant did not look at the trial's "
-                                "object. In any case the record and the analysis say so."));
+                                "The consequences if a participant did not look at the trial's "
+                                "object. The record and the analysis always note it."));
 }
 
 void read_phases(TomlReader& reader, Protocol& protocol) {

@@ -31,23 +31,24 @@ bool is_id_character(char c) {
          c == '-';
 }
 
-/// Throws Error for a key that the question's kind has no use for.
+/// Throws Error for a key that the question's kind does not use.
 void forbid(const TomlReader& reader, std::initializer_list<std::string_view> keys,
             std::string_view kind) {
   for (const std::string_view key : keys) {
     if (reader.has(key)) {
       reader.fail(reader.source(key), fmt::format("a {} has no {}", kind, key),
-                  "leave it out, or choose another kind");
+                  "remove it, or choose another kind");
     }
   }
 }
 
 void read_range(TomlReader& reader, Question& question) {
   reader.read("minimum", question.minimum, -largest_number, largest_number,
-              "The first point of a scale (default 1), or the smallest number (required).");
-  reader.read("maximum", question.maximum, -largest_number, largest_number,
-              "The last point of a scale (default 5; at most 101 points), or the largest number "
-              "(required).");
+              "The first point of a scale (default 1), or the minimum of a number (required).");
+  reader.read(
+      "maximum", question.maximum, -largest_number, largest_number,
+      "The last point of a scale (default 5; at most 101 points), or the maximum of a number "
+      "(required).");
   if (question.maximum <= question.minimum) {
     reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
                 fmt::format("the range from {} to {} is empty", question.minimum, question.maximum),
@@ -61,13 +62,13 @@ void require_points(const TomlReader& reader, const Question& question) {
       points > max_points) {
     reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
                 fmt::format("a scale has whole points, at most {}", max_points),
-                "give whole ends, or ask for a number");
+                "use whole ends, or kind = \"number\"");
   }
   const std::size_t labels = question.labels.size();
   if (labels != 0 && labels != 2 && static_cast<double>(labels) != points) {
     reader.fail(reader.source("labels"),
                 fmt::format("{} labels for {} points", labels, static_cast<int>(points)),
-                "give one for each point, or two for the ends");
+                "write one per point, or two for the ends");
   }
 }
 
@@ -91,7 +92,7 @@ void read_number(TomlReader& reader, Question& question) {
 
 Option read_option(TomlReader reader) {
   Option option{.label =
-                    reader.require_text("label", "The option's words, unique in the question.")};
+                    reader.require_text("label", "The option's text, unique in the question.")};
   reader.read("value", option.value, -largest_number, largest_number,
               "The number that is recorded; without it, the label is recorded as text.");
   reader.reject_unknown_keys();
@@ -107,7 +108,7 @@ void read_options(TomlReader& reader, Question& question) {
           return other.label == option.label || (option.value && other.value == option.value);
         })) {
       entry.fail(entry.source(), fmt::format("the option '{}' is not unique", option.label),
-                 "give each its own label and value");
+                 "give each a label and value of its own");
     }
     question.options.push_back(option);
   }
@@ -143,29 +144,29 @@ void read_kind(TomlReader& reader, Question& question) {
   }
 }
 
-/// A rating that is called as the published one means what that does, unless it says otherwise.
+/// A rating with the id of the published one is judged likewise, unless it says otherwise.
 void read_judgement(TomlReader& reader, Question& rating) {
   constexpr std::array judgements{Word<std::string_view>{"artifacts", "artifacts"},
                                   Word<std::string_view>{"quality", "quality"}};
   std::string_view simulated = rating.id == "artifacts" ? "artifacts" : "";
   reader.read("simulated", simulated, judgements,
-              "Of scales only: the judgement by which simulated participants answer it. "
-              "artifacts: the lowest point is none of them; quality: the other way round. "
+              "Scales only: the judgement by which simulated participants answer it. "
+              "artifacts: the lowest point means none; quality: the reverse. "
               "Default: artifacts for a rating of this id; without one they refuse the protocol.");
   rating.simulated = simulated;
   if (reader.has("simulated") && rating.kind != QuestionKind::likert) {
     reader.fail(reader.source("simulated"), "simulated participants rate on scales only",
-                "make it a scale of whole points, or leave this out");
+                "make it a scale of whole points, or remove this key");
   }
 }
 
-/// `is_rating`: not a question of a questionnaire.
+/// `is_rating`: false for a question of a questionnaire.
 Question read_question(TomlReader reader, const std::vector<std::string>& taken, bool is_rating) {
   Question question{.id = read_new_id(reader,
                                       "The question's name in records and tables, unique in a "
-                                      "form; of a rating in files too, as of a mark.",
+                                      "form; for a rating also in files, as for a mark.",
                                       taken),
-                    .text = reader.require_text("text", "The question's words.")};
+                    .text = reader.require_text("text", "The question's text.")};
   read_kind(reader, question);
   reader.read("required", question.required, "Whether the question must be answered.");
   if (is_rating) {
@@ -175,12 +176,12 @@ Question read_question(TomlReader reader, const std::vector<std::string>& taken,
   return question;
 }
 
-/// Reads all of a questionnaire but its id over `questionnaire`, with its questions, if it has any.
+/// Reads a questionnaire without its id over `questionnaire`, with its questions, if it has any.
 void read_content(TomlReader& reader, Questionnaire& questionnaire) {
   reader.read("title", questionnaire.title,
               "The heading of the form. A protocol may leave it to the file.");
   reader.read("intro", questionnaire.intro, "Text above the questions.");
-  reader.read("source", questionnaire.source, "Where it was published.");
+  reader.read("source", questionnaire.source, "The publication of the questionnaire.");
   if (std::vector<Question> questions = read_questions(
           reader, "question", {}, "The questions. A protocol may leave them to the file.");
       !questions.empty()) {
@@ -194,7 +195,7 @@ void require_content(const TomlReader& reader, const Questionnaire& questionnair
   }
   if (questionnaire.questions.empty()) {
     reader.fail(reader.source(), "the questionnaire has no questions",
-                "give it questions, or the file of a ready one");
+                "give it questions, or the file of a ready-made one");
   }
 }
 
@@ -207,13 +208,14 @@ bool is_programs_own(const fs::path& folder) {
   return fs::equivalent(folder, resource_folder() / "protocols", ignored);
 }
 
-/// Whether it is one, as opposed to a protocol or a scene's descriptor of the same name.
+/// Returns whether it is a questionnaire, rather than a protocol or a scene's descriptor of the
+/// same name.
 bool is_questionnaire(const fs::path& file) {
-  return parse_toml(file.string(), read_toml_file(file), "mend it, or move it elsewhere")
+  return parse_toml(file.string(), read_toml_file(file), "correct it, or move it elsewhere")
       .contains("question");
 }
 
-/// NAME.toml in the folder of a protocol, which may be anybody's.
+/// Returns NAME.toml in the folder of a protocol, which may hold any files.
 std::optional<fs::path> questionnaire_beside(const std::string& name, const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder / (name + ".toml"), ignored)) {
@@ -223,8 +225,8 @@ std::optional<fs::path> questionnaire_beside(const std::string& name, const fs::
   return is_questionnaire(file) ? std::optional(std::move(file)) : std::nullopt;
 }
 
-/// The folders that hold nothing but questionnaires, the first to be looked into first. What comes
-/// with Foveola means what comes with it.
+/// Returns the folders of questionnaires, in the order of the search. Foveola's own protocols use
+/// its own questionnaires only.
 std::vector<fs::path> questionnaire_folders(const fs::path& protocols) {
   std::vector<fs::path> folders{users_questionnaires(), ready_questionnaires()};
   if (is_programs_own(protocols)) {
@@ -254,7 +256,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
                    fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
 }
 
-/// The questionnaire of the file that the table names; an empty one if it names none.
+/// Reads the questionnaire of the file that the table names; an empty one if it names none.
 Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files) {
   std::string name;
   reader.read("file", name,
@@ -266,8 +268,8 @@ Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files
     return {};
   }
   if (reader.has("question")) {
-    reader.fail(reader.source("question"), "the questions are those of the file",
-                "leave out one of them");
+    reader.fail(reader.source("question"), "the questionnaire has both a file and questions",
+                "remove one of them");
   }
   try {
     return read_questionnaire_file(name, files(name));
@@ -288,7 +290,7 @@ std::string read_new_id(TomlReader& reader, std::string_view meaning,
   }
   if (std::find(taken.begin(), taken.end(), id) != taken.end()) {
     reader.fail(reader.source("id"), fmt::format("the id '{}' is used twice", id),
-                "give each its own");
+                "give each an id of its own");
   }
   return id;
 }
@@ -334,9 +336,9 @@ std::vector<Questionnaire> read_questionnaires(TomlReader& reader,
       reader.tables("questionnaire", "Forms that participants fill in.");
   if (entries.size() > max_questionnaires) {
     reader.fail(reader.source("questionnaire"),
-                fmt::format("{} questionnaires, and a study has at most {}", entries.size(),
+                fmt::format("the protocol has {} questionnaires; the maximum is {}", entries.size(),
                             max_questionnaires),
-                "leave some out");
+                "remove some");
   }
   for (TomlReader& entry : entries) {
     ids.push_back(read_new_id(entry,

@@ -20,14 +20,14 @@ namespace foveola::study {
 namespace {
 
 constexpr int largest_film_side = 65536;
-/// Of a film of 23170 x 11585 pixels, 64 in a degree: more than any eye resolves.
+/// A film of 23170 x 11585 pixels, 64 per degree: more than any eye resolves.
 constexpr double max_film_pixels = 268'435'456.0;
 constexpr int largest_view_side = 8192;
 constexpr double narrowest_deg = 1.0;
 constexpr double widest_deg = 170.0;
 constexpr int max_samples = std::numeric_limits<int>::max();
 
-/// The profile that the table names, by `read`; empty if it names none.
+/// Reads the profile that the table names, by `read`; empty if it names none.
 template <typename Profile>
 std::optional<Profile> read_profile(TomlReader& reader, std::string_view meaning,
                                     const std::function<Profile(const std::string&)>& read) {
@@ -44,13 +44,13 @@ std::optional<Profile> read_profile(TomlReader& reader, std::string_view meaning
   }
 }
 
-/// A profile's name as its reader takes it: a path begins in `folder`, and stays there. Throws what
+/// Returns a profile's name for its reader: a path begins in `folder`, and stays there. Throws as
 /// confined_path does.
 std::string name_beside(const fs::path& folder, const std::string& name) {
   return is_profile_path(name) ? confined_path(folder, name).string() : name;
 }
 
-/// Reads the lens of the eye that is shown, over the profile's lens, which is the left eye's.
+/// Reads the lens of the simulated eye, over the profile's lens, which is the left eye's.
 RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
   const RadialLens lens = read_lens(reader, profile);
   constexpr std::array eyes{Word<bool>{"left", false}, Word<bool>{"right", true}};
@@ -82,9 +82,9 @@ void require_view(const TomlReader& reader, const DisplaySettings& display) {
   }
 }
 
-/// Throws Error through `reader`. The view's size must have been read.
+/// Reports errors through `reader`. The view's size must have been read.
 void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
-  // Of a headset by OpenXR nothing is known before it is there.
+  // The fields of view of an OpenXR headset are unknown before it is connected.
   const bool knows_views = display.profile && display.profile->kind != DisplayKind::openxr;
   if (knows_views && !reader.has("fov_deg")) {
     display.horizontal_fov_deg = display.profile->horizontal_fov_deg;
@@ -114,19 +114,19 @@ ValidationSettings read_validation(TomlReader reader) {
   ValidationSettings validation;
   reader.read("points", validation.points, {5, 9}, "The number of targets.");
   reader.read("max_accuracy_deg", validation.gate.max_accuracy_deg, 0.0, largest_deg,
-              "The largest mean angle between gaze and targets, in degrees.");
+              "The maximum mean angle between gaze and targets, in degrees.");
   reader.read("max_precision_deg", validation.gate.max_precision_deg, 0.0, largest_deg,
-              "The largest root mean square angle between successive samples, in degrees.");
+              "The maximum root mean square angle between successive samples, in degrees.");
   reader.read("max_data_loss", validation.gate.max_data_loss, 0.0, 1.0,
-              "The largest fraction of samples without a gaze.");
+              "The maximum fraction of samples without a gaze.");
   reader.read("correct", validation.correct,
               "Whether the gaze is calibrated first and corrected by the result.");
-  reader.read("attempts", validation.attempts, 1, 100, "The largest number of attempts.");
+  reader.read("attempts", validation.attempts, 1, 100, "The maximum number of attempts.");
   reader.reject_unknown_keys();
   return validation;
 }
 
-/// Leaves `value`, which may be optional, alone where the key is absent.
+/// Keeps `value`, which may be optional, if the key is absent.
 template <typename Value>
 void read_in(TomlReader& reader, const TomlKeyName& key, const SettingRange& range, Value& value,
              std::string_view meaning) {
@@ -138,7 +138,7 @@ OneEuroSettings read_one_euro(TomlReader reader) {
   read_in(reader, "min_cutoff_hz", cutoff_range_hz, one_euro.min_cutoff_hz,
           "The cutoff frequency of the low pass for an eye at rest.");
   read_in(reader, "beta_per_deg", beta_range_per_deg, one_euro.beta_per_deg,
-          "By how many hertz the cutoff frequency rises for each degree per second.");
+          "Rise of the cutoff frequency, in hertz per degree per second.");
   read_in(reader, "derivative_cutoff_hz", cutoff_range_hz, one_euro.derivative_cutoff_hz,
           "The cutoff frequency of the low pass of the velocity.");
   reader.reject_unknown_keys();
@@ -149,16 +149,16 @@ GazeFilterSettings read_filter(TomlReader reader) {
   GazeFilterSettings filter;
   reader.read_table("one_euro", filter.one_euro, read_one_euro,
                     "Smooth the gaze by the 1-Euro filter (Casiez, Roussel and Vogel 2012).");
-  read_in(reader, "extrapolate_s", horizon_range_s, filter.extrapolate_s,
-          "Between saccades, turn the gaze on by what the eye moves in so many seconds, to make "
-          "up for the age of the gaze.");
   read_in(
-      reader, "hold_s", hold_range_s, filter.hold_s,
-      "While the eye is not seen, its last gaze counts as valid until it is so many seconds old.");
+      reader, "extrapolate_s", horizon_range_s, filter.extrapolate_s,
+      "Between saccades, extrapolate the gaze by the eye's movement in this many seconds, to make "
+      "up for the age of the gaze.");
+  read_in(reader, "hold_s", hold_range_s, filter.hold_s,
+          "While there is no valid gaze, the last one counts as valid until this age in seconds.");
   reader.reject_unknown_keys();
   if (filter == GazeFilterSettings{}) {
-    reader.fail(reader.source(), "the filter does nothing",
-                "give it one_euro, extrapolate_s or hold_s, or leave it out");
+    reader.fail(reader.source(), "the filter has no effect",
+                "add one_euro, extrapolate_s or hold_s, or remove the filter");
   }
   return filter;
 }
@@ -184,7 +184,7 @@ DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles)
   DisplaySettings display;
   display.profile = read_profile(reader,
                                  "The name of a profile in data/displays without .toml, or a file "
-                                 "in the protocol's folder or below. What it says takes the place "
+                                 "in the protocol's folder or below. Its values take the place "
                                  "of the defaults; the protocol's own keys override it.",
                                  profiles);
   reader.read("view_width", display.view_width, 8, largest_view_side,
@@ -211,7 +211,7 @@ FilmSettings read_film(TomlReader reader, FilmSettings film) {
               "The film's height in pixels, for 180 degrees; half the width for square pixels.");
   require_moderate_film(reader, film);
   reader.read("max_depth", film.max_depth, 1, 1000,
-              "The largest number of surfaces that a path meets.");
+              "The maximum number of surfaces that a path meets.");
   reader.read(reader.present_name("adaptive_contrast", "spare_done_contrast"),
               film.adaptive_contrast, 0.0, 0.99,
               "Adaptive sampling: pixels whose noise, as a contrast, is below this "
@@ -225,7 +225,7 @@ TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
   tracker.profile = read_profile<TrackerProfile>(
       reader,
       "The name of a profile in data/trackers without .toml, or a file in the protocol's folder "
-      "or below. What it says takes the place of the defaults; the protocol's own keys override "
+      "or below. Its values take the place of the defaults; the protocol's own keys override "
       "it.",
       [&](const std::string& name) { return read_tracker_profile(name_beside(folder, name)); });
   if (tracker.profile) {
@@ -242,9 +242,9 @@ TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
                     "Validation of the gaze: participants look at targets; if the tracker misses "
                     "one of these limits in every attempt, the session ends.");
   reader.read_table("filter", tracker.filter, read_filter,
-                    "What the gaze goes through before frames use it, of simulated participants "
-                    "too: smoothed, extrapolated, then held, each only if it is here. The record "
-                    "keeps the gaze as it came, too, and that is what is validated.");
+                    "The filter of the gaze before frames use it, also for simulated participants: "
+                    "smoothed, extrapolated, then held, each only if its key is here. The record "
+                    "also keeps the unfiltered gaze, which is validated.");
   reader.reject_unknown_keys();
   return tracker;
 }
@@ -254,13 +254,13 @@ Timing read_timing(TomlReader reader, Timing timing) {
                                 Word<WhileRating>{"held", WhileRating::held},
                                 Word<WhileRating>{"blank", WhileRating::blank}};
   reader.read("mark_timeout_s", timing.mark_timeout_s, 0.1, 3600.0,
-              "The time-out of marks in seconds from the first frame; marks that have not come by "
+              "The time-out of marks in seconds from the first frame; marks that are not made by "
               "then are right-censored.");
   reader.read("rating_s", timing.rating_s, 0.1, 3600.0,
-              "The least time in seconds for looking around before rating.");
+              "The minimum time in seconds for looking around before rating.");
   reader.read("while_rating", timing.while_rating, pictures,
-              "What the picture does while the ratings are answered: it goes on converging, stays "
-              "as it was when the first question came, or is black.");
+              "The picture while the ratings are answered: it continues to converge, stays "
+              "as it was at the first question, or is black.");
   reader.reject_unknown_keys();
   return timing;
 }
@@ -278,26 +278,25 @@ ReferenceQuality read_reference(TomlReader reader) {
 PreflightGate read_preflight(TomlReader reader) {
   PreflightGate gate;
   reader.read("max_late_percent", gate.max_late_percent, 0.0, 100.0,
-              "Per cent of the frames that may miss their refresh, in each scene.");
+              "Maximum per cent of frames that miss their refresh, in each scene.");
   reader.read("min_samples_per_second", gate.min_samples_per_second, 1.0, 1e12,
-              "Samples per second of the slowest method and scene.");
+              "Minimum samples per second of the slowest method and scene.");
   reader.read("min_gaze_rate_hz", gate.min_gaze_rate_hz, 1.0, 10000.0,
-              "Samples per second of the eye tracker.");
+              "Minimum samples per second of the eye tracker.");
   reader.read("max_gaze_loss", gate.max_gaze_loss, 0.0, 1.0,
-              "The part of the eye tracker's samples that may be invalid.");
+              "Maximum fraction of the eye tracker's samples that are invalid.");
   reader.read("max_gaze_age_s", gate.max_gaze_age_s, 0.001, 10.0,
-              "The median age in seconds of the newest sample when a frame looks at it.");
+              "Maximum median age in seconds of the newest sample when a frame uses it.");
   reader.read("min_free_gb", gate.min_free_gb, 0.0, 1e6,
-              "Free space in 10^9 bytes on the disk of the study's file.");
+              "Minimum free space in 10^9 bytes on the disk of the study's file.");
   reader.read("tracked_eye", gate.tracked_eye,
               "Whether the eye must be tracked: neither simulated, nor recorded, nor the mouse's "
               "pointer.");
-  reader.read("stated_display", gate.stated_display,
-              "Whether the display must be as its profile states.");
+  reader.read("stated_display", gate.stated_display, "Whether the display must match its profile.");
   reader.read("fov_deg", gate.fov_deg, narrowest_deg, widest_deg,
               "The horizontal and the vertical angle in degrees that the window must show.");
   reader.read("fov_tolerance_deg", gate.fov_tolerance_deg, 0.01, 45.0,
-              "By how many degrees either may be off.");
+              "The tolerance of either angle in degrees.");
   reader.read("full_screen", gate.full_screen, "Whether the window must fill its monitor.");
   reader.read("same_machine", gate.same_machine,
               "Whether processor, graphics, threads, instructions and speed must be those of the "

@@ -11,7 +11,7 @@
 
 namespace foveola::study {
 
-// Each reads a table over the defaults, or over `film` or `timing`. `folder` is that of profiles
+// Each function reads a table over the defaults, or over `film` or `timing`. `folder`: of profiles
 // that are named by a path.
 MachineModel read_machine(TomlReader reader);
 DisplaySettings read_display(TomlReader reader, const std::filesystem::path& folder);
@@ -24,14 +24,14 @@ PreflightGate read_preflight(TomlReader reader);
 /// Finds the profile that a protocol's [display] names.
 using DisplayProfiles = std::function<DisplayProfile(const std::string& name)>;
 
-/// [display] over the defaults, with profiles from elsewhere than a disk.
+/// Reads [display] over the defaults, with profiles that need not be on a disk.
 DisplaySettings read_display(TomlReader reader, const DisplayProfiles& profiles);
 
-/// One of the protocol's scenes; empty if the key is absent.
+/// Reads one of the protocol's scenes; empty if the key is absent.
 std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
                             std::string_view meaning);
 
-/// One of the protocol's methods; empty if the key is absent.
+/// Reads one of the protocol's methods; empty if the key is absent.
 std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const Protocol& protocol,
                              std::string_view meaning);
 

@@ -19,7 +19,7 @@ constexpr const char* questions = R"([
   { id = "comments", text = "Anything else?", kind = "text" },
   { id = "artifacts", text = "How many artifacts were there?" }])";
 
-/// A tracker's profile. source: its keys that depend on the source, and that.
+/// Returns a tracker's profile. source: its keys that depend on the source, and the source.
 std::string tracker_from(const std::string& source) {
   return source + R"(
 title = "A tracker"
@@ -36,11 +36,11 @@ struct FileKind {
   std::string meaning;
   /// Reads a text as such a file.
   void (*read)(const std::string& toml, TomlKeys* keys);
-  /// Files in which its readers ask for every key; the first is the smallest.
+  /// Files for which the readers ask for every key; the first is the smallest.
   std::vector<std::string> examples;
 };
 
-/// What a monitor and a headset have.
+/// Keys of both monitors and headsets.
 constexpr const char* screen = R"(
 title = "A display"
 width_px = 1920
@@ -53,8 +53,8 @@ constexpr const char* example_name = "example.toml";
 
 std::vector<FileKind> file_kinds() {
   return {{.name = "protocol",
-           .meaning = "A study of foveated previews: what is compared, in which order, what "
-                      "participants are asked and what is analysed. Settings cascade from the "
+           .meaning = "A study of foveated previews: its scenes and methods, their order, the "
+                      "participants' questions and the analysis. Settings cascade from the "
                       "protocol to the scene to the method.",
            .read = [](const std::string& toml,
                       TomlKeys* keys) { read_protocol(toml, example_name, keys); },
@@ -76,7 +76,7 @@ questionnaire = [{ id = "debrief", title = "Afterwards", question = )" +
                       TomlKeys* keys) { read_questionnaire_file(example_name, toml, keys); },
            .examples = {std::string("title = \"Afterwards\"\nquestion = ") + questions}},
           {.name = "display profile",
-           .meaning = "What is known of a display. A protocol names it by `profile` in "
+           .meaning = "The facts of a display. A protocol names it by `profile` in "
                       "`[display]`; the program's own are in `data/displays`.",
            .read = [](const std::string& toml,
                       TomlKeys* keys) { display_profile_in(toml, example_name, keys); },
@@ -95,7 +95,7 @@ measured = { date = "2026-01-31" }
 timing_patch = { corner = "bottom left" }
 )"}},
           {.name = "tracker profile",
-           .meaning = "What is known of an eye tracker. A protocol names it by `profile` in "
+           .meaning = "The facts of an eye tracker. A protocol names it by `profile` in "
                       "`[tracker]`; the program's own are in `data/trackers`.",
            .read = [](const std::string& toml,
                       TomlKeys* keys) { tracker_profile_in(toml, example_name, keys); },
@@ -104,7 +104,7 @@ timing_patch = { corner = "bottom left" }
                         tracker_from("source = \"recorded\"\nrecording = \"gaze.csv\"")}}};
 }
 
-/// The tables of one kind of file.
+/// Walks the tables of one kind of file.
 class TableWalk {
  public:
   explicit TableWalk(const FileKind& kind) : kind_(kind) {
@@ -122,7 +122,7 @@ class TableWalk {
   std::vector<DescribedTable> tables() && { return std::move(tables_); }
 
  private:
-  /// The table, then those in it.
+  /// Adds the table, then its inner tables.
   void add(const std::string& name, const std::string& meaning, std::string_view type) {
     DescribedTable table{.file = kind_.name,
                          .name = name,
@@ -130,7 +130,7 @@ class TableWalk {
                          .is_keyed_by_ids = type == "table by ids",
                          .meaning = meaning,
                          .keys = {}};
-    // Further examples would have further ids.
+    // Further examples may have further ids.
     std::ranges::copy_if(table.is_keyed_by_ids ? keys_of_smallest_ : keys_,
                          std::back_inserter(table.keys),
                          [&](const TomlKey& key) { return key.table == name; });

@@ -1,4 +1,4 @@
-// Every key of a study's TOML files, as the code that reads them declares it: the source of
+// Describes every key of a study's TOML files, as declared by the readers: the source of
 // docs/PROTOCOL.md and of protocols/foveola-protocol.schema.json.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace foveola::study {
 
-/// Only what a protocol must have.
+/// A protocol with the required keys only.
 inline constexpr const char* smallest_protocol =
     R"(name = "small"
 title = "A small study"
@@ -21,15 +21,16 @@ struct DescribedTable {
   std::string file;  ///< "protocol", "questionnaire file", "display profile", "tracker profile"
   std::string name;  ///< as "tracker.validation"; empty for the file itself
   bool is_list = false;
-  bool is_keyed_by_ids = false;  ///< its keys are ids that a study chooses; those of the smallest
+  bool is_keyed_by_ids =
+      false;  ///< its keys are ids chosen by a study; `keys` has the smallest protocol's
   std::string meaning;
   std::vector<TomlKey> keys;  ///< in the order of reading
 };
 
-/// Whether the key's value is a table, or a list of tables.
+/// Returns whether the key's value is a table, or a list of tables.
 bool is_table(const TomlKey& key);
 
-/// Each file's own keys first, then the tables in it, by what the readers ask for when they read
+/// Returns each file's own keys first, then its tables, as the readers ask for them when they read
 /// examples.
 std::vector<DescribedTable> described_tables();
 

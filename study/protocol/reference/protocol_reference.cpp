@@ -60,12 +60,12 @@ std::string code(const std::string& text) { return '`' + text + '`'; }
 
 bool is_text(const TomlKey& key) { return key.types.front() == "text"; }
 
-/// "[tracker.validation]", or "[[mark]]" of a list of tables.
+/// Returns "[tracker.validation]", or "[[mark]]" for a list of tables.
 std::string heading_of(const DescribedTable& table) {
   return table.is_list ? "[[" + table.name + "]]" : "[" + table.name + "]";
 }
 
-/// The heading of a table's section. A file's own keys have the file's name.
+/// Returns the heading of a table's section. A file's own keys have the file's name.
 std::string title_of(const DescribedTable& table) {
   if (table.file == "protocol") {
     return table.name.empty() ? "The protocol itself" : code(heading_of(table));
@@ -74,7 +74,7 @@ std::string title_of(const DescribedTable& table) {
   return table.name.empty() ? "The keys of " + file : code(heading_of(table)) + " of " + file;
 }
 
-/// As GitHub makes it of a heading.
+/// Returns GitHub's anchor of a heading.
 std::string anchor_of(const std::string& title) {
   std::string anchor;
   for (const unsigned char letter : title) {
@@ -123,7 +123,7 @@ std::string default_of(const TomlKey& key) {
   return code(is_text(key) ? quoted(*key.default_text) : *key.default_text);
 }
 
-/// The first sentence, and what follows it, if all of it is long.
+/// Splits a long text after its first sentence.
 std::pair<std::string, std::string> first_sentence(const std::string& text) {
   constexpr std::size_t longest_cell = 120;
   const std::size_t end = text.size() > longest_cell ? text.find(". ") : std::string::npos;
@@ -136,8 +136,7 @@ std::string with_former_name(const TomlKey& key) {
                             : fmt::format("{} Formerly `{}`.", key.meaning, key.former);
 }
 
-/// The keys that are no tables. Cells are short: what follows a meaning's first sentence stands
-/// below.
+/// Returns the keys that are not tables. Cells are short: further sentences follow below.
 std::string keys_in_markdown(const DescribedTable& table) {
   std::string rows;
   std::string rest;
@@ -158,7 +157,7 @@ std::string keys_in_markdown(const DescribedTable& table) {
                    rows + rest + "\n";
 }
 
-/// The built-in words of the participant's screens.
+/// Returns the built-in texts of the participant's screens.
 std::string texts_in_markdown(const DescribedTable& table) {
   std::string rows = "| key | the built-in words |\n|---|---|\n";
   for (const TomlKey& key : table.keys) {
@@ -180,7 +179,7 @@ bool has_same_keys(const DescribedTable& one, const DescribedTable& other) {
                     });
 }
 
-/// Links to the tables that stand directly in this one.
+/// Returns links to the tables directly in this one.
 std::string inner_tables(const DescribedTable& table, const std::vector<DescribedTable>& all) {
   std::vector<std::string> links;
   const std::string prefix = table.name.empty() ? "" : table.name + ".";
@@ -238,7 +237,7 @@ nlohmann::ordered_json json_of(const TomlKey& key) {
 
 std::string protocol_reference() {
   std::vector<DescribedTable> tables = described_tables();
-  // The longest of all is looked up, not read.
+  // The longest table is for reference, not for reading.
   std::stable_partition(tables.begin(), tables.end(), [](const DescribedTable& table) {
     return table.file == "protocol" && table.name != "texts";
   });

@@ -1,4 +1,4 @@
-// The reference of protocols for people, docs/PROTOCOL.md, and for programs.
+// Generates the reference of protocols for people, docs/PROTOCOL.md, and for programs.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace foveola::study {
 
-/// What a protocol is, where its files are looked for, and every key of described_tables(), in
-/// Markdown.
+/// Returns, in Markdown, an introduction to protocols, the folders of their files, and every key of
+/// described_tables().
 std::string protocol_reference();
 
-/// The keys alone: a list of tables, each with its keys.
+/// Returns the keys alone: a list of tables, each with its keys.
 nlohmann::ordered_json protocol_reference_json();
 
 }  // namespace foveola::study

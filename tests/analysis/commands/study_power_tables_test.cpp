@@ -54,7 +54,7 @@ TEST(StudyPowerTables, FewestParticipantsOfEachAndOfAllTogether) {
   EXPECT_THAT(text, HasSubstr("92.0 [84.8,  96.5]"));  // Clopper and Pearson's, of 92 in 100
   EXPECT_THAT(text, HasSubstr("material, od 12.5 %; material, fv 3.0 %"));
   EXPECT_THAT(text, HasSubstr("comfort, vp/od: crossed mixed model 60.0 %, paired t over "
-                              "participants 40.0 % (in 40.0 % in place of what is planned"));
+                              "participants 40.0 % (in 40.0 % in place of the planned one"));
   const nlohmann::json json = nlohmann::json::parse(study_power_json(report));
   EXPECT_EQ(json["fewest_participants"], (nlohmann::json{10, 16}));
   EXPECT_TRUE(json["fewest_participants_all"].is_null());

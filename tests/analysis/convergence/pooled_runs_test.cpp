@@ -80,7 +80,7 @@ TEST_F(PooledRunsTest, AreTheWholeToTheLastBit) {
 
 TEST_F(PooledRunsTest, DifferInScenesOrSeedsAlone) {
   const std::filesystem::path first = run("first", 0, 0);
-  expect_refused({first, run("again", 0, 1)}, "aula at 10,0 with seed 0, as has a run before it");
+  expect_refused({first, run("again", 0, 1)}, "aula at 10,0 with seed 0, like an earlier run");
   expect_refused({first, run("deeper", all_measurements(), {{"plan", {{"max_depth", 9}}}})},
                  "plan/max_depth is 9, not 8");
   expect_refused({first, run("faster", all_measurements(), {{"processor", "Z80"}})},

@@ -444,7 +444,7 @@ TEST(Comparisons, EveryTestThatLeavesOutRightCensoredTimesCountsThem) {
   EXPECT_EQ(found.order.at(1).censored, 1U);
   EXPECT_EQ(found.censored_times,
             "Right-censored times are left out (1 of 12 outline times of OD), which favours the "
-            "method whose time ran out.");
+            "method with the censored times.");
   EXPECT_EQ(compare(complete_study(4)).censored_times, "");
 }
 

@@ -30,7 +30,8 @@ TEST(DatelessPdf, StaysAPdf) {
 }
 
 TEST(DatelessPdf, OfWhatIsNoPdfIsAnError) {
-  EXPECT_THAT([] { (void)dateless_pdf("no PDF"); }, ThrowsMessage<Error>(HasSubstr("gave no PDF")));
+  EXPECT_THAT([] { (void)dateless_pdf("no PDF"); },
+              ThrowsMessage<Error>(HasSubstr("wrote no valid PDF")));
 }
 
 }  // namespace

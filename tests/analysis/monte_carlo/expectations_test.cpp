@@ -61,21 +61,21 @@ TEST(Expectations, DefaultsAndStatedValues) {
 TEST(Expectations, WhatIsImpossibleIsRefused) {
   const study::Protocol outline = planned_protocol({{"outline", "fv", "od"}});
   refused(outline, {.ratio_percent = 0.0}, "--ratio");
-  refused(outline, {.ratio_percent = 100.0}, "no difference is expected");
+  refused(outline, {.ratio_percent = 100.0}, "no expected difference");
   refused(outline, {.participants_factor = 0.5}, "--spread");
   refused(outline, {.scenes_factor = 0.0}, "--scene-spread");
   refused(outline, {.trials_factor = -1.0}, "--trial-spread");
   refused(outline, {.baseline_s = std::vector<double>{-1.0}}, "--seconds");
-  refused(outline, {.baseline_s = std::vector<double>{10.0, 5.0}}, "the mark before");
+  refused(outline, {.baseline_s = std::vector<double>{10.0, 5.0}}, "the previous mark");
   refused(outline, {.baseline_s = std::vector<double>{1.0, 2.0, 3.0, 4.0}}, "4 times for 3 marks");
-  refused(outline, {.measures = {{"material", "fv", 20.0}}}, "the mark before");
+  refused(outline, {.measures = {{"material", "fv", 20.0}}}, "the previous mark");
   refused(outline, {.measures = {{"outlines", "fv", 20.0}}}, "choose one of outline");
   refused(outline, {.measures = {{"outline", "xy", 20.0}}}, "choose one of od");
   refused(outline, {.measures = {{"outline", "od", 20.0}}}, "compared with");
   refused(outline, {.measures = {{"outline", "fv", -20.0}}}, "above 0");
   refused(planned_protocol({}), {}, "[[analysis.primary]]");
   refused(planned_protocol({{"comfort", "fv", "od"}}), {}, "--effect comfort:fv:1");
-  refused(planned_protocol({{"outline", "fv", "vp"}}), {}, "no difference is expected");
+  refused(planned_protocol({{"outline", "fv", "vp"}}), {}, "no expected difference");
 }
 
 TEST(Expectations, APilotShowsTimesAndSpreadsButNoEffects) {

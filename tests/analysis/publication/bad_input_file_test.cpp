@@ -85,7 +85,7 @@ TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
 TEST_F(BadInputFile, ATimeThatWasChangedAfterwards) {
   write_study(2);
   study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
-  EXPECT_THAT(refusal(), HasSubstr("is not what was written (1 fault, the first: P02: "));
+  EXPECT_THAT(refusal(), HasSubstr("failed its verification (1 fault, the first: P02: "));
 }
 
 TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysSo) {
@@ -95,9 +95,9 @@ TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysS
   EXPECT_THAT(read_file(results_ / "times_by_scene.csv"), HasSubstr(",changed\r\n"));
   EXPECT_THAT(read_file(results_ / "trials_long.csv"), HasSubstr(",changed\r\n"));
   EXPECT_THAT(read_file(results_ / "geometric-means.tex"), HasSubstr("from a changed record"));
-  EXPECT_THAT(output.warnings, Contains(HasSubstr("is not what was written (1 fault)")));
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("failed its verification (1 fault)")));
   const std::string report = read_file(results_ / "report.html");
-  EXPECT_THAT(report, HasSubstr("⚑ The study’s file is not what was written (1 fault)"));
+  EXPECT_THAT(report, HasSubstr("⚑ The study’s file failed its verification (1 fault)"));
   EXPECT_THAT(report, HasSubstr("<li>P02: its rows in mark do not follow from its events</li>"));
 }
 

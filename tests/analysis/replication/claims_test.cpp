@@ -76,8 +76,9 @@ TEST(Claims, BadOnesAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal_of(without(claim, "relative = 0.1\n")),
               HasSubstr("claims.toml:7:1: claim 'sooner' has no tolerance"));
   EXPECT_THAT(refusal_of(without(claim, R"(, "c")")), HasSubstr("claims.toml:11"));
-  EXPECT_THAT(refusal_of(without(claim, "FV is ")), HasSubstr("words before and behind"));
-  EXPECT_THAT(refusal_of(std::string(stage) + claim + claim), HasSubstr("given before"));
+  EXPECT_THAT(refusal_of(without(claim, "FV is ")), HasSubstr("words before and after"));
+  EXPECT_THAT(refusal_of(std::string(stage) + claim + claim),
+              HasSubstr("repeats the id of another claim"));
   EXPECT_THAT(refusal_of(std::string(stage) + claim + "relativ = 1\n"), HasSubstr("relativ"));
   EXPECT_THAT(refusal_of("[[stage]]\nid = \"a\"\n"), HasSubstr("needs is missing"));
 }

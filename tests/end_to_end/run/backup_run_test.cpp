@@ -67,9 +67,9 @@ TEST_F(BackupRun, WhoseOtherDiskIsFullOnlyWarns) {
   end();
   EXPECT_THAT(
       participant_.program().said(),
-      AllOf(HasSubstr("foveola: warning: " + disk.folder().string() + ": got no copy of " +
-                      participant_.database().string() + " (" + disk.folder().string()),
-            HasSubstr("the disk is full"), HasSubstr("make one with foveola study backup --to"),
+      AllOf(HasSubstr("foveola: warning: " + disk.folder().string() + ": no copy of " +
+                      participant_.database().string() + " was written (" + disk.folder().string()),
+            HasSubstr("the disk is full"), HasSubstr("run foveola study backup --to"),
             Not(HasSubstr("is on the same disk"))));
   EXPECT_THAT(files_in(disk.folder()), SizeIs(1)) << "the filling";
 }

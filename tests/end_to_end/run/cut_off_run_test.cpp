@@ -39,9 +39,9 @@ class CutOffRun : public StudyRun {
     const std::string said = participant_.program().said();
     const std::size_t line = said.find("foveola: error: ");
     ASSERT_NE(line, std::string::npos) << said;
-    EXPECT_THAT(said.substr(line), AllOf(HasSubstr("the session of P1 was cut off"),
+    EXPECT_THAT(said.substr(line), AllOf(HasSubstr("the session of P1 was interrupted"),
                                          HasSubstr("what P1 did up to then"),
-                                         HasSubstr("give the same command with --resume")));
+                                         HasSubstr("repeat the command with --resume")));
     EXPECT_EQ(said.find('\n', line), said.size() - 1) << said;
   }
 
@@ -61,7 +61,7 @@ TEST_F(CutOffRun, AClosedTerminalInterruptsIt) {
   constexpr int interrupted = 130;
   participant_.program().kill(SIGHUP);
   EXPECT_EQ(participant_.program().wait_for_end(), interrupted);
-  EXPECT_THAT(participant_.program().said(), HasSubstr("give the same command with --resume"));
+  EXPECT_THAT(participant_.program().said(), HasSubstr("repeat the command with --resume"));
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
   go_on_to_the_end();
 }
@@ -108,7 +108,7 @@ TEST_F(CutOffRun, ADiskThatIsFullAtTheEndCostsNothingButTheBackup) {
   EXPECT_EQ(participant_.program().wait_for_end(), 1);
   EXPECT_THAT(participant_.program().said(),
               AllOf(HasSubstr("all that P1 did is in "), HasSubstr("but its backup failed: "),
-                    HasSubstr("make one with foveola study backup")));
+                    HasSubstr("mend that, then run foveola study backup")));
   disk.make_room();
   participant_.expect_no_fault();
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("completed"));

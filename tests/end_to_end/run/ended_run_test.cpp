@@ -50,7 +50,7 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
   program.type_line("undo");
   program.wait_for("it is paused");
   program.type_line("resume");
-  program.wait_for("The session goes on");
+  program.wait_for("The session continues");
   program.type_line("withdraw P1");
   program.wait_for("stopped taking part");
   participant_.quit();
@@ -114,18 +114,19 @@ TEST_F(StudyRun, TakesNobodysEyeForAPersons) {
   const std::string recorded = participant_.folder().write(
       "former.toml", tracker_profile("recorded", 120) + "recording = \"gaze.csv\"\n");
   expect_one_line(participant_.run_besides("P2", {"--tracker", simulated}), 1,
-                  "is of a simulated eye; name the tracker that is there");
+                  "is simulated; name the connected tracker");
   expect_one_line(participant_.run_besides("P2", {"--tracker", recorded}), 1,
-                  "is of a recorded eye; name the tracker that is there");
+                  "is recorded; name the connected tracker");
 }
 
 TEST_F(StudyRun, SaysWhatIsWrong) {
   participant_.write_protocol(one_trial_keys, short_look);
   EXPECT_THAT(participant_.run_besides("P2", {"--resume"}).errors,
-              HasSubstr("no session to go on with"));
+              HasSubstr("no session to resume"));
   EXPECT_EQ(participant_.run_besides("Jane Doe", {}).exit_code, 2);
-  expect_one_line(participant_.run_besides("P2", {"--gaze-filter", "hold"}), 2,
-                  "write it into the protocol's [tracker.filter], or rehearse with --pilot");
+  expect_one_line(
+      participant_.run_besides("P2", {"--gaze-filter", "hold"}), 2,
+      "write the filter into the protocol's [tracker.filter], or rehearse with --pilot");
   expect_one_line(participant_.run_besides("P2", {"--pilot", "--gaze-filter", "hold=9"}), 2,
                   "give a number from 0.001 to 0.6");
 }

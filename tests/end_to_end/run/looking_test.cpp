@@ -65,7 +65,7 @@ TEST_F(Looking, OneThatAProtocolWantsAgainIsTimedAgainTwiceAtMost) {
     turn_away();
     start_and_mark(1);
     participant_.program().wait_for("out of view");
-    participant_.program().wait_for("timed again");
+    participant_.program().wait_for("retimed");
   }
   EXPECT_EQ(participant_.wait_for_page(), "ready");
   turn_away();
@@ -83,7 +83,7 @@ TEST_F(Looking, AGazeElsewhereIsTimedAgainWhereAProtocolWantsIt) {
   participant_.point_at(4, 4);
   start_and_mark(2);
   EXPECT_THAT(participant_.program().wait_for("the gaze was not on the object, Wall"),
-              HasSubstr("it is timed again"));
+              HasSubstr("the trial is retimed"));
   EXPECT_EQ(participant_.wait_for_page(), "ready");
   participant_.point_at(320, 240);
   start_and_mark(2);

@@ -40,7 +40,7 @@ TEST_F(StudyRun, ALostDisplayEndsItWithOneLineAndItGoesOn) {
   EXPECT_EQ(participant_.program().wait_for_end(), 1);
   expect_last_line(participant_.program().said(), "what P1 did up to then is in " +
                                                       participant_.database().string() +
-                                                      ": give the same command with --resume");
+                                                      ": repeat the command with --resume");
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("choosing_object"));
   EXPECT_EQ(participant_.status().exit_code, 0);
 }

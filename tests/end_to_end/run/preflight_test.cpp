@@ -11,7 +11,7 @@ TEST_F(StudyRun, AMachineThatIsTooSlowBeginsNothing) {
   const ProgramResult result = participant_.run_besides("P1", {"--window", "320x240"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output, HasSubstr("REFUSED"));
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("preflight: misses what the protocol asks for: "
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("preflight: misses the protocol's limits: "
                                              "samples a second;"),
                                    HasSubstr("nothing was begun")));
   EXPECT_THAT(participant_.ask("SELECT id FROM session"), IsEmpty());

@@ -50,7 +50,7 @@ TEST_F(Rehearsal, ShowsTheSceneAsItChanges) {
   participant_.type("space");
   EXPECT_EQ(participant_.wait_for_page(), "marking");
   participant_.replace_scene("not a scene");
-  EXPECT_THAT(wait_for_note("changed scene hall is not shown: "), HasSubstr("hall.glb"));
+  EXPECT_THAT(wait_for_note("changed scene hall cannot be shown: "), HasSubstr("hall.glb"));
   participant_.replace_scene(hall_in("0.0,0.6,0.0"));
   wait_for_note("scene hall has changed, ");
   EXPECT_EQ(participant_.wait_for_page(), "marking");

@@ -67,7 +67,7 @@ void cover_for_a_while(CoverableTracker& tracker, RunningProgram& program) {
 /// The film of each attempt of the whole session.
 void expect_replay_bit_for_bit(const SeatedParticipant& participant) {
   const ProgramResult replayed = succeeded(participant.replay());
-  const std::string the_same = ": [0-9]+ frames, [1-9][0-9]* samples: the same, bit for bit\n";
+  const std::string the_same = ": [0-9]+ frames, [1-9][0-9]* samples: bit-identical\n";
   EXPECT_THAT(replayed.output,
               MatchesRegex("trial 0 \\(hall, od, practice\\), attempt 1" + the_same +
                            "trial 1 \\(hall, od\\), attempt 1" + the_same +
@@ -133,7 +133,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.begin({"--resume", "--tracker", profile});
   EXPECT_THAT(
       participant_.program().said(),
-      HasSubstr("Now comes ready to start, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
+      HasSubstr("Next: ready to start, trial 3 of 3: hall with fv, timing 1, attempt 2; then "
                 "questionnaire debrief"));
   const std::vector<KeyPress> second = time_trial();
   rate("5");
@@ -247,7 +247,7 @@ TEST_F(StudyRun, AMachineThatSlowsDownIsToldOfWhileItDoes) {
     std::this_thread::sleep_for(between);
   }
   EXPECT_THAT(participant_.program().wait_for("missed their refresh"),
-              HasSubstr("busy with something else"));
+              HasSubstr("check for other programs"));
   participant_.quit();
 }
 

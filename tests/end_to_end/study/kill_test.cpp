@@ -294,9 +294,9 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
   // The kill may have fallen into a session, and into an attempt, which is then timed again: that
   // alone is told of.
   for (Tables& of_study : tables) {
-    const std::size_t erased = std::erase_if(
-        of_study.at("data_quality.csv"),
-        [](const CsvRow& row) { return row.front() == "Sessions that were cut off"; });
+    const std::size_t erased =
+        std::erase_if(of_study.at("data_quality.csv"),
+                      [](const CsvRow& row) { return row.front() == "Interrupted sessions"; });
     EXPECT_EQ(erased, 1U);
   }
   const std::vector<CsvRow> again = tables[0].at("trials_timed_again.csv");
@@ -316,7 +316,7 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
 // By Ctrl-C, which the program answers itself.
 TEST_F(Kill, AStoppedStudyGoesOnAsWell) {
   ASSERT_NO_FATAL_FAILURE(end_early_by(SIGINT, [&] { return has_events(events_ / 3); }));
-  EXPECT_THAT(said_, HasSubstr("with --resume goes on"));
+  EXPECT_THAT(said_, HasSubstr("repeat the command with --resume"));
   EXPECT_EQ(rows_of(study_, "SELECT state FROM session WHERE state <> 'completed'"),
             Rows{"interrupted"});
   finish_and_compare();
@@ -357,8 +357,8 @@ TEST_F(Kill, EveryAttemptOfAResumedSessionIsReplayedBitForBit) {
   ASSERT_TRUE(attempts);
   EXPECT_GE(attempts->size(), 4U) << "practice, two methods and a catch trial";
   std::size_t same = 0;
-  for (std::size_t at = replayed.output.find("the same, bit for bit"); at != std::string::npos;
-       at = replayed.output.find("the same, bit for bit", at + 1)) {
+  for (std::size_t at = replayed.output.find("bit-identical"); at != std::string::npos;
+       at = replayed.output.find("bit-identical", at + 1)) {
     ++same;
   }
   EXPECT_EQ(same, attempts->size()) << replayed.output;

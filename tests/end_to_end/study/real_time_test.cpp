@@ -136,7 +136,7 @@ TEST_F(RealTime, AWholeSessionBeforeTheWindow) {
   EXPECT_TRUE(verify().gaps.empty());
   const ProgramResult replayed = succeeded(run_foveola(
       {"study", "replay", database().string(), "--participant", "P001"}, environment()));
-  EXPECT_THAT(replayed.output, HasSubstr("the same, bit for bit"));
+  EXPECT_THAT(replayed.output, HasSubstr("bit-identical"));
 }
 
 TEST_F(RealTime, WhatWasKilledGoesOn) {

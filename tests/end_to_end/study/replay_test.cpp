@@ -24,7 +24,7 @@ TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
                  "--samples-per-second", "20000"}));
   const ProgramResult replayed = run({"study", "replay", study, "--participant", "P001"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.output << replayed.errors;
-  EXPECT_THAT(replayed.output, HasSubstr("the same, bit for bit"));
+  EXPECT_THAT(replayed.output, HasSubstr("bit-identical"));
   const ProgramResult mixed =
       run({"study", "simulate", "hall", "--db", study, "--participants", "1"});
   EXPECT_EQ(mixed.exit_code, 1);
@@ -76,7 +76,7 @@ TEST_F(ReplayOfAHall, IsTheSameBitForBitAndCanBeSeen) {
       value_of(folder / "study.sqlite", "SELECT sum(frame_count) FROM frame_chunk");
   EXPECT_EQ(replayed.output.find("trial 0 (hall, od), attempt 1: " + frames + " frames, "), 0U)
       << replayed.output;
-  EXPECT_THAT(replayed.output, HasSubstr("samples: the same, bit for bit\n"));
+  EXPECT_THAT(replayed.output, HasSubstr("samples: bit-identical\n"));
   const IVec2 size = image_size(folder / "pictures/P001-trial-00-attempt-1.png");
   EXPECT_EQ(size, IVec2(16, 16));
 }
@@ -118,7 +118,7 @@ TEST_F(ReplayOfAHall, NamesTheEventThatIsAnotherOne) {
   change("event", "UPDATE event SET time_ns = time_ns + 1 WHERE sequence = " + number);
   const ProgramResult replayed = replay();
   EXPECT_EQ(replayed.exit_code, 1);
-  EXPECT_THAT(replayed.output, HasSubstr("samples: the same, bit for bit\n"));
+  EXPECT_THAT(replayed.output, HasSubstr("samples: bit-identical\n"));
   EXPECT_THAT(replayed.errors,
               HasSubstr("study.sqlite: event " + number + " is recorded as first_frame_presented"));
   EXPECT_THAT(nlohmann::json::parse(replay({"--json"}).output).at("difference"),
@@ -138,7 +138,7 @@ TEST_F(ReplayOfAHall, NobodyElseHasNoneAndNoTrialIsMadeUp) {
   EXPECT_THAT(
       run({"study", "replay", (folder / "study.sqlite").string(), "--participant", "P9"}).errors,
       HasSubstr("has no session of participant P9"));
-  EXPECT_THAT(replay({"--trial", "7"}).errors, HasSubstr("made no such attempt"));
+  EXPECT_THAT(replay({"--trial", "7"}).errors, HasSubstr("has no such attempt"));
 }
 
 }  // namespace

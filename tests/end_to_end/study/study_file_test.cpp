@@ -128,7 +128,7 @@ TEST_F(StudyFile, VerifyNamesTheChunkInWhichAByteWasFlipped) {
               HasSubstr("P002: trial 0, attempt 1: frame_chunk from 0 on is missing or not what"
                         " was written\n"));
   EXPECT_EQ(std::count(verified.errors.begin(), verified.errors.end(), '\n'), 1);
-  EXPECT_THAT(verified.errors, HasSubstr("north.sqlite: is not what was written"));
+  EXPECT_THAT(verified.errors, HasSubstr("north.sqlite: failed its verification"));
 }
 
 TEST_F(StudyFile, BackupIsTheStudyOnceMore) {
@@ -151,7 +151,7 @@ TEST_F(StudyFile, RestorePutsACopyInThePlaceOfADamagedFile) {
   const ProgramResult restored = succeeded(study({"restore", north_, "--from", copy}));
   EXPECT_THAT(restored.output,
               MatchesRegex(fmt::format("{0}: restored from {1}\n"
-                                       "{0}[.]damaged-[^:]*: what was there before\n.*\n",
+                                       "{0}[.]damaged-[^:]*: the former file\n.*\n",
                                        north_, copy)));
   EXPECT_EQ(content_of(north_, "P002"), content_of(copy, "P002"));
   EXPECT_EQ(study({"verify", north_}).exit_code, 0);
@@ -202,8 +202,8 @@ TEST_F(StudyFile, ForgetLeavesNoByteOfOneAndAllOfTheOther) {
 
   const ProgramResult forgotten = succeeded(study({"forget", north_, "P002", "--yes"}));
   EXPECT_THAT(forgotten.output,
-              AllOf(StartsWith(north_ + ": participant P002 is gone, from 2 files\n"),
-                    HasSubstr("The disk may hold what was deleted")));
+              AllOf(StartsWith(north_ + ": participant P002 was erased from 2 files\n"),
+                    HasSubstr("The disk may hold deleted data")));
   const std::string after = everything();
   for (const std::string& trace : traces) {
     EXPECT_EQ(after.find(trace), std::string::npos) << trace;

@@ -47,7 +47,7 @@ TEST_F(ConsoleAnswers, WhatEndsASessionNeedsItsParticipantsCode) {
     EXPECT_FALSE(answer(line).event) << line;
     EXPECT_THAT(answer(line).reply, HasSubstr("type the code P3"));
   }
-  EXPECT_EQ(answer("withdraw").reply, "'withdraw' is not a whole command; type withdraw CODE");
+  EXPECT_EQ(answer("withdraw").reply, "'withdraw' is incomplete; type withdraw CODE");
   EXPECT_THAT(answer("exclude sees").reply, HasSubstr("type exclude CODE REASON"));
 }
 
@@ -57,7 +57,7 @@ TEST_F(ConsoleAnswers, OneQuits) {
 }
 
 TEST_F(ConsoleAnswers, WhatIsNotKnownIsAskedBack) {
-  EXPECT_THAT(answer("lunch").reply, HasSubstr("What is 'lunch'?"));
+  EXPECT_THAT(answer("lunch").reply, HasSubstr("'lunch' is not a command"));
   EXPECT_EQ(event_of(""), "");
 }
 

@@ -55,7 +55,7 @@ TEST(ScreenConsole, WhatIsPastedIsANoteAtMost) {
   terminal.wait_for("rating");
   terminal.type(paste("withdraw P42\r"));
   terminal.type("\r");
-  terminal.wait_for("only a note may be");
+  terminal.wait_for("paste only notes");
   terminal.type("withdraw " + paste("P42") + "\r");
   terminal.type(paste("pause\nquit\n"));
   terminal.type("\x1b");

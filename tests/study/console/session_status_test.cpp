@@ -8,7 +8,7 @@ namespace foveola::study {
 namespace {
 
 TEST(SessionStatus, FramesAreToldByRateAndLateness) {
-  EXPECT_EQ(words_for(FrameStatus{.refresh_rate_hz = 60.0}), "not a second yet");
+  EXPECT_EQ(words_for(FrameStatus{.refresh_rate_hz = 60.0}), "measuring");
   EXPECT_EQ(words_for(FrameStatus{.rate_hz = 59.84, .refresh_rate_hz = 60.0}),
             "59.8 a second of 60");
   EXPECT_EQ(
@@ -28,7 +28,7 @@ TEST(SessionStatus, WhatIsNoPersonsEyeIsToldInLargeLetters) {
   EXPECT_THAT(words_for(GazeStatus{.eye = "simulated"}), HasSubstr("THE EYE IS SIMULATED"));
   EXPECT_THAT(words_for(GazeStatus{.eye = "recorded"}), HasSubstr("THE EYE IS RECORDED"));
   EXPECT_THAT(words_for(GazeStatus{.eye = "pointer"}),
-              HasSubstr("THE MOUSE'S POINTER STANDS FOR THE EYE"));
+              HasSubstr("THE MOUSE POINTER REPLACES THE EYE"));
 }
 
 TEST(SessionStatus, WarnsOfLateFramesFromTheAnalysissLimitOn) {

@@ -73,7 +73,7 @@ TEST_F(SessionOfAPerson, ByTheSameVersionBuiltWithOtherToolsIsRefused) {
     EXPECT_THAT(refusal([&] {
                   session_so_far(store_, small_protocol(), facts.participant, {.resumes = true});
                 }),
-                HasSubstr("has a session by " + program_name(facts.build)));
+                HasSubstr("has a session of " + program_name(facts.build)));
   }
 }
 
@@ -109,7 +109,7 @@ TEST_F(SessionOfAPerson, DoesNotGoBackToAFormerProgramUnsaid) {
   begin_by(build_info());
   go_on_by(program_name(former_version()), program_name(build_info()));
   EXPECT_THAT(refusal([&] { so_far(); }),
-              HasSubstr("has a session by " + program_name(former_version())));
+              HasSubstr("has a session of " + program_name(former_version())));
 }
 
 }  // namespace

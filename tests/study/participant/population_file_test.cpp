@@ -113,7 +113,7 @@ TEST(People, WhatIsWrongWithAFileIsSaidWithItsPlace) {
   EXPECT_THAT(refusal("title = \n"), HasSubstr("people.toml:1:"));
   EXPECT_THAT(
       refusal(with("longest_fixation_s = { value = 0.35", "longest_fixation_s = { value = 0.1")),
-      AllOf(HasSubstr("people.toml:"), HasSubstr("shorter than the shortest")));
+      AllOf(HasSubstr("people.toml:"), HasSubstr("shorter than the minimum")));
 }
 
 TEST(People, UnknownNamesAreRefused) {

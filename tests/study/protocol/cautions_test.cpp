@@ -45,7 +45,7 @@ TEST_F(Cautions, OneMethodInTwoSpellings) {
       of(with_methods("\"od\", \"fv\", \"fv:acuity=reddy\"")),
       ElementsAre(path_.string() +
                   ":4:24: 'fv:acuity=reddy' is the same method as 'fv', with the same settings; "
-                  "leave one out, unless a method is to be compared with itself"));
+                  "remove one of them, unless a method is to be compared with itself"));
   EXPECT_THAT(of(with_methods("\"fv\", \"fv:exponent=1,cutoff=80\", \"fv:measure=planar\"")),
               SizeIs(2));
   EXPECT_THAT(
@@ -90,7 +90,7 @@ TEST_F(Cautions, OneSceneUnderTwoNames) {
   EXPECT_THAT(cautions(protocol, scenes),
               ElementsAre(AllOf(
                   StartsWith(path_.string() + ":3:16: the scene 't' is 's' under another name"),
-                  HasSubstr("link.glb; leave one out"))));
+                  HasSubstr("link.glb; remove one of them"))));
   scenes[1].camera_position = Vec3(2.0F);
   EXPECT_THAT(cautions(protocol, scenes), IsEmpty()) << "another place in it";
 }

@@ -94,14 +94,14 @@ INSTANTIATE_TEST_SUITE_P(
                         "16384\n",
               "9:15", "32768 x 16384 pixels would take 22 GB"},
         Fault{"too_many_trials", many_trials(), "4:11",
-              "501 scenes with 2 methods make 1002 trials, and a session has at most 1000; name "
+              "501 scenes with 2 methods make 1002 trials; the maximum of a session is 1000; use "
               "fewer"},
         Fault{"too_many_methods", many_methods(), "4:11",
-              "101 methods, and a study has at most 100; name fewer"},
+              "the protocol has 101 methods; the maximum is 100; use fewer"},
         Fault{"endless_method",
               "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"hybrid:1*fv" +
                   std::string(1000, '+') + "\"]\n",
-              "4:18", "a method of 1011 characters, and the longest has 1000"},
+              "4:18", "the method has 1011 characters; the maximum is 1000"},
         Fault{"negative_size", minimal + "[film]\nwidth = -64\n", "6:9", "film.width"},
         Fault{"nan_rate", minimal + "[machine]\nframe_rate_hz = nan\n", "6:17", "frame_rate_hz"},
         Fault{"infinite_rate", minimal + "[machine]\nframe_rate_hz = inf\n", "6:17",
@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "text = \"?\"\n",
               "5:1", "no title"},
         Fault{"too_many_questionnaires", many_questionnaires(), "5:1",
-              "101 questionnaires, and a study has at most 100; leave some out"},
+              "the protocol has 101 questionnaires; the maximum is 100; remove some"},
         Fault{"questionnaire_called_like_a_phase", minimal + "[[questionnaire]]\nid = \"trials\"\n",
               "6:6", "twice"},
         Fault{"questionnaire_that_is_not_ready",
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"questionnaire_of_a_file_and_its_own",
               minimal + "[[questionnaire]]\nid = \"a\"\nfile = \"ssq\"\n"
                         "[[questionnaire.question]]\nid = \"q\"\ntext = \"?\"\n",
-              "8:1", "those of the file"}),
+              "8:1", "both a file and questions"}),
     [](const testing::TestParamInfo<Fault>& test) { return test.param.name; });
 
 /// The minimal protocol with more keys at its beginning.
@@ -229,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"wait_longer_than_the_longest", minimal + "[reaction]\nshortest_wait_s = 4\n", "6:19",
               "from 4 to 3 seconds is empty"},
         Fault{"override_of_nothing", minimal + "[[override]]\nfilm.width = 9\n", "5:1",
-              "names no scene and no method"},
+              "has neither a scene nor a method"},
         Fault{"override_in_another_scene", minimal + "[[override]]\nscene = \"hall\"\n", "6:9",
               "'hall'"},
         Fault{"override_twice",
@@ -300,7 +300,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "[[questionnaire.question]]\nid = \"hand\"\ntext = \"Hand\"\n"
                         "kind = \"choice\"\n"
                         "options = [{ label = \"left\", value = 1 }, { label = \"right\" }]\n",
-              "6:15", "'children' in numbers; choose from expertise"},
+              "6:15", "question 'children'; choose from expertise"},
         Fault{"nobody_is_planned", minimal + "[analysis]\nparticipants = 0\n", "6:16",
               "participants"}),
     [](const testing::TestParamInfo<Fault>& test) { return test.param.name; });

@@ -31,9 +31,10 @@ TEST_F(ProtocolFile, IdsNameFilesOnEveryFileSystem) {
     EXPECT_THAT([&] { (void)load(of_rating(std::string(length, 'x'))); },
                 ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:6:"), HasSubstr("at most 64"))));
   }
-  EXPECT_THAT([&] { (void)load(of_rating("if") + of_rating("IF").substr(minimal.size())); },
-              ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:9:"),
-                                         HasSubstr("the id 'IF' differs from 'if' in capital"))));
+  EXPECT_THAT(
+      [&] { (void)load(of_rating("if") + of_rating("IF").substr(minimal.size())); },
+      ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:9:"),
+                                 HasSubstr("the id 'IF' differs from 'if' in letter case"))));
   EXPECT_THAT(
       [&] {
         (void)load(of_rating("if") + "[[mark]]\nid = \"if_response\"\ninstruction = \"Now.\"\n");

@@ -177,7 +177,7 @@ TEST_P(SimulatedShards, StoppedAndRunAgainAreTheSameFile) {
   some.participants = 5;
   some.shard = {.number = 2, .count = 2};
   EXPECT_THAT([&] { simulate(some); },
-              ThrowsMessage<Error>(HasSubstr("a shard has a file of its own")));
+              ThrowsMessage<Error>(HasSubstr("a shard needs a file of its own")));
   some.resume = true;
   simulate(some);
   EXPECT_EQ(merged({"2-of-2.sqlite"}, MissingParts::note), once);

@@ -75,8 +75,8 @@ TEST(DataQualityChecks, GoodDataPass) {
                        {"P1", 2, 0.8, 0.1, 0.0, true},
                        {"P2", 1, 0.9, 0.1, 0.0, true}};
   const DataQualityReport report = report_on(complete_study(2), quality);
-  for (const char* name : {"refresh", "valid gaze", "Latency", "mark upon it", "Validation",
-                           "People", "timed again"}) {
+  for (const char* name :
+       {"refresh", "valid gaze", "Latency", "mark upon it", "Validation", "People", "Retimed"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::passed) << name;
   }
   EXPECT_THAT(check_of(report, "Validation").found, HasSubstr("0.90° at most"));
@@ -119,7 +119,7 @@ TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
 TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
   const DataQualityReport report = report_on(complete_study(2));
   for (const char* name : {"refresh", "valid gaze", "Latency", "Validation", "out of view",
-                           "gaze elsewhere", "cut off", "Notes", "Programs"}) {
+                           "gaze elsewhere", "Interrupted", "Notes", "Programs"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::unknown) << name;
   }
   EXPECT_TRUE(report.reactions.empty());
@@ -148,13 +148,13 @@ TEST(DataQualityChecks, AMouseInPlaceOfAnEyeAndSessionsThatDifferAreFlagged) {
 
 TEST(DataQualityChecks, ManyTimesThatRanOutAreFlagged) {
   study::StudyRecords records = complete_study(5);
-  EXPECT_EQ(check_on(records, "ran out").found, "none");
+  EXPECT_EQ(check_on(records, "Right-censored").found, "none");
   for (const char* participant : {"P1", "P2"}) {
     value_of(records, participant, "aula", "od", "outline") = right_censored(60.0);
   }
-  EXPECT_EQ(check_on(records, "ran out").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "Right-censored").verdict, Verdict::passed);
   value_of(records, "P3", "aula", "od", "outline") = right_censored(60.0);
-  expect_check(check_on(records, "ran out"), Verdict::flagged, "outline with OD 30.0 %");
+  expect_check(check_on(records, "Right-censored"), Verdict::flagged, "outline with OD 30.0 %");
 }
 
 TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
@@ -353,7 +353,7 @@ TEST(DataQualityChecks, OnlyTheLastTimingsOfAnalysedTestTrialsAreHeldAgainstTheG
 TEST(DataQualityChecks, SessionsThatWentThroughWithoutAWordPass) {
   study::DataQualityRecords quality;
   quality.courses = {{.participant = "P1"}, {.participant = "P2"}};
-  expect_check(check_on(complete_study(2), "cut off", quality), Verdict::passed, "none");
+  expect_check(check_on(complete_study(2), "Interrupted", quality), Verdict::passed, "none");
   expect_check(check_on(complete_study(2), "Notes", quality), Verdict::passed, "none");
 }
 
@@ -365,7 +365,7 @@ TEST(DataQualityChecks, WhoseSessionWasCutOffIsNamedIfAnalysed) {
                      {.participant = "P2"},
                      {.participant = "P3", .interruptions = 2, .attempts_lost = 1},
                      {.participant = "P4", .interruptions = 3, .attempts_lost = 3}};
-  expect_check(check_on(records, "cut off", quality), Verdict::flagged,
+  expect_check(check_on(records, "Interrupted", quality), Verdict::flagged,
                "P1: 1 time, 0 attempts lost; P3: 2 times, 1 attempt lost");
 }
 
@@ -411,14 +411,14 @@ TEST(DataQualityChecks, TrialsTimedAgainAreNamedButForThoseThatWereCutOff) {
   study::StudyRecords records = complete_study(3);
   records.sessions[2].state = "interrupted";
   (void)gaze_on_objects(records);  // numbers the trials
-  EXPECT_EQ(check_on(records, "timed again").found, "0 of 12 trials");
+  EXPECT_EQ(check_on(records, "Retimed").found, "0 of 12 trials");
   add_earlier_timing(records, 1, "interrupted");
-  EXPECT_EQ(check_on(records, "timed again").verdict, Verdict::passed);
+  EXPECT_EQ(check_on(records, "Retimed").verdict, Verdict::passed);
   add_earlier_timing(records, 2, "retimed");
   add_earlier_timing(records, 2, "paused");
   add_earlier_timing(records, 7, "retimed");
   add_earlier_timing(records, 13, "retimed");
-  expect_check(check_on(records, "timed again"), Verdict::flagged,
+  expect_check(check_on(records, "Retimed"), Verdict::flagged,
                "2 of 12 trials: P1, aula, fv (retimed, paused); P2, aula, vp (retimed)");
 }
 

@@ -118,7 +118,7 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
               AllOf(HasSubstr("injected effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
   records.simulation = study::SimulationFacts{.samples_per_second = 8e5, .injected = ""};
   EXPECT_THAT(paragraph(records),
-              HasSubstr("took 800000 samples a second, which is not the protocol's"));
+              HasSubstr("traced 800000 samples per second, unlike the protocol's"));
   records.simulation = study::SimulationFacts{.injected = "", .whole_participants = 3};
   EXPECT_THAT(paragraph(records), HasSubstr("They are a part of a study of 3 participants."));
 }

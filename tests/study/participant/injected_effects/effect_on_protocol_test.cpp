@@ -36,7 +36,7 @@ TEST(EffectOnProtocol, AMarkThatWouldComeTooSoonAfterTheOneBeforeIsRefused) {
                              "faster-mark:outline:fv:2,faster-mark:third:fv:4.5"}) {
     EXPECT_THAT(
         [&] { require_drawable(parse_injected_effect(effect), protocol_with_marks_and_ratings()); },
-        ThrowsMessage<UsageError>(HasSubstr("'third' would come too soon after 'outline'")))
+        ThrowsMessage<UsageError>(HasSubstr("'third' would follow 'outline' too soon")))
         << effect;
   }
 }
@@ -53,8 +53,8 @@ TEST(EffectOnProtocol, WhatItDoesNotHaveIsNamedWithWhatItHas) {
   refused("faster-mark:third:fw:2", "choose one of od, fv");
   refused("shift-rating:comfrt:fv:2", "no rating 'comfrt'; choose one of comfort, noise, colour");
   refused("shift-rating:comfort:fw:2", "choose one of od, fv");
-  refused("shift-rating:colour:fv:1", "the answers to 'colour' are no numbers");
-  refused("shift-rating:remark:fv:1", "the answers to 'remark' are no numbers");
+  refused("shift-rating:colour:fv:1", "the answers to 'colour' are not numbers");
+  refused("shift-rating:remark:fv:1", "the answers to 'remark' are not numbers");
   refused("shift-rating:comfort:fv:-100", "which is 100 wide");
   refused("shift-rating:noise:fv:2", "which is 2 wide");
   protocol.ratings.clear();
