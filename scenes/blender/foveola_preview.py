@@ -614,10 +614,12 @@ def outline_of(light, pose):
 
 
 def add_area_light(glb, name, light, pose):
-    """Cycles' area lights shine with a radiance of their power / (4 area), and to one side."""
+    """Cycles' area lights emit to one side. Their radiance is power / (pi area), as of a Lambertian
+    emitter; before Blender 4.0 it is power / (4 area)."""
     power, _ = power_of(light)
     corners, area = outline_of(light, pose)
-    radiance = [value / (4.0 * area) for value in power] if area > 0.0 else [0.0]
+    solid_angle_sr = 4.0 if bpy.app.version < (4, 0) else math.pi
+    radiance = [value / (solid_angle_sr * area) for value in power] if area > 0.0 else [0.0]
     brightest = max(radiance)
     if brightest <= 0.0:
         return
@@ -818,6 +820,12 @@ def is_clipped(camera, view_layer):
     )
 
 
+def casts_shadows(light):
+    """By Cycles' own setting, which Blender 4.2 joined with the light's."""
+    cycles = getattr(light, "cycles", None)
+    return getattr(cycles, "cast_shadow", True if cycles is None else light.use_shadow)
+
+
 def missing_of_light(light):
     lines = []
     if not power_of(light)[1]:
@@ -826,7 +834,7 @@ def missing_of_light(light):
         lines.append("its spread is not sent: it shines to its whole front")
     if light.type == "SUN" and light.angle > math.pi / 2.0:
         lines.append("its angle is limited to 90 degrees")
-    if getattr(light, "cycles", None) is not None and not light.cycles.cast_shadow:
+    if not casts_shadows(light):
         lines.append("it casts shadows")
     return lines
 

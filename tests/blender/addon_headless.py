@@ -104,7 +104,7 @@ def test_lights(module, file):
     require_near([sun["extras"]["foveola"]["angular_radius_rad"]], [math.radians(1.0)], "its size")
     panel = next(entry for entry in document["materials"] if entry["name"] == "panel")
     strength = panel["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"]
-    require_near([strength], [12.0 / (4.0 * 1.5)], "the area light's radiance")
+    require_near([strength], [12.0 / (scenes.AREA_LIGHT_SOLID_ANGLE_SR * 1.5)], "the area light's radiance")
 
 
 def test_hidden_area_light(module, file):

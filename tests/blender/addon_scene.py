@@ -191,7 +191,8 @@ def add_flat(name):
 def add_grouped(name):
     """A surface whose colour comes from a node group."""
     group = bpy.data.node_groups.new("wood", "ShaderNodeTree")
-    group.outputs.new("NodeSocketColor", "Colour")
+    scenes.add_socket(group, "NodeSocketColor", "Colour", "OUTPUT")
+    group.nodes.new("NodeGroupOutput")
     material = scenes.principled("mixed")
     nodes, links = material.node_tree.nodes, material.node_tree.links
     node = nodes.new("ShaderNodeGroup")

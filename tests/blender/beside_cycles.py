@@ -31,9 +31,10 @@ def export(path, lighting_mode):
     hidden = [thing for thing in bpy.data.objects if thing.get("rendered_only")]
     for thing in hidden:
         thing.hide_set(True)
+    mode = "convert_lighting_mode" if bpy.app.version < (3, 6) else "export_import_convert_lighting_mode"
     bpy.ops.export_scene.gltf(
         filepath=str(path), export_format="GLB", use_visible=True, export_cameras=True,
-        export_lights=True, convert_lighting_mode=lighting_mode,
+        export_lights=True, **{mode: lighting_mode},
     )
     for thing in hidden:
         thing.hide_set(False)

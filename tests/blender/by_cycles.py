@@ -1,6 +1,7 @@
 """Renders Blender's scene with Cycles to a linear image, without anything that makes a mean untrue."""
 
 import bpy
+import scenes
 
 
 def make_lambertian(material):
@@ -14,7 +15,7 @@ def make_lambertian(material):
     else:
         diffuse.inputs["Color"].default_value = colour.default_value
     emission = nodes.new("ShaderNodeEmission")
-    emission.inputs["Color"].default_value = principled["Emission"].default_value
+    emission.inputs["Color"].default_value = scenes.principled_input(principled, "Emission").default_value
     emission.inputs["Strength"].default_value = principled["Emission Strength"].default_value
     if material.use_backface_culling:  # glTF's single-sided emitters are dark from behind
         geometry = nodes.new("ShaderNodeNewGeometry")

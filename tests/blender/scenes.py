@@ -19,6 +19,17 @@ PAINT = {
     "blue": (0.1, 0.2, 0.6),
 }
 
+# Cycles' area lights have a radiance of power / (this * area): until Blender 4.0 less than a Lambertian
+# emitter of that power.
+AREA_LIGHT_SOLID_ANGLE_SR = 4.0 if bpy.app.version < (4, 0) else math.pi
+
+NAME_IN_BLENDER_4 = {
+    "Clearcoat": "Coat Weight",
+    "Emission": "Emission Color",
+    "Specular": "Specular IOR Level",
+    "Transmission": "Transmission Weight",
+}
+
 
 def link(name, data, location=(0.0, 0.0, 0.0), rotation_deg=(0.0, 0.0, 0.0)):
     thing = bpy.data.objects.new(name, data)
@@ -28,13 +39,18 @@ def link(name, data, location=(0.0, 0.0, 0.0), rotation_deg=(0.0, 0.0, 0.0)):
     return thing
 
 
+def principled_input(inputs, name):
+    """The input of a Principled BSDF that has this name in Blender 3."""
+    return inputs[name] if name in inputs else inputs[NAME_IN_BLENDER_4[name]]
+
+
 def principled(name, **values):
     """A material of one Principled BSDF, the only kind that the exporter knows, with these inputs."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     inputs = material.node_tree.nodes["Principled BSDF"].inputs
     for key, value in values.items():
-        inputs[key.replace("_", " ")].default_value = value
+        principled_input(inputs, key.replace("_", " ")).default_value = value
     return material
 
 
@@ -155,8 +171,7 @@ def emission(folder):
 
 
 def area(folder):
-    """The exporter leaves area lights out: the export has a panel of their radiance instead, which
-    is power / (4 area) and not, as of a Lambertian emitter of that power, power / (pi area)."""
+    """The exporter leaves area lights out: the export has a panel of their radiance instead."""
     add_table_top()
     width_m, depth_m, power_w = 1.5, 0.8, 120.0
     light = bpy.data.lights.new("area", "AREA")
@@ -165,7 +180,7 @@ def area(folder):
     pose = {"location": (-0.5, -0.8, 3.2), "rotation_deg": (10.0, 15.0, 25.0)}
     thing = link("area", light, **pose)
     thing["rendered_only"] = True
-    radiance = power_w / (4.0 * width_m * depth_m)
+    radiance = power_w / (AREA_LIGHT_SOLID_ANGLE_SR * width_m * depth_m)
     panel = add_rectangle("panel", width_m, depth_m, emitter("panel", (1.0, 1.0, 1.0), radiance), **pose)
     panel.data.flip_normals()  # area lights shine towards their -Z
     panel["exported_only"] = True
@@ -286,10 +301,18 @@ def add_sphere(name, radius, material, location):
     link(name, mesh, location)
 
 
+def add_socket(group, kind, name, in_out):
+    """in_out: "INPUT" or "OUTPUT" of a node group."""
+    if bpy.app.version < (4, 0):
+        (group.inputs if in_out == "INPUT" else group.outputs).new(kind, name)
+    else:
+        group.interface.new_socket(name, in_out=in_out, socket_type=kind)
+
+
 def add_thickness(material):
     """The node by which the exporter knows that a mesh bounds a volume."""
     group = bpy.data.node_groups.new("glTF Material Output", "ShaderNodeTree")
-    group.inputs.new("NodeSocketFloat", "Thickness")
+    add_socket(group, "NodeSocketFloat", "Thickness", "INPUT")
     group.nodes.new("NodeGroupInput")
     node = material.node_tree.nodes.new("ShaderNodeGroup")
     node.node_tree = group
