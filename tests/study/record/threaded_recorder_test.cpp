@@ -1,7 +1,6 @@
-#include "study/record/threaded_recorder.h"
-
 #include <gtest/gtest.h>
 
+#include "study/record/recorders.h"
 #include "study_file.h"
 
 namespace foveola::study {
