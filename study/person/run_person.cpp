@@ -29,10 +29,10 @@
 #include "study/preflight/preflight_checks.h"
 #include "study/preflight/system_state.h"
 #include "study/record/clock_steps.h"
+#include "study/record/recorders.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_devices.h"
 #include "study/record/session_programs.h"
-#include "study/record/threaded_recorder.h"
 #include "study/stage/protocol_notes.h"
 #include "study/stage/stage_reload.h"
 

@@ -11,9 +11,9 @@
 
 namespace foveola::study {
 
-/// What a participant takes along: what they consented to, when, and how to take it back. As plain
-/// text, with each consent of a session's log and the text that was agreed to; empty if there is
-/// none. It has the participant's code and no name. begun_with: the text of the protocol that the
+/// Returns a participant's receipt: the texts they consented to, when, and how to withdraw the
+/// data. Plain text with each consent of a session's log; empty if the log has none. It has the
+/// participant's code and no name. begun_with: the text of the protocol that the
 /// study was begun with. Throws Error if a protocol's text is not TOML.
 std::optional<std::string> consent_receipt(const std::string& begun_with,
                                            const std::string& participant,

@@ -9,7 +9,7 @@
 
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/view/viewport.h"
-#include "study/record/recorded_marks.h"
+#include "study/record/recorded_gaze.h"
 #include "study/record/session_recorder.h"
 #include "study/record/shown_scene.h"
 

@@ -88,6 +88,21 @@ StoredChunk stored_chunk(SQLite::Statement& row) {
   return chunk;
 }
 
+ChunkReader::ChunkReader(SQLite::Database& study, const std::string& table)
+    : rows_(study, fmt::format("SELECT {} FROM {} WHERE session = ? AND trial = ? AND attempt = ?"
+                               " ORDER BY first",
+                               columns_of_chunk(study, table), table)) {}
+
+std::vector<StoredChunk> ChunkReader::read(std::int64_t session, std::size_t trial, int attempt) {
+  std::vector<StoredChunk> chunks;
+  rows_.reset();
+  SQLite::bind(rows_, session, static_cast<std::int64_t>(trial), attempt);
+  while (rows_.executeStep()) {
+    chunks.push_back(stored_chunk(rows_));
+  }
+  return chunks;
+}
+
 std::string chunk_bytes(const StoredChunk& chunk, std::int64_t bytes_each) {
   constexpr std::int64_t max_zlib_ratio = 1100;
   if (chunk.count < 0 || chunk.count > std::ssize(chunk.data) * max_zlib_ratio / bytes_each) {

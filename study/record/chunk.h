@@ -1,13 +1,12 @@
 // What is kept of an attempt in large numbers, compressed and with a checksum.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
-namespace SQLite {
-class Database;
-class Statement;
-}  // namespace SQLite
+#include <SQLiteCpp/Statement.h>
 
 namespace foveola::study {
 
@@ -41,6 +40,20 @@ std::string columns_of_chunk(SQLite::Database& study, const std::string& table);
 
 /// The row that stands in `row`.
 StoredChunk stored_chunk(SQLite::Statement& row);
+
+/// Reads the chunks of attempts by a statement that is prepared once.
+class ChunkReader {
+ public:
+  /// table: frame_chunk or gaze_chunk of `study`, which must outlive this. Throws what SQLite
+  /// throws, as read() does.
+  ChunkReader(SQLite::Database& study, const std::string& table);
+
+  /// An attempt's chunks in their order.
+  std::vector<StoredChunk> read(std::int64_t session, std::size_t trial, int attempt);
+
+ private:
+  SQLite::Statement rows_;
+};
 
 /// The chunk uncompressed, which has to be its count times `bytes_each`. Throws
 /// std::invalid_argument if it is not what was written.

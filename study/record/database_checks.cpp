@@ -126,8 +126,8 @@ const std::vector<SchemaObject>& known_objects(SQLite::Database& study) {
 }
 
 /// What is only in the first.
-std::vector<SchemaObject> difference(const std::vector<SchemaObject>& of,
-                                     const std::vector<SchemaObject>& without) {
+std::vector<SchemaObject> only_in_first(const std::vector<SchemaObject>& of,
+                                        const std::vector<SchemaObject>& without) {
   std::vector<SchemaObject> rest;
   std::ranges::set_difference(of, without, std::back_inserter(rest));
   return rest;
@@ -143,7 +143,7 @@ bool is_of_analyze(const SchemaObject& object) {
 /// What the file has beside its schema.
 std::vector<SchemaObject> foreign_parts(SQLite::Database& study) {
   const std::vector<SchemaObject>& known = known_objects(study);
-  std::vector<SchemaObject> foreign = difference(objects_of(study), known);
+  std::vector<SchemaObject> foreign = only_in_first(objects_of(study), known);
   std::erase_if(foreign, [&](const SchemaObject& object) {
     const bool is_of_part = object.type == "table" && object.sql == simulated_part_sql;
     const bool goes_with_foreign_table =
@@ -155,7 +155,7 @@ std::vector<SchemaObject> foreign_parts(SQLite::Database& study) {
 }
 
 /// "trigger NAME on TABLE"; "view NAME".
-std::string text_of(const SchemaObject& object) {
+std::string object_text(const SchemaObject& object) {
   const std::string name = fmt::format("{} {}", object.type, object.name);
   return object.table == object.name ? name : fmt::format("{} on {}", name, object.table);
 }
@@ -164,7 +164,7 @@ std::string text_of(const SchemaObject& object) {
 
 void require_schema(SQLite::Database& database, const fs::path& path) {
   const std::vector<SchemaObject> missing =
-      difference(known_objects(database), objects_of(database));
+      only_in_first(known_objects(database), objects_of(database));
   if (!missing.empty()) {
     throw Error(path.string(),
                 fmt::format("its {} {} is missing or was changed", missing.front().type,
@@ -176,7 +176,7 @@ void require_schema(SQLite::Database& database, const fs::path& path) {
 std::vector<std::string> foreign_objects(SQLite::Database& study) {
   std::vector<std::string> texts;
   for (const SchemaObject& object : foreign_parts(study)) {
-    texts.push_back(text_of(object));
+    texts.push_back(object_text(object));
   }
   return texts;
 }
@@ -187,7 +187,7 @@ void require_only_own_effects(SQLite::Database& study, const fs::path& path) {
       throw Error(
           path.string(),
           fmt::format("has the {}, which is not Foveola's and could change what is recorded",
-                      text_of(object)),
+                      object_text(object)),
           fmt::format("remove it (DROP {} in sqlite3), or {}",
                       object.type == "index" ? "INDEX" : "TRIGGER", damage_remedy));
     }

@@ -15,7 +15,4 @@ std::string payload_of(const Event& event);
 /// none.
 Event event_from(const std::string& type, const std::string& payload);
 
-/// `text`, with what is no Unicode replaced as payload_of replaces it.
-std::string unicode(const std::string& text);
-
 }  // namespace foveola::study

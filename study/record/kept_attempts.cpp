@@ -6,7 +6,6 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
-#include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "study/protocol/protocol.h"
@@ -34,11 +33,6 @@ std::optional<FieldOfView> protocols_view(SQLite::Database& database) {
   } catch (const Error&) {
     return std::nullopt;
   }
-}
-
-void start(SQLite::Statement& rows, const KeptAttempt& of) {
-  rows.reset();
-  SQLite::bind(rows, of.session, static_cast<std::int64_t>(of.trial), of.attempt);
 }
 
 }  // namespace
@@ -74,12 +68,8 @@ KeptAttempts::KeptAttempts(SQLite::Database& database)
       sessions_(database, "SELECT devices, kind = 'simulated' FROM session WHERE id = ?"),
       notes_(database, "SELECT time_ns, text FROM note WHERE session = ? ORDER BY sequence"),
       scenes_(database, "SELECT shown_as FROM session_scene WHERE session = ? AND scene = ?"),
-      frames_(database, fmt::format("SELECT {} FROM frame_chunk WHERE session = ? AND trial = ?"
-                                    " AND attempt = ? ORDER BY first_frame",
-                                    columns_of_chunk(database, "frame_chunk"))),
-      gaze_(database, fmt::format("SELECT {} FROM gaze_chunk WHERE session = ? AND trial = ?"
-                                  " AND attempt = ? ORDER BY first_sample",
-                                  columns_of_chunk(database, "gaze_chunk"))),
+      frames_(database, "frame_chunk"),
+      gaze_(database, "gaze_chunk"),
       marks_(query_of_marks(database)),
       simulated_view_(protocols_view(database)) {}
 
@@ -104,14 +94,8 @@ std::optional<KeptAttempt> KeptAttempts::next() {
   if (scenes_.executeStep()) {
     kept.shown_as = scenes_.getColumn(0).getString();
   }
-  start(frames_, kept);
-  while (frames_.executeStep()) {
-    kept.frames.push_back(stored_chunk(frames_));
-  }
-  start(gaze_, kept);
-  while (gaze_.executeStep()) {
-    kept.gaze.push_back(stored_chunk(gaze_));
-  }
+  kept.frames = frames_.read(kept.session, kept.trial, kept.attempt);
+  kept.gaze = gaze_.read(kept.session, kept.trial, kept.attempt);
   kept.marks = read_marks(marks_, kept.session, kept.trial, kept.attempt, first_frame);
   return kept;
 }

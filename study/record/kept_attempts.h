@@ -13,7 +13,6 @@
 #include "renderer/view/viewport.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/recorded_gaze.h"
-#include "study/record/recorded_marks.h"
 
 namespace foveola::study {
 
@@ -63,8 +62,8 @@ class KeptAttempts {
   SQLite::Statement sessions_;
   SQLite::Statement notes_;
   SQLite::Statement scenes_;
-  SQLite::Statement frames_;
-  SQLite::Statement gaze_;
+  ChunkReader frames_;
+  ChunkReader gaze_;
   SQLite::Statement marks_;
   std::optional<FieldOfView> simulated_view_;  ///< what simulated participants saw through
   std::optional<std::int64_t> session_;

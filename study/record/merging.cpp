@@ -61,7 +61,9 @@ std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
   };
   add(plan_tables);
   add(log_tables);
-  add(following_tables);
+  if (schema_version_of(study) < 5) {
+    add(tables_before_5);
+  }
   add(measured_tables);
   return sha256(digests);
 }
@@ -83,7 +85,9 @@ void copy_session(SQLite::Database& source, std::int64_t session, const std::str
   };
   copy(plan_tables);
   copy(log_tables);
-  copy(following_tables);
+  if (schema_version_of(source) < 5) {
+    copy(tables_before_5);
+  }
   copy(measured_tables);
 }
 

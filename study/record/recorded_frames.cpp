@@ -10,7 +10,7 @@
 #include "renderer/base/files/digest.h"
 #include "study/record/chunk.h"
 #include "study/record/damage_remedy.h"
-#include "study/record/frame_encoding.h"
+#include "study/record/encodings.h"
 #include "study/record/schema.h"
 #include "study/record/stored_number.h"
 
@@ -40,17 +40,8 @@ Error changed_record(std::int64_t session, std::size_t trial, int attempt, const
 
 std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session, std::size_t trial,
                                 int attempt) {
-  std::vector<StoredChunk> chunks;
-  SQLite::Statement rows(database,
-                         fmt::format("SELECT {} FROM frame_chunk WHERE session = ? AND trial = ?"
-                                     " AND attempt = ? ORDER BY first_frame",
-                                     columns_of_chunk(database, "frame_chunk")));
-  SQLite::bind(rows, session, static_cast<std::int64_t>(trial), attempt);
-  while (rows.executeStep()) {
-    chunks.push_back(stored_chunk(rows));
-  }
   try {
-    return frames_in(chunks);
+    return frames_in(ChunkReader(database, "frame_chunk").read(session, trial, attempt));
   } catch (const std::invalid_argument&) {
     throw changed_frames(session, trial, attempt);
   }

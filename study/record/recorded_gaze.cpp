@@ -10,7 +10,7 @@
 #include "study/record/chunk.h"
 #include "study/record/damage_remedy.h"
 #include "study/record/database.h"
-#include "study/record/gaze_encoding.h"
+#include "study/record/encodings.h"
 #include "study/record/stored_number.h"
 
 namespace fs = std::filesystem;
@@ -18,43 +18,13 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-std::vector<GazeSample> samples_of(SQLite::Statement& rows, const fs::path& path) {
-  std::vector<StoredChunk> chunks;
-  while (rows.executeStep()) {
-    chunks.push_back(stored_chunk(rows));
-  }
+std::vector<GazeSample> samples_in(const std::vector<StoredChunk>& chunks, const fs::path& path) {
   try {
     return gaze_in(chunks);
   } catch (const std::invalid_argument&) {
     throw Error(path.string(), "its gaze samples are not those that were written", damage_remedy);
   }
 }
-
-/// Reads attempts' chunks and marks, with statements that are prepared once.
-class AttemptReader {
- public:
-  AttemptReader(SQLite::Database& database, const fs::path& path)
-      : path_(path),
-        chunks_(
-            database,
-            fmt::format("SELECT {} FROM gaze_chunk"
-                        " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY first_sample",
-                        columns_of_chunk(database, "gaze_chunk"))),
-        marks_(query_of_marks(database)) {}
-
-  void read(std::int64_t session, AttemptGaze& attempt) {
-    chunks_.reset();
-    SQLite::bind(chunks_, session, static_cast<std::int64_t>(attempt.trial), attempt.attempt);
-    attempt.samples = samples_of(chunks_, path_);
-    attempt.marks = read_marks(marks_, session, attempt.trial, attempt.attempt,
-                               attempt.first_frame.value_or(Nanoseconds(0)));
-  }
-
- private:
-  fs::path path_;
-  SQLite::Statement chunks_;
-  SQLite::Statement marks_;
-};
 
 AttemptGaze attempt_in(SQLite::Statement& row) {
   AttemptGaze attempt;
@@ -73,6 +43,24 @@ AttemptGaze attempt_in(SQLite::Statement& row) {
 
 }  // namespace
 
+SQLite::Statement query_of_marks(SQLite::Database& database) {
+  return {database,
+          "SELECT kind, time_ns, censored FROM mark"
+          " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY time_ns"};
+}
+
+std::vector<MarkedMoment> read_marks(SQLite::Statement& query, std::int64_t session,
+                                     std::size_t trial, int attempt, Nanoseconds first_frame) {
+  std::vector<MarkedMoment> marks;
+  query.reset();
+  SQLite::bind(query, session, static_cast<std::int64_t>(trial), attempt);
+  while (query.executeStep()) {
+    marks.push_back({query.getColumn(0).getString(), first_frame + time_from(query.getColumn(1)),
+                     query.getColumn(2).getInt() == 1});
+  }
+  return marks;
+}
+
 std::vector<GazeSample> gaze_in(const std::vector<StoredChunk>& chunks) {
   std::vector<GazeSample> samples;
   for (const StoredChunk& chunk : chunks) {
@@ -86,7 +74,8 @@ void visit_gaze(const fs::path& path, const std::function<void(const AttemptGaze
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
     const SQLite::Transaction moment(database);
-    AttemptReader reader(database, path);
+    ChunkReader chunks(database, "gaze_chunk");
+    SQLite::Statement marks = query_of_marks(database);
     SQLite::Statement rows(
         database,
         "SELECT attempt.session, participant, attempt.trial, planned_trial.kind AS trial_kind,"
@@ -99,7 +88,10 @@ void visit_gaze(const fs::path& path, const std::function<void(const AttemptGaze
         " ORDER BY attempt.session, attempt.trial, attempt.attempt");
     while (rows.executeStep()) {
       AttemptGaze attempt = attempt_in(rows);
-      reader.read(rows.getColumn("session").getInt64(), attempt);
+      const std::int64_t session = rows.getColumn("session").getInt64();
+      attempt.samples = samples_in(chunks.read(session, attempt.trial, attempt.attempt), path);
+      attempt.marks = read_marks(marks, session, attempt.trial, attempt.attempt,
+                                 attempt.first_frame.value_or(Nanoseconds(0)));
       visit(attempt);
     }
   });
@@ -110,16 +102,15 @@ std::vector<GazeSample> read_gaze(const fs::path& path, const std::string& parti
   std::vector<GazeSample> samples;
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
-    SQLite::Statement chunks(
-        database,
-        fmt::format("SELECT {} FROM gaze_chunk JOIN session ON session.id = gaze_chunk.session"
-                    " WHERE participant = ? AND trial = ?"
-                    " AND attempt = (SELECT max(attempt) FROM attempt"
-                    "  WHERE attempt.session = gaze_chunk.session"
-                    "   AND attempt.trial = gaze_chunk.trial) ORDER BY first_sample",
-                    columns_of_chunk(database, "gaze_chunk")));
-    SQLite::bind(chunks, participant, static_cast<std::int64_t>(trial));
-    samples = samples_of(chunks, path);
+    SQLite::Statement last(database,
+                           "SELECT session, max(attempt) FROM attempt JOIN session"
+                           " ON session.id = session WHERE participant = ? AND trial = ?");
+    SQLite::bind(last, participant, static_cast<std::int64_t>(trial));
+    last.executeStep();
+    samples = samples_in(
+        ChunkReader(database, "gaze_chunk")
+            .read(last.getColumn(0).getInt64(), trial, whole_number<int>(last.getColumn(1))),
+        path);
   });
   if (samples.empty()) {
     throw Error(path.string(),

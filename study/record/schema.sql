@@ -16,10 +16,11 @@
 -- Version 4: marks, ratings and questionnaires as the protocol names them; practice and catch
 --            trials; planned_step, design_row, devices, migrated_from; reactions, notes, pauses,
 --            exclusions; the hash chain; film_hash; compressed chunks, and frames-3.
--- Version 5: each event's trial and attempt, and what was measured in an attempt that it ended, in the
---            hash chain; the session in the hashes of chunks and films; study_created_utc; forgotten;
---            ends that are undone, the text of a consent, and consent that is asked for anew;
---            response times of answers, and how long was looked around; the sites of merged sessions.
+-- Version 5: what follows from the log is in views; each event's trial and attempt, and what was
+--            measured in an attempt that it ended, in the hash chain; the session in the hashes of
+--            chunks and films; study_created_utc; forgotten; ends that are undone, the text of a
+--            consent, and consent that is asked for anew; response times of answers, and how long
+--            was looked around; the sites of merged sessions.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
 PRAGMA user_version = 4; --4
@@ -170,8 +171,10 @@ CREATE TABLE planned_step (
   FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
 ) STRICT;
 
--- Everything that happened. payload has the event's values, on one line. The tables below follow
--- from this log and the plan, but for what was measured meanwhile: frames, gaze samples and films.
+-- Everything that happened. payload has the event's values, on one line. The views below, note to
+-- rating, follow from this log and the plan. In version 4 all but note are tables of the same names
+-- and columns, without response_ns and looked_around_ns. What was measured meanwhile, frames, gaze
+-- samples and films, is in tables of both versions.
 --
 -- trial and attempt say in which attempt it happened; of trial_started, which one it began. The event
 -- that ends an attempt states in measured what the tables of frames, gaze and films then held of it,
@@ -219,6 +222,8 @@ CREATE TABLE event (
   PRIMARY KEY (session, sequence)
 ) STRICT;
 
+CREATE INDEX event_of_attempt ON event (session, trial, attempt) WHERE trial IS NOT NULL; --5
+
 CREATE VIEW note AS
 SELECT session, sequence, time_ns, utc, payload ->> 'text' AS text
 FROM event
@@ -234,104 +239,226 @@ WHERE type = 'note_written';
 -- all. correction, what the gaze went through, is null if it was as the tracker gave it, else
 -- {"azimuth": [a, b, c], "elevation": [d, e, f]}: the azimuth became a + b azimuth + c elevation,
 -- and the elevation d + e azimuth + f elevation, in degrees. passed: the protocol's gate.
-CREATE TABLE gaze_run (
-  session INTEGER NOT NULL,
-  run INTEGER NOT NULL CHECK (run >= 1),
-  sequence INTEGER NOT NULL,
-  accuracy_deg REAL,
-  precision_rms_deg REAL,
-  precision_sd_deg REAL,
-  data_loss REAL NOT NULL CHECK (data_loss BETWEEN 0 AND 1),
-  correction TEXT CHECK (json_type(correction) = 'object'),
-  passed INTEGER NOT NULL CHECK (passed IN (0, 1)),
-  PRIMARY KEY (session, run),
-  FOREIGN KEY (session, sequence) REFERENCES event (session, sequence)
-) STRICT;
+CREATE TABLE gaze_run ( --4
+  session INTEGER NOT NULL, --4
+  run INTEGER NOT NULL CHECK (run >= 1), --4
+  sequence INTEGER NOT NULL, --4
+  accuracy_deg REAL, --4
+  precision_rms_deg REAL, --4
+  precision_sd_deg REAL, --4
+  data_loss REAL NOT NULL CHECK (data_loss BETWEEN 0 AND 1), --4
+  correction TEXT CHECK (json_type(correction) = 'object'), --4
+  passed INTEGER NOT NULL CHECK (passed IN (0, 1)), --4
+  PRIMARY KEY (session, run), --4
+  FOREIGN KEY (session, sequence) REFERENCES event (session, sequence) --4
+) STRICT; --4
+CREATE VIEW gaze_run AS --5
+SELECT --5
+  session, --5
+  row_number() OVER (PARTITION BY session ORDER BY sequence, run.key) AS run, --5
+  sequence, --5
+  run.value ->> '$.figures.accuracy_deg' AS accuracy_deg, --5
+  run.value ->> '$.figures.precision_rms_deg' AS precision_rms_deg, --5
+  run.value ->> '$.figures.precision_sd_deg' AS precision_sd_deg, --5
+  run.value ->> 'data_loss' AS data_loss, --5
+  nullif(run.value -> 'correction', 'null') AS correction, --5
+  run.value ->> 'passed' AS passed --5
+FROM event, json_each(payload, '$.runs') AS run --5
+WHERE event.type = 'gaze_validated'; --5
 
 -- Each target of a run, in the order in which they were shown. Directions are in the head's axes,
 -- azimuths rightwards and elevations upwards from straight ahead. samples is how many the figures,
--- as above, are of; 0 if there were too few for any.
-CREATE TABLE gaze_target (
-  session INTEGER NOT NULL,
-  run INTEGER NOT NULL,
-  target INTEGER NOT NULL CHECK (target >= 0),
-  azimuth_deg REAL NOT NULL,
-  elevation_deg REAL NOT NULL,
-  data_loss REAL NOT NULL CHECK (data_loss BETWEEN 0 AND 1),
-  samples INTEGER NOT NULL CHECK (samples >= 0),
-  mean_gaze_azimuth_deg REAL,
-  mean_gaze_elevation_deg REAL,
-  accuracy_deg REAL,
-  precision_rms_deg REAL,
-  precision_sd_deg REAL,
-  PRIMARY KEY (session, run, target),
-  FOREIGN KEY (session, run) REFERENCES gaze_run (session, run)
-) STRICT;
+-- as above, are of; 0 if there were too few for any. In version 5, reading it takes an SQLite with
+-- mathematical functions (SQLITE_ENABLE_MATH_FUNCTIONS), as Debian's are.
+CREATE TABLE gaze_target ( --4
+  session INTEGER NOT NULL, --4
+  run INTEGER NOT NULL, --4
+  target INTEGER NOT NULL CHECK (target >= 0), --4
+  azimuth_deg REAL NOT NULL, --4
+  elevation_deg REAL NOT NULL, --4
+  data_loss REAL NOT NULL CHECK (data_loss BETWEEN 0 AND 1), --4
+  samples INTEGER NOT NULL CHECK (samples >= 0), --4
+  mean_gaze_azimuth_deg REAL, --4
+  mean_gaze_elevation_deg REAL, --4
+  accuracy_deg REAL, --4
+  precision_rms_deg REAL, --4
+  precision_sd_deg REAL, --4
+  PRIMARY KEY (session, run, target), --4
+  FOREIGN KEY (session, run) REFERENCES gaze_run (session, run) --4
+) STRICT; --4
+CREATE VIEW gaze_target AS --5
+WITH found AS ( --5
+  SELECT --5
+    session, --5
+    dense_rank() OVER (PARTITION BY session ORDER BY sequence, run.key) AS run, --5
+    target.key AS target, --5
+    target.value ->> '$.direction[0]' AS x, --5
+    target.value ->> '$.direction[1]' AS y, --5
+    target.value ->> '$.direction[2]' AS z, --5
+    target.value ->> '$.seen.mean_gaze[0]' AS gaze_x, --5
+    target.value ->> '$.seen.mean_gaze[1]' AS gaze_y, --5
+    target.value ->> '$.seen.mean_gaze[2]' AS gaze_z, --5
+    target.value --5
+  FROM event, json_each(payload, '$.runs') AS run, json_each(run.value, '$.targets') AS target --5
+  WHERE event.type = 'gaze_validated') --5
+SELECT --5
+  session, --5
+  run, --5
+  target, --5
+  degrees(iif(x = 0 AND z = 0, 0.0, atan2(x, -z))) AS azimuth_deg, --5
+  degrees(atan2(y, sqrt(x * x + z * z))) AS elevation_deg, --5
+  value ->> 'data_loss' AS data_loss, --5
+  coalesce(value ->> '$.seen.samples', 0) AS samples, --5
+  degrees(iif(gaze_x = 0 AND gaze_z = 0, 0.0, atan2(gaze_x, -gaze_z))) AS mean_gaze_azimuth_deg, --5
+  degrees(atan2(gaze_y, sqrt(gaze_x * gaze_x + gaze_z * gaze_z))) AS mean_gaze_elevation_deg, --5
+  value ->> '$.seen.figures.accuracy_deg' AS accuracy_deg, --5
+  value ->> '$.seen.figures.precision_rms_deg' AS precision_rms_deg, --5
+  value ->> '$.seen.figures.precision_sd_deg' AS precision_sd_deg --5
+FROM found; --5
 
--- By the ids in the protocol, and the plan's step, since a questionnaire may be asked twice.
+-- By the ids in the protocol, and the plan's step, since a questionnaire may be asked twice: its
+-- questionnaires are answered in their order. Rows are in the order in which answers were given.
 -- response_ns, also of rating: how long the question was shown until it was answered, all of its
 -- showings together; NULL where that was not measured.
-CREATE TABLE questionnaire_answer (
-  session INTEGER NOT NULL,
-  step INTEGER NOT NULL,
-  questionnaire TEXT NOT NULL,
-  question TEXT NOT NULL,
-  number REAL,
-  text TEXT CHECK ((text IS NULL) <> (number IS NULL)),
-  response_ns INTEGER CHECK (response_ns > 0), --5
-  PRIMARY KEY (session, step, question),
-  FOREIGN KEY (session, step) REFERENCES planned_step (session, step)
-) STRICT;
+CREATE TABLE questionnaire_answer ( --4
+  session INTEGER NOT NULL, --4
+  step INTEGER NOT NULL, --4
+  questionnaire TEXT NOT NULL, --4
+  question TEXT NOT NULL, --4
+  number REAL, --4
+  text TEXT CHECK ((text IS NULL) <> (number IS NULL)), --4
+  PRIMARY KEY (session, step, question), --4
+  FOREIGN KEY (session, step) REFERENCES planned_step (session, step) --4
+) STRICT; --4
+CREATE VIEW questionnaire_answer AS --5
+SELECT --5
+  session, --5
+  step, --5
+  questionnaire, --5
+  answer.value ->> 'question' AS question, --5
+  iif(json_type(answer.value, '$.value') = 'text', NULL, answer.value ->> 'value') AS number, --5
+  iif(json_type(answer.value, '$.value') = 'text', answer.value ->> 'value', NULL) AS text, --5
+  answer.value ->> 'response_ns' AS response_ns --5
+FROM ( --5
+  SELECT *, row_number() OVER (PARTITION BY session ORDER BY sequence) AS form --5
+  FROM event WHERE type = 'questionnaire_answered') --5
+JOIN ( --5
+  SELECT session, step, questionnaire, --5
+    row_number() OVER (PARTITION BY session ORDER BY step) AS form --5
+  FROM planned_step WHERE kind = 'questionnaire') USING (session, form), --5
+  json_each(payload, '$.answers') AS answer --5
+ORDER BY session, step, answer.key; --5
 
 -- Key presses at something that appeared at shown_ns. early: a false start.
-CREATE TABLE reaction (
-  session INTEGER NOT NULL REFERENCES session (id),
-  number INTEGER NOT NULL CHECK (number >= 1),
-  shown_ns INTEGER NOT NULL,
-  pressed_ns INTEGER NOT NULL,
-  early INTEGER NOT NULL CHECK (early = (pressed_ns < shown_ns)),
-  PRIMARY KEY (session, number)
-) STRICT;
+CREATE TABLE reaction ( --4
+  session INTEGER NOT NULL REFERENCES session (id), --4
+  number INTEGER NOT NULL CHECK (number >= 1), --4
+  shown_ns INTEGER NOT NULL, --4
+  pressed_ns INTEGER NOT NULL, --4
+  early INTEGER NOT NULL CHECK (early = (pressed_ns < shown_ns)), --4
+  PRIMARY KEY (session, number) --4
+) STRICT; --4
+CREATE VIEW reaction AS --5
+SELECT --5
+  session, --5
+  row_number() OVER (PARTITION BY session ORDER BY sequence) AS number, --5
+  payload ->> 'shown_ns' AS shown_ns, --5
+  payload ->> 'time_ns' AS pressed_ns, --5
+  payload ->> 'time_ns' < payload ->> 'shown_ns' AS early --5
+FROM event --5
+WHERE type = 'reaction_pressed'; --5
 
 -- One timing of a planned trial, of which the last one counts. first_frame_ns is when its first
 -- frame was presented. An outcome stays 'open' only if the program died in it. looked_around_ns is
 -- from the last mark, or its time-out, until the first question came.
-CREATE TABLE attempt (
-  session INTEGER NOT NULL,
-  trial INTEGER NOT NULL,
-  attempt INTEGER NOT NULL CHECK (attempt >= 1),
-  object TEXT NOT NULL,
-  first_frame_ns INTEGER,
-  outcome TEXT NOT NULL DEFAULT 'open' CHECK (
-    outcome IN ('open', 'rated', 'retimed', 'paused', 'interrupted', 'withdrawn', 'excluded')),
-  looked_around_ns INTEGER CHECK (looked_around_ns > 0), --5
-  PRIMARY KEY (session, trial, attempt),
-  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
-) STRICT;
+CREATE TABLE attempt ( --4
+  session INTEGER NOT NULL, --4
+  trial INTEGER NOT NULL, --4
+  attempt INTEGER NOT NULL CHECK (attempt >= 1), --4
+  object TEXT NOT NULL, --4
+  first_frame_ns INTEGER, --4
+  outcome TEXT NOT NULL DEFAULT 'open' CHECK ( --4
+    outcome IN ('open', 'rated', 'retimed', 'paused', 'interrupted', 'withdrawn', 'excluded')), --4
+  PRIMARY KEY (session, trial, attempt), --4
+  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial) --4
+) STRICT; --4
+CREATE VIEW attempt AS --5
+SELECT --5
+  session, --5
+  trial, --5
+  attempt, --5
+  coalesce(( --5
+    SELECT payload ->> 'object' FROM event AS chosen --5
+    WHERE chosen.session = begun.session AND chosen.sequence < begun.sequence --5
+      AND chosen.type = 'object_chosen' --5
+    ORDER BY chosen.sequence DESC LIMIT 1), '') AS object, --5
+  ( --5
+    SELECT payload ->> 'time_ns' FROM event AS first --5
+    WHERE first.session = begun.session AND first.trial = begun.trial --5
+      AND first.attempt = begun.attempt AND first.type = 'first_frame_presented') AS first_frame_ns, --5
+  coalesce(( --5
+    SELECT CASE type WHEN 'retime_requested' THEN 'retimed' WHEN 'pause_requested' THEN 'paused' --5
+      ELSE type END --5
+    FROM event AS ending --5
+    WHERE ending.session = begun.session AND ending.trial = begun.trial --5
+      AND ending.attempt = begun.attempt AND ending.measured IS NOT NULL), 'open') AS outcome, --5
+  ( --5
+    SELECT payload ->> 'looked_around_ns' FROM event AS rated --5
+    WHERE rated.session = begun.session AND rated.trial = begun.trial --5
+      AND rated.attempt = begun.attempt AND rated.type = 'rated') AS looked_around_ns --5
+FROM event AS begun --5
+WHERE type = 'trial_started'; --5
 
 -- time_ns counts from the attempt's first presented frame. Censored: no mark came until then, so it
--- is a lower bound.
-CREATE TABLE mark (
-  session INTEGER NOT NULL,
-  trial INTEGER NOT NULL,
-  attempt INTEGER NOT NULL,
-  kind TEXT NOT NULL REFERENCES study_mark (mark),
-  time_ns INTEGER NOT NULL CHECK (time_ns >= 0),
-  censored INTEGER NOT NULL CHECK (censored IN (0, 1)),
-  PRIMARY KEY (session, trial, attempt, kind),
-  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
-) STRICT;
+-- is a lower bound. The attempt's first mark or time-out is of the first kind, and so on.
+CREATE TABLE mark ( --4
+  session INTEGER NOT NULL, --4
+  trial INTEGER NOT NULL, --4
+  attempt INTEGER NOT NULL, --4
+  kind TEXT NOT NULL REFERENCES study_mark (mark), --4
+  time_ns INTEGER NOT NULL CHECK (time_ns >= 0), --4
+  censored INTEGER NOT NULL CHECK (censored IN (0, 1)), --4
+  PRIMARY KEY (session, trial, attempt, kind), --4
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt) --4
+) STRICT; --4
+CREATE VIEW mark AS --5
+SELECT --5
+  session, --5
+  trial, --5
+  attempt, --5
+  ( --5
+    SELECT mark FROM study_mark WHERE position = ( --5
+      SELECT count(*) FROM event AS before --5
+      WHERE before.session = marked.session AND before.trial = marked.trial --5
+        AND before.attempt = marked.attempt AND before.type IN ('marked', 'timed_out') --5
+        AND +before.sequence < marked.sequence)) AS kind, --5
+  payload ->> 'time_ns' - ( --5
+    SELECT payload ->> 'time_ns' FROM event AS first --5
+    WHERE first.session = marked.session AND first.trial = marked.trial --5
+      AND first.attempt = marked.attempt AND first.type = 'first_frame_presented') AS time_ns, --5
+  type = 'timed_out' AS censored --5
+FROM event AS marked --5
+WHERE type IN ('marked', 'timed_out'); --5
 
-CREATE TABLE rating (
-  session INTEGER NOT NULL,
-  trial INTEGER NOT NULL,
-  attempt INTEGER NOT NULL,
-  question TEXT NOT NULL REFERENCES study_rating (rating),
-  value ANY NOT NULL CHECK (typeof(value) IN ('real', 'text')),
-  response_ns INTEGER CHECK (response_ns > 0), --5
-  PRIMARY KEY (session, trial, attempt, question),
-  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
-) STRICT;
+CREATE TABLE rating ( --4
+  session INTEGER NOT NULL, --4
+  trial INTEGER NOT NULL, --4
+  attempt INTEGER NOT NULL, --4
+  question TEXT NOT NULL REFERENCES study_rating (rating), --4
+  value ANY NOT NULL CHECK (typeof(value) IN ('real', 'text')), --4
+  PRIMARY KEY (session, trial, attempt, question), --4
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt) --4
+) STRICT; --4
+CREATE VIEW rating AS --5
+SELECT --5
+  session, --5
+  trial, --5
+  attempt, --5
+  answer.value ->> 'question' AS question, --5
+  answer.value ->> 'value' AS value, --5
+  answer.value ->> 'response_ns' AS response_ns --5
+FROM event, json_each(payload, '$.answers') AS answer --5
+WHERE event.type = 'rated'; --5
 
 -- Consecutive rendered frames of an attempt; first_frame counts from the attempt's start. data is a
 -- zlib stream (RFC 1950); data_sha256 is of six lines, each with a line feed behind it, of the session's
@@ -365,7 +492,8 @@ CREATE TABLE frame_chunk (
   data_sha256 TEXT NOT NULL
     CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, trial, attempt, first_frame),
-  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt) --4
+  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial) --5
 ) STRICT;
 
 -- Consecutive gaze samples that arrived during an attempt, all of them, in the order of their
@@ -392,7 +520,8 @@ CREATE TABLE gaze_chunk (
   data_sha256 TEXT NOT NULL
     CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, trial, attempt, first_sample),
-  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt) --4
+  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial) --5
 ) STRICT;
 
 -- What an attempt's film was after a frame, for checking a replay; frame counts from the attempt's
@@ -408,7 +537,8 @@ CREATE TABLE film_hash (
   row_sha256 TEXT NOT NULL
     CHECK (length(row_sha256) = 64 AND row_sha256 NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, trial, attempt, frame),
-  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt) --4
+  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial) --5
 ) STRICT;
 
 -- Sessions that study forget took out, of which nothing else is left: the SHA-256 of the session's uuid,
@@ -457,7 +587,7 @@ LEFT JOIN rating
   AND rating.attempt = last.attempt AND rating.question = 'artifacts'
 WHERE planned_trial.kind = 'test';
 
--- Two tables change after their rows are made, in these ways only.
+-- One table changes after its rows are made, in version 4 two, in these ways only.
 CREATE TRIGGER session_changes_state_only
 BEFORE UPDATE OF id, uuid, participant, kind, seed, design_row, started_utc, program_version,
   compiler, build_type, processor, cores, operating_system, devices, migrated_from ON session --4
@@ -471,16 +601,16 @@ BEGIN SELECT raise(ABORT, 'the session is over'); END;
 CREATE TRIGGER session_stays BEFORE DELETE ON session
 BEGIN SELECT raise(ABORT, 'sessions are never removed'); END;
 
-CREATE TRIGGER attempt_keeps_its_object
-BEFORE UPDATE OF session, trial, attempt, object ON attempt
-BEGIN SELECT raise(ABORT, 'only an attempt''s first frame and outcome change'); END;
-CREATE TRIGGER attempt_starts_once BEFORE UPDATE OF first_frame_ns ON attempt
-WHEN OLD.first_frame_ns IS NOT NULL
-BEGIN SELECT raise(ABORT, 'the attempt has its first frame'); END;
-CREATE TRIGGER attempt_ends_once BEFORE UPDATE ON attempt WHEN OLD.outcome <> 'open'
-BEGIN SELECT raise(ABORT, 'the attempt is over'); END;
-CREATE TRIGGER attempt_stays BEFORE DELETE ON attempt
-BEGIN SELECT raise(ABORT, 'attempts are never removed'); END;
+CREATE TRIGGER attempt_keeps_its_object --4
+BEFORE UPDATE OF session, trial, attempt, object ON attempt --4
+BEGIN SELECT raise(ABORT, 'only an attempt''s first frame and outcome change'); END; --4
+CREATE TRIGGER attempt_starts_once BEFORE UPDATE OF first_frame_ns ON attempt --4
+WHEN OLD.first_frame_ns IS NOT NULL --4
+BEGIN SELECT raise(ABORT, 'the attempt has its first frame'); END; --4
+CREATE TRIGGER attempt_ends_once BEFORE UPDATE ON attempt WHEN OLD.outcome <> 'open' --4
+BEGIN SELECT raise(ABORT, 'the attempt is over'); END; --4
+CREATE TRIGGER attempt_stays BEFORE DELETE ON attempt --4
+BEGIN SELECT raise(ABORT, 'attempts are never removed'); END; --4
 
 -- All others never do.
 CREATE TRIGGER study_is_fixed BEFORE UPDATE ON study
@@ -527,30 +657,30 @@ CREATE TRIGGER event_is_fixed BEFORE UPDATE ON event
 BEGIN SELECT raise(ABORT, 'event is only added to'); END;
 CREATE TRIGGER event_stays BEFORE DELETE ON event
 BEGIN SELECT raise(ABORT, 'event is only added to'); END;
-CREATE TRIGGER gaze_run_is_fixed BEFORE UPDATE ON gaze_run
-BEGIN SELECT raise(ABORT, 'gaze_run is only added to'); END;
-CREATE TRIGGER gaze_run_stays BEFORE DELETE ON gaze_run
-BEGIN SELECT raise(ABORT, 'gaze_run is only added to'); END;
-CREATE TRIGGER gaze_target_is_fixed BEFORE UPDATE ON gaze_target
-BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END;
-CREATE TRIGGER gaze_target_stays BEFORE DELETE ON gaze_target
-BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END;
-CREATE TRIGGER questionnaire_answer_is_fixed BEFORE UPDATE ON questionnaire_answer
-BEGIN SELECT raise(ABORT, 'questionnaire_answer is only added to'); END;
-CREATE TRIGGER questionnaire_answer_stays BEFORE DELETE ON questionnaire_answer
-BEGIN SELECT raise(ABORT, 'questionnaire_answer is only added to'); END;
-CREATE TRIGGER reaction_is_fixed BEFORE UPDATE ON reaction
-BEGIN SELECT raise(ABORT, 'reaction is only added to'); END;
-CREATE TRIGGER reaction_stays BEFORE DELETE ON reaction
-BEGIN SELECT raise(ABORT, 'reaction is only added to'); END;
-CREATE TRIGGER mark_is_fixed BEFORE UPDATE ON mark
-BEGIN SELECT raise(ABORT, 'mark is only added to'); END;
-CREATE TRIGGER mark_stays BEFORE DELETE ON mark
-BEGIN SELECT raise(ABORT, 'mark is only added to'); END;
-CREATE TRIGGER rating_is_fixed BEFORE UPDATE ON rating
-BEGIN SELECT raise(ABORT, 'rating is only added to'); END;
-CREATE TRIGGER rating_stays BEFORE DELETE ON rating
-BEGIN SELECT raise(ABORT, 'rating is only added to'); END;
+CREATE TRIGGER gaze_run_is_fixed BEFORE UPDATE ON gaze_run --4
+BEGIN SELECT raise(ABORT, 'gaze_run is only added to'); END; --4
+CREATE TRIGGER gaze_run_stays BEFORE DELETE ON gaze_run --4
+BEGIN SELECT raise(ABORT, 'gaze_run is only added to'); END; --4
+CREATE TRIGGER gaze_target_is_fixed BEFORE UPDATE ON gaze_target --4
+BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END; --4
+CREATE TRIGGER gaze_target_stays BEFORE DELETE ON gaze_target --4
+BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END; --4
+CREATE TRIGGER questionnaire_answer_is_fixed BEFORE UPDATE ON questionnaire_answer --4
+BEGIN SELECT raise(ABORT, 'questionnaire_answer is only added to'); END; --4
+CREATE TRIGGER questionnaire_answer_stays BEFORE DELETE ON questionnaire_answer --4
+BEGIN SELECT raise(ABORT, 'questionnaire_answer is only added to'); END; --4
+CREATE TRIGGER reaction_is_fixed BEFORE UPDATE ON reaction --4
+BEGIN SELECT raise(ABORT, 'reaction is only added to'); END; --4
+CREATE TRIGGER reaction_stays BEFORE DELETE ON reaction --4
+BEGIN SELECT raise(ABORT, 'reaction is only added to'); END; --4
+CREATE TRIGGER mark_is_fixed BEFORE UPDATE ON mark --4
+BEGIN SELECT raise(ABORT, 'mark is only added to'); END; --4
+CREATE TRIGGER mark_stays BEFORE DELETE ON mark --4
+BEGIN SELECT raise(ABORT, 'mark is only added to'); END; --4
+CREATE TRIGGER rating_is_fixed BEFORE UPDATE ON rating --4
+BEGIN SELECT raise(ABORT, 'rating is only added to'); END; --4
+CREATE TRIGGER rating_stays BEFORE DELETE ON rating --4
+BEGIN SELECT raise(ABORT, 'rating is only added to'); END; --4
 CREATE TRIGGER frame_chunk_is_fixed BEFORE UPDATE ON frame_chunk
 BEGIN SELECT raise(ABORT, 'frame_chunk is only added to'); END;
 CREATE TRIGGER frame_chunk_stays BEFORE DELETE ON frame_chunk

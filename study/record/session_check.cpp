@@ -1,23 +1,24 @@
 #include "study/record/session_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
 #include "study/record/clock_steps.h"
+#include "study/record/encodings.h"
 #include "study/record/event_json.h"
 #include "study/record/event_log.h"
-#include "study/record/frame_encoding.h"
-#include "study/record/gaze_encoding.h"
 #include "study/record/hash_chain.h"
-#include "study/record/measured.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/schema.h"
 #include "study/record/session_rows.h"
@@ -27,25 +28,48 @@
 namespace foveola::study {
 namespace {
 
-/// Adds the sessions' facts and plans, as they were before anything happened.
-void add_sessions_before_events(SQLite::Database& study, std::span<const SessionKey> sessions,
-                                SQLite::Database& blank) {
-  const std::string range =
-      fmt::format("BETWEEN {} AND {}", sessions.front().id, sessions.back().id);
-  copy_rows(study, blank, "session", "id " + range, {{"state", "'created'"}});
-  for (const char* table : plan_tables) {
-    copy_rows(study, blank, table, "session " + range);
-  }
+/// The views of schema 5 in a new database in memory, over whatever log it will hold.
+SQLite::Database empty_views(SQLite::Database& study) {
+  SQLite::Database views(":memory:",
+                         SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX);
+  views.exec(study_schema());
+  copy_rows(study, views, "study_mark");
+  return views;
 }
 
-/// Looks for the faults and gaps of one session. `again` holds what was known of it before anything
-/// happened.
+/// Whether a value that was computed is the one that was written: the last digits may be rounded
+/// otherwise.
+bool is_value(const SQLite::Column& computed, const SQLite::Column& written) {
+  constexpr double relative_rounding = 1e-6;  // of angles in single precision
+  if (!computed.isFloat() || !written.isFloat()) {
+    return computed.getType() == written.getType() && computed.getString() == written.getString();
+  }
+  const double value = written.getDouble();
+  return std::abs(computed.getDouble() - value) <=
+         relative_rounding * std::max(1.0, std::abs(value));
+}
+
+bool have_same_rows(SQLite::Statement& computed, SQLite::Statement& written) {
+  while (computed.executeStep()) {
+    if (!written.executeStep()) {
+      return false;
+    }
+    for (int i = 0; i < written.getColumnCount(); ++i) {
+      if (!is_value(computed.getColumn(i), written.getColumn(i))) {
+        return false;
+      }
+    }
+  }
+  return !written.executeStep();
+}
+
+/// Looks for the faults and gaps of one session. `views` are empty_views of a study of schema 4.
 class SessionCheck {
  public:
-  SessionCheck(PreparedStatements& study, PreparedStatements& again, const SessionKey& session,
+  SessionCheck(PreparedStatements& study, PreparedStatements* views, const SessionKey& session,
                Verification& found)
       : study_(study),
-        again_(again),
+        views_(views),
         session_(session.id),
         participant_(session.participant),
         schema_(schema_version_of(study.database())),
@@ -53,12 +77,13 @@ class SessionCheck {
 
   void run() {
     if (chain_holds()) {
-      check_what_follows();
+      check_events();
     }
     try {
       check_chunks("frame_chunk");
       check_chunks("gaze_chunk");
       check_film_hashes();
+      check_owners();
     } catch (const SQLite::Exception& damage) {
       fault_of(damage);
     }
@@ -101,8 +126,8 @@ class SessionCheck {
     return true;
   }
 
-  /// Goes through the events again, and compares.
-  void check_what_follows() {
+  /// Goes through the events again.
+  void check_events() {
     try {
       const std::vector<LoggedEvent> events = events_of(study_.database(), session_);
       if (!std::equal(events.begin(), events.end(), lines_.begin(), lines_.end(),
@@ -111,20 +136,14 @@ class SessionCheck {
                       })) {
         fault("its events say more than this program writes of them");
       }
-      const Procedure procedure = recorded_procedure_of(again_.database(), session_);
-      replay_events(again_, session_, procedure, events);
-      if (schema_ >= 5) {
-        check_attempts(procedure, events);
+      const std::string state = name_of(phase_after(events));
+      if (views_ != nullptr) {
+        compare_tables();
       }
-      for (const char* table : following_tables) {
-        const std::string sql = fmt::format("SELECT * FROM {} WHERE session = ?", table);
-        if (sorted_rows(*rows(study_, sql)) != sorted_rows(*rows(again_, sql))) {
-          fault(fmt::format("its rows in {} do not follow from its events", table));
-        }
-      }
-      if (state_in(study_) != state_in(again_)) {
-        fault(fmt::format("its state is {}, and its events lead to {}", state_in(study_),
-                          state_in(again_)));
+      PreparedStatement row = rows("SELECT state FROM session WHERE id = ?");
+      row->executeStep();
+      if (const std::string written = row->getColumn(0).getString(); written != state) {
+        fault(fmt::format("its state is {}, and its events lead to {}", written, state));
       }
     } catch (const Error& error) {
       fault(error.what());
@@ -133,16 +152,24 @@ class SessionCheck {
     }
   }
 
-  /// Whether the events say in which attempts they happened, and what was measured in those that
-  /// they ended.
-  void check_attempts(const Procedure& procedure, const std::vector<LoggedEvent>& events) {
+  /// The phase to which the events lead. Looks whether they say in which attempts they happened,
+  /// and what was measured in those that they ended; those of schema 4, which say neither, go into
+  /// the views with both.
+  Phase phase_after(const std::vector<LoggedEvent>& events) {
+    const Procedure procedure = recorded_procedure_of(study_.database(), session_);
+    Phase phase = SessionState().phase;
     auto line = lines_.begin();
     for_each_step(
-        procedure, events, participant_,
+        procedure, events, fmt::format("session {}", session_),
         [&](const LoggedEvent& /*logged*/, const SessionState& before, const SessionState& after) {
           const EventAttempt expected =
               attempt_of_event(study_, session_, procedure, before, after);
-          if (line->trial != expected.trial || line->attempt != expected.attempt) {
+          if (views_ != nullptr) {
+            line->trial = expected.trial;
+            line->attempt = expected.attempt;
+            line->measured = expected.measured;
+            insert_line(*views_, session_, *line, std::string(64, '0'));
+          } else if (line->trial != expected.trial || line->attempt != expected.attempt) {
             fault(fmt::format("event {} is in another attempt than it says", line->sequence));
           } else if (line->measured != expected.measured) {
             fault(
@@ -150,14 +177,23 @@ class SessionCheck {
                             "that event {} states",
                             *line->trial, *line->attempt, line->sequence));
           }
+          phase = after.phase;
           ++line;
         });
+    return phase;
   }
 
-  std::string state_in(PreparedStatements& statements) const {
-    PreparedStatement row = rows(statements, "SELECT state FROM session WHERE id = ?");
-    row->executeStep();
-    return row->getColumn(0).getString();
+  /// Of schema 4, which has tables of what follows from the log.
+  void compare_tables() {
+    copy_rows(study_.database(), views_->database(), "planned_step", is_of_session(session_));
+    for (const char* table : tables_before_5) {
+      const std::string sql =
+          fmt::format("SELECT {} FROM {} WHERE session = ? ORDER BY 1, 2, 3, 4",
+                      fmt::join(columns_of(study_.database(), table), ", "), table);
+      if (!have_same_rows(*rows(*views_, sql), *rows(study_, sql))) {
+        fault(fmt::format("its rows in {} do not follow from its events", table));
+      }
+    }
   }
 
   void check_chunks(const std::string& table) {
@@ -210,6 +246,22 @@ class SessionCheck {
       } catch (const Error& error) {
         fault(error.what());
       }
+    }
+  }
+
+  /// Before schema 5, a foreign key says so.
+  void check_owners() {
+    if (schema_ < 5) {
+      return;
+    }
+    PreparedStatement strays = rows(
+        "SELECT trial, attempt FROM frame_chunk WHERE session = ?1"
+        " UNION SELECT trial, attempt FROM gaze_chunk WHERE session = ?1"
+        " UNION SELECT trial, attempt FROM film_hash WHERE session = ?1"
+        " EXCEPT SELECT trial, attempt FROM attempt WHERE session = ?1");
+    while (strays->executeStep()) {
+      fault(fmt::format("trial {}, attempt {}: has frames, gaze or films, and never began",
+                        strays->getColumn(0).getInt64(), strays->getColumn(1).getInt64()));
     }
   }
 
@@ -268,7 +320,7 @@ class SessionCheck {
   }
 
   PreparedStatements& study_;
-  PreparedStatements& again_;
+  PreparedStatements* views_;
   std::int64_t session_;
   std::string participant_;
   int schema_;
@@ -278,23 +330,15 @@ class SessionCheck {
 
 }  // namespace
 
-SQLite::Database without_sessions(SQLite::Database& study) {
-  SQLite::Database blank(":memory:",
-                         SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX);
-  blank.exec(study_schema(schema_version_of(study)));
-  for (const char* table : study_tables) {
-    copy_rows(study, blank, table);
-  }
-  return blank;
-}
-
-Verification check_sessions(PreparedStatements& study, PreparedStatements& blank,
-                            std::span<const SessionKey> sessions) {
+Verification check_sessions(PreparedStatements& study, std::span<const SessionKey> sessions) {
   Verification found{.sessions = sessions.size()};
-  const SQLite::Transaction to_be_undone(blank.database());
-  add_sessions_before_events(study.database(), sessions, blank.database());
+  std::optional<SQLite::Database> memory;
+  std::optional<PreparedStatements> views;
+  if (schema_version_of(study.database()) < 5) {
+    views.emplace(memory.emplace(empty_views(study.database())));
+  }
   for (const SessionKey& session : sessions) {
-    SessionCheck(study, blank, session, found).run();
+    SessionCheck(study, views ? &*views : nullptr, session, found).run();
   }
   return found;
 }

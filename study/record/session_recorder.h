@@ -83,6 +83,10 @@ class SessionRecorder {
 };
 
 /// The future of an entry that is already recorded.
-std::future<void> already_recorded();
+inline std::future<void> already_recorded() {
+  std::promise<void> recorded;
+  recorded.set_value();
+  return recorded.get_future();
+}
 
 }  // namespace foveola::study

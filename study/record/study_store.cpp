@@ -14,10 +14,8 @@
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/database_checks.h"
+#include "study/record/encodings.h"
 #include "study/record/event_log.h"
-#include "study/record/event_rows.h"
-#include "study/record/frame_encoding.h"
-#include "study/record/gaze_encoding.h"
 #include "study/record/log_keeper.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
@@ -176,13 +174,9 @@ struct StudyStore::Implementation {
   }
 
   void insert(std::int64_t session, const EventEntry& entry) {
-    const Procedure& procedure = procedure_of_session(session);
-    const std::int64_t sequence =
-        append_to_log(statements, session,
-                      {.time = entry.time, .event = entry.event, .utc = utc_at(entry.time, dates)},
-                      attempt_of_event(statements, session, procedure, entry.before, entry.after));
-    insert_what_follows(statements, session, procedure, sequence, entry.event, entry.before,
-                        entry.after);
+    append_event(statements, session, procedure_of_session(session),
+                 {.time = entry.time, .event = entry.event, .utc = utc_at(entry.time, dates)},
+                 entry.before, entry.after);
   }
 
   void insert(std::int64_t session, const FrameChunk& chunk) {

@@ -122,7 +122,7 @@ class StudyStore {
   std::int64_t begin_session(const SessionFacts& facts, const Plan& plan);
 
   /// Appends `entry` to the record of the session whose row is `session`; an event together with
-  /// the rows that follow from it (answers, attempts, marks, ratings, the session's state).
+  /// the session's state.
   void record(std::int64_t session, const SessionEntry& entry);
 
   /// Runs `work`, in which the functions above commit nothing by themselves: all that it records is

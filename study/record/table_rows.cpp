@@ -11,16 +11,6 @@
 namespace foveola::study {
 namespace {
 
-std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
-  std::vector<std::string> columns;
-  SQLite::Statement rows(database, "SELECT name FROM pragma_table_info(?) ORDER BY cid");
-  rows.bind(1, table);
-  while (rows.executeStep()) {
-    columns.push_back(rows.getColumn(0).getString());
-  }
-  return columns;
-}
-
 std::vector<std::string> replaced(std::vector<std::string> columns,
                                   const Replacements& replacements) {
   for (std::string& column : columns) {
@@ -65,6 +55,16 @@ void append_value(std::string& bytes, const SQLite::Column& value) {
 }
 
 }  // namespace
+
+std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
+  std::vector<std::string> columns;
+  SQLite::Statement rows(database, "SELECT name FROM pragma_table_info(?) ORDER BY cid");
+  rows.bind(1, table);
+  while (rows.executeStep()) {
+    columns.push_back(rows.getColumn(0).getString());
+  }
+  return columns;
+}
 
 void copy_rows(SQLite::Database& source, SQLite::Database& target, const std::string& table,
                const std::string& condition, const Replacements& replacements) {

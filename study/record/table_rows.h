@@ -29,12 +29,15 @@ inline constexpr std::array plan_tables = {"session_scene", "planned_trial", "pl
 /// The log of a session's events.
 inline constexpr std::array log_tables = {"event"};
 
-/// The tables that follow from its log and its plan.
-inline constexpr std::array following_tables = {
+/// What follows from its log and its plan: tables in schema 4, views since.
+inline constexpr std::array tables_before_5 = {
     "gaze_run", "gaze_target", "questionnaire_answer", "reaction", "attempt", "mark", "rating"};
 
 /// The tables of what was measured meanwhile.
 inline constexpr std::array measured_tables = {"frame_chunk", "gaze_chunk", "film_hash"};
+
+/// The names of a table's columns in their order. Throws what SQLite throws.
+std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table);
 
 /// Appends the rows of `source`'s table for which `condition`, in SQL, holds to that of `target`.
 /// Throws what SQLite throws.

@@ -199,10 +199,8 @@ Verification check_sessions_in(const fs::path& path, std::span<const SessionKey>
   SQLite::Database study = open_as_it_is(path);
   // All is read as it was at one moment, whatever is written meanwhile.
   const SQLite::Transaction one_moment(study);
-  SQLite::Database blank = without_sessions(study);
-  PreparedStatements of_study(study);
-  PreparedStatements of_blank(blank);
-  return check_sessions(of_study, of_blank, sessions);
+  PreparedStatements statements(study);
+  return check_sessions(statements, sessions);
 }
 
 /// Appends what SQLite finds in the file or, if that is nothing, what is found in the sessions, in

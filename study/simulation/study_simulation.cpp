@@ -9,7 +9,7 @@
 
 #include "renderer/base/work/ordered_jobs.h"
 #include "study/design/participant_code.h"
-#include "study/record/store_recorder.h"
+#include "study/record/recorders.h"
 
 namespace foveola::study {
 

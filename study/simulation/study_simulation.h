@@ -10,7 +10,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/work/work_scope.h"
 #include "study/participant/observer/simulated_observer.h"
-#include "study/record/buffered_recorder.h"
+#include "study/record/recorders.h"
 #include "study/record/study_store.h"
 #include "study/simulation/simulate_study.h"
 #include "study/simulation/virtual_session.h"

@@ -236,12 +236,15 @@ class Studies(unittest.TestCase):
         changed.write_bytes(self.study.read_bytes())
         connection = sqlite3.connect(changed)
         guards = connection.execute(
-            "SELECT name, sql FROM sqlite_master WHERE type = 'trigger' AND tbl_name = 'mark'"
+            "SELECT name, sql FROM sqlite_master WHERE type = 'trigger' AND tbl_name = 'event'"
         ).fetchall()
         self.assertNotEqual(guards, [])
         for name, _ in guards:
             connection.execute(f"DROP TRIGGER {name}")
-        connection.execute("UPDATE mark SET time_ns = time_ns + 1")
+        connection.execute(
+            "UPDATE event SET payload = json_object('time_ns', payload ->> 'time_ns' + 1)"
+            " WHERE type = 'marked'"
+        )
         for _, sql in guards:
             connection.execute(sql)
         connection.commit()

@@ -1,4 +1,4 @@
-// The figures of the times of all marks: each mark a group of rows, or a figure of curves.
+// Draws the figures of the times of all marks: each mark a group of rows, or curves.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Which page the participant sees, and what its keys are for.
+// Selects the participant's page and describes the purpose of its keys.
 #pragma once
 
 #include <optional>

@@ -1,10 +1,14 @@
 #include "study/person/session/person_session.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "renderer/preview/direct_panorama.h"
 #include "study/console/console_words.h"
 #include "study/person/prompts/pages.h"
+#include "study/stage/offered_object.h"
+#include "study/stage/trial_preview.h"
 
 namespace foveola::study {
 namespace {
@@ -20,6 +24,9 @@ template <typename Kind>
 bool is(const Effect& effect) {
   return std::holds_alternative<Kind>(effect);
 }
+
+/// A larger share than this counts as most of a trial.
+constexpr double most = 0.5;
 
 }  // namespace
 
@@ -173,6 +180,152 @@ void PersonSession::wait_for_gaze() {
   }
   prompt_.awaits_gaze = true;
   driver_.feed(NoteWritten{"the trial waits for a gaze"});
+}
+
+// Checks of whether the participant looks at the trial's object, and their consequences.
+
+const OfferedObject& PersonSession::chosen_object() const {
+  return object_named(stage().objects(), driver_.seen().object);
+}
+
+void PersonSession::watch_gaze(Nanoseconds shown) {
+  if (attempt_ == nullptr) {
+    return;
+  }
+  const Nanoseconds before = std::exchange(watched_until_, shown);
+  if (driver_.seen().phase != Phase::marking) {
+    return;
+  }
+  looking_times_.add(attempt_->newest_frame(), shown - before, chosen_object());
+}
+
+void PersonSession::judge_mark() {
+  if (attempt_ == nullptr || !is_rendered(trial())) {
+    return;
+  }
+  const OfferedObject& object = chosen_object();
+  const ObjectSight sight = object_sight(attempt_->viewport(), object);
+  if (!sight.is_in_view) {
+    const std::string& mark = study_.protocol.marks[driver_.state().mark - 1].id;
+    follow_up(
+        fmt::format("{} was marked while the object, {}, was out of view, {:.0f} degrees from "
+                    "its middle",
+                    mark, object.name, sight.from_middle_deg),
+        study_.protocol.looking.object_out_of_view, TimedAgain::object_out_of_view);
+  }
+  if (driver_.state().phase == Phase::rating) {
+    judge_gaze();
+  }
+}
+
+void PersonSession::judge_gaze() {
+  // Participants have no reason to move the pointer where no method follows it.
+  if (seat_.pointer != nullptr && !needs_gaze()) {
+    return;
+  }
+  if (looking_times_.part_elsewhere() > most) {
+    follow_up(fmt::format("the gaze was not on the object, {}, for {:.0f} % of the time until the "
+                          "last mark",
+                          chosen_object().name, 100.0 * looking_times_.part_elsewhere()),
+              study_.protocol.looking.gaze_elsewhere, TimedAgain::gaze_elsewhere);
+  } else if (needs_gaze() && looking_times_.part_unknown() > most) {
+    follow_up(fmt::format("there was no valid gaze for {:.0f} % of the time until the last mark",
+                          100.0 * looking_times_.part_unknown()),
+              Remedy::flag, TimedAgain::no);
+  }
+}
+
+void PersonSession::follow_up(const std::string& finding, Remedy remedy, TimedAgain reason) {
+  const bool is_timed_again = remedy == Remedy::retime && driver_.state().timing <= max_retimings;
+  driver_.feed(NoteWritten{finding + (is_timed_again ? "; the trial is retimed" : "")});
+  if (is_timed_again) {
+    prompt_.timed_again = reason;
+    driver_.feed(RetimeRequested{});
+  }
+}
+
+// Status lines of a person's session for the experimenter.
+
+void PersonSession::count_frame(Nanoseconds shown) {
+  if (attempt_ == nullptr) {
+    figures_.add_frame(shown, arrived_);
+    return;
+  }
+  figures_.add_attempt_frame(attempt_->newest_frame().is_late);
+  figures_.add_frame(shown, attempt_->arrived_gaze());
+  if (!slow_drawing_) {
+    slow_drawing_ = attempt_->slow_drawing();
+  }
+}
+
+void PersonSession::show_status() {
+  waits_for_disk_since_ = driver_.has_effects_to_come()
+                              ? std::optional(waits_for_disk_since_.value_or(now()))
+                              : std::nullopt;
+  constexpr Nanoseconds interval = std::chrono::milliseconds(250);
+  if (!status_shown_ || now() - *status_shown_ >= interval) {
+    status_shown_ = now();
+    console_.show(status());
+  }
+}
+
+SessionStatus PersonSession::status() const {
+  const SessionState& seen = driver_.seen();
+  return {.participant = settings_.participant,
+          .time = now(),
+          .is_paused = seen.phase == Phase::paused,
+          .now = words_for(seen, driver_.procedure(), told_plan_),
+          .then = words_for_next(seen, driver_.procedure(), told_plan_),
+          .next_key = words_for_next_key(prompt_, context(), now()),
+          .frames = figures_.frames(seat_.display.refresh().rate_hz()),
+          .gaze = figures_.gaze(settings_.eye, seat_.clock.now()),
+          .last_mark = last_mark_,
+          .warnings = warnings()};
+}
+
+std::vector<StatusWarning> PersonSession::warnings() const {
+  std::vector<StatusWarning> all;
+  if (!has_focus_) {
+    all.push_back({WarningKind::no_focus, no_focus_line});
+  }
+  const Phase phase = driver_.seen().phase;
+  const bool is_waited_for = phase != Phase::paused && !driver_.seen().is_over();
+  if (std::optional<StatusWarning> idle = warning_of(now() - last_key_); idle && is_waited_for) {
+    all.push_back(std::move(*idle));
+  }
+  const std::string tracker = eye_.status();
+  if (prompt_.awaits_gaze) {
+    all.push_back(
+        {WarningKind::awaits_gaze,
+         fmt::format("The trial does not begin: {}. It begins by itself once there is valid "
+                     "gaze; no time runs until then.",
+                     !tracker.empty()           ? tracker
+                     : seat_.pointer != nullptr ? "the pointer, which is the eye here, is not in "
+                                                  "the window"
+                                                : "the eye tracker does not see the eyes")});
+  }
+  if (was_lost_) {
+    all.push_back(
+        {WarningKind::no_gaze,
+         fmt::format("The eye tracker sends no gaze{}{}. The session continues; pause it if "
+                     "it should wait.",
+                     tracker.empty() ? "" : ": ", tracker)});
+  }
+  if (std::optional<StatusWarning> late =
+          warning_of(figures_.frames(seat_.display.refresh().rate_hz()))) {
+    all.push_back(std::move(*late));
+  }
+  if (slow_drawing_) {
+    all.push_back({WarningKind::slow_drawing, slow_drawing_line(*slow_drawing_)});
+  }
+  constexpr Nanoseconds longest_commit = std::chrono::seconds(2);
+  if (waits_for_disk_since_ && now() - *waits_for_disk_since_ > longest_commit) {
+    all.push_back(
+        {WarningKind::slow_record,
+         "The study's file cannot be written: another program has locked it, or the disk is "
+         "slow. The session waits for up to a minute; close that program."});
+  }
+  return all;
 }
 
 }  // namespace foveola::study

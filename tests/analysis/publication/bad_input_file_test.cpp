@@ -47,6 +47,15 @@ class BadInputFile : public study::StudyFile {
     }
   }
 
+  /// To 300 ms after the first frame, in P02's second trial.
+  void change_a_mark() {
+    study::tamper(path_,
+                  "UPDATE event SET payload = json_object('time_ns', 300000000 + (SELECT"
+                  " payload ->> 'time_ns' FROM event WHERE session = 2 AND trial = 1"
+                  "  AND type = 'first_frame_presented'))"
+                  " WHERE session = 2 AND trial = 1 AND type = 'marked'");
+  }
+
   const fs::path results_ = folder_ / "results";
 };
 
@@ -84,13 +93,13 @@ TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
 
 TEST_F(BadInputFile, ATimeThatWasChangedAfterwards) {
   write_study(2);
-  study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
+  change_a_mark();
   EXPECT_THAT(refusal(), HasSubstr("failed its verification (1 fault, the first: P02: "));
 }
 
 TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysSo) {
   write_study(2);
-  study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
+  change_a_mark();
   const AnalysisOutput output = analyze_study(path_, results_, {.unverified = true});
   EXPECT_THAT(read_file(results_ / "times_by_scene.csv"), HasSubstr(",changed\r\n"));
   EXPECT_THAT(read_file(results_ / "trials_long.csv"), HasSubstr(",changed\r\n"));
@@ -98,7 +107,7 @@ TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysS
   EXPECT_THAT(output.warnings, Contains(HasSubstr("failed its verification (1 fault)")));
   const std::string report = read_file(results_ / "report.html");
   EXPECT_THAT(report, HasSubstr("⚑ The study’s file failed its verification (1 fault)"));
-  EXPECT_THAT(report, HasSubstr("<li>P02: its rows in mark do not follow from its events</li>"));
+  EXPECT_THAT(report, HasSubstr("<li>P02: event 11 is not what was written</li>"));
 }
 
 TEST_F(BadInputFile, TheReportSaysThatAWholeRecordWasVerifiedAndWhatIsMissingInIt) {

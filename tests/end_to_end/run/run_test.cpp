@@ -167,7 +167,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
                           "the phone rang"));
   EXPECT_THAT(
       participant_.ask("SELECT questionnaire, question, number, text "
-                       "FROM questionnaire_answer ORDER BY step, rowid"),
+                       "FROM questionnaire_answer"),
       ElementsAre("background|age|34.0|-", "background|games|2.0|-", "debrief|noticed|-|no"));
   EXPECT_THAT(participant_.ask("SELECT trial, attempt, object, outcome FROM attempt "
                                "ORDER BY trial, attempt"),

@@ -200,9 +200,9 @@ TEST(KeptNewStudy, IsReadAndContinuedAsItWas) {
   succeeded(run_foveola({"study", "verify", study, "--head", head.string()}));
   EXPECT_THAT(participant.ask("SELECT trial, attempt, outcome FROM attempt WHERE session = 3"),
               ElementsAre("0|1|interrupted", "0|2|rated", "1|1|rated"));
-  EXPECT_THAT(
-      participant.ask("SELECT CAST(time_ns AS TEXT) FROM mark WHERE session = 1 ORDER BY rowid"),
-      ElementsAre("301472674", "931237820", "386816622", "1117546927"));
+  EXPECT_THAT(participant.ask("SELECT CAST(time_ns AS TEXT) FROM mark WHERE session = 1"
+                              " ORDER BY trial, attempt, time_ns"),
+              ElementsAre("301472674", "931237820", "386816622", "1117546927"));
 }
 
 }  // namespace

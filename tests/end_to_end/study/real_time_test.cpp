@@ -129,7 +129,7 @@ TEST_F(RealTime, AWholeSessionBeforeTheWindow) {
               ElementsAre("session_started", "consent_given", "questionnaire_answered",
                           "gaze_validated", "reaction_pressed", "reaction_pressed", "object_chosen",
                           "trial_started", "first_frame_presented", "marked", "marked", "rated"));
-  EXPECT_THAT(ask("SELECT question FROM questionnaire_answer ORDER BY rowid"),
+  EXPECT_THAT(ask("SELECT question FROM questionnaire_answer"),
               ElementsAre("age", "games", "hand", "noticed"));
   EXPECT_THAT(ask("SELECT early FROM reaction"), ElementsAre("0", "0"));
   EXPECT_THAT(ask("SELECT censored FROM mark"), Each("0"));

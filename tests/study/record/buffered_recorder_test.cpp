@@ -1,7 +1,5 @@
-#include "study/record/buffered_recorder.h"
-
 #include "small_study.h"
-#include "study/record/store_recorder.h"
+#include "study/record/recorders.h"
 #include "tests/matchers.h"
 
 namespace fs = std::filesystem;

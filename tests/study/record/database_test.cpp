@@ -141,9 +141,10 @@ TEST_F(Database, WriterRefusesWhatCouldChangeWhatItWrites) {
   write_small_study(path_);
   const std::string whole = folder_.content().at("study.sqlite");
   for (const auto& [sql, words] :
-       {std::pair("CREATE TRIGGER faster AFTER INSERT ON mark BEGIN SELECT 1; END",
-                  "has the trigger faster on mark, which is not Foveola's and could change what is "
-                  "recorded; remove it (DROP TRIGGER in sqlite3)"),
+       {std::pair(
+            "CREATE TRIGGER faster AFTER INSERT ON event BEGIN SELECT 1; END",
+            "has the trigger faster on event, which is not Foveola's and could change what is "
+            "recorded; remove it (DROP TRIGGER in sqlite3)"),
         std::pair("CREATE UNIQUE INDEX one ON session (kind)",
                   "has the index one on session, which is not Foveola's")}) {
     folder_.write("study.sqlite", whole);

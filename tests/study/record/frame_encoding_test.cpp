@@ -1,10 +1,9 @@
-#include "study/record/frame_encoding.h"
-
 #include <gtest/gtest.h>
 
 #include "bytes_from_hex.h"
 #include "renderer/base/angles.h"
 #include "renderer/gaze/head_tracker.h"
+#include "study/record/encodings.h"
 
 namespace foveola::study {
 namespace {

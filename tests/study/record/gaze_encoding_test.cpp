@@ -1,8 +1,7 @@
-#include "study/record/gaze_encoding.h"
-
 #include <gtest/gtest.h>
 
 #include "bytes_from_hex.h"
+#include "study/record/encodings.h"
 
 namespace foveola::study {
 namespace {

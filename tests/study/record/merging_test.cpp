@@ -205,9 +205,10 @@ TEST_F(MergingShards, RefusesOnesOfAnotherProgramOrAnotherKind) {
 }
 
 TEST_F(Merging, RefusesADamagedSource) {
-  tamper(b_, "UPDATE mark SET time_ns = 5");
+  tamper(b_, "UPDATE event SET time_ns = 5 WHERE type = 'marked'");
   EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, all_); }),
-              AllOf(StartsWith(b_.string()), HasSubstr("participant P03: its rows in mark")));
+              AllOf(StartsWith(b_.string()),
+                    HasSubstr("participant P03: event 12 is not what was written")));
   EXPECT_FALSE(fs::exists(all_));
 }
 

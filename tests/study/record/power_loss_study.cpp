@@ -5,7 +5,7 @@
 #include <future>
 #include <random>
 
-#include "study/record/threaded_recorder.h"
+#include "study/record/recorders.h"
 
 namespace foveola::study {
 namespace {

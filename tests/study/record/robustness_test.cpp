@@ -8,7 +8,7 @@
 #include <sys/mount.h>
 
 #include "study/record/database.h"
-#include "study/record/event_rows.h"
+#include "study/record/event_log.h"
 #include "study/record/session_rows.h"
 #include "study_file.h"
 #include "tests/matchers.h"
@@ -111,11 +111,7 @@ TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
     SessionState state;
     for (const LoggedEvent& logged : events) {
       const Transition next = step(procedure, state, logged.event).value();
-      const std::int64_t sequence =
-          append_to_log(statements, session, logged,
-                        attempt_of_event(statements, session, procedure, state, next.state));
-      insert_what_follows(statements, session, procedure, sequence, logged.event, state,
-                          next.state);
+      append_event(statements, session, procedure, logged, state, next.state);
       state = next.state;
     }
   }

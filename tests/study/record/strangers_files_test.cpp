@@ -109,8 +109,9 @@ TEST_F(StrangersFiles, NumbersThatFoveolaNeverWritesAreFaultsAndNoOverflow) {
         "UPDATE frame_chunk SET first_frame = 9223372036854775807",
         "UPDATE gaze_chunk SET sample_count = 4611686018427387904",
         "UPDATE gaze_chunk SET attempt = 4294967297",
-        "UPDATE attempt SET first_frame_ns = -9223372036854775808",
-        "UPDATE mark SET time_ns = 9223372036854775807",
+        "UPDATE event SET payload = '{\"time_ns\":-9223372036854775808}'"
+        " WHERE type = 'first_frame_presented'",
+        "UPDATE event SET payload = '{\"time_ns\":9223372036854775807}' WHERE type = 'marked'",
         "UPDATE planned_trial SET scene_position = 65536",
         "UPDATE session SET design_row = 4294967296", "UPDATE event SET time_ns = 1 << 62",
         "UPDATE film_hash SET frame = 9223372036854775807",
@@ -141,20 +142,23 @@ TEST_F(StrangersFiles, NumbersOutOfTheStudyAreRefusedByWhatTheyAre) {
     std::function<void()> read;
     const char* refusal;
   };
-  for (const auto& [change, read, text] :
-       std::vector<Case>{{"planned_trial SET method_position = 3", study,
-                          "method_position has the value 3, of 3 that there are"},
-                         {"planned_trial SET scene_position = 2", study,
-                          "scene_position has the value 2, of 2 that there are"},
-                         {"planned_step SET trial = 6 WHERE trial = 5", session,
-                          "trial has the value 6, of 6 that there are"},
-                         {"planned_step SET times = -2147483648 WHERE kind = 'validation'", session,
-                          "times has the value -2147483648, which is out of range"},
-                         {"session SET seed = '18446744073709551616'", session,
-                          "its record says \"18446744073709551616\""},
-                         {"rating SET value = 9e999", study, "value is not finite"},
-                         {"questionnaire_answer SET number = -9e999 WHERE text IS NULL", study,
-                          "number is not finite"}}) {
+  for (const auto& [change, read, text] : std::vector<Case>{
+           {"planned_trial SET method_position = 3", study,
+            "method_position has the value 3, of 3 that there are"},
+           {"planned_trial SET scene_position = 2", study,
+            "scene_position has the value 2, of 2 that there are"},
+           {"planned_step SET trial = 6 WHERE trial = 5", session,
+            "trial has the value 6, of 6 that there are"},
+           {"planned_step SET times = -2147483648 WHERE kind = 'validation'", session,
+            "times has the value -2147483648, which is out of range"},
+           {"session SET seed = '18446744073709551616'", session,
+            "its record says \"18446744073709551616\""},
+           {R"(event SET payload = replace(payload, '"value":', '"value":9e999,"x":'))"
+            " WHERE type = 'rated'",
+            study, "value is not finite"},
+           {R"(event SET payload = replace(payload, ':31.0', ':-9e999'))"
+            " WHERE type = 'questionnaire_answered'",
+            study, "number is not finite"}}) {
     SCOPED_TRACE(change);
     folder_.write("study.sqlite", whole);
     tamper(path_, std::string("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON;"

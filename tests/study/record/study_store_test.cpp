@@ -201,7 +201,7 @@ TEST_F(Store, KeepsAnswersOfEveryKindOfForm) {
                             .answers = {{.question = "sickness", .value = 1.0},
                                         {.question = "comments", .value = "wör\nds"}}});
   EXPECT_THAT(column("SELECT step || ' ' || questionnaire || ' ' || question || ' ' ||"
-                     " coalesce(number, text) FROM questionnaire_answer ORDER BY step, rowid"),
+                     " coalesce(number, text) FROM questionnaire_answer"),
               ElementsAre("3 background age 31.0", "3 background cg_experience 4.0",
                           "10 debrief sickness 1.0", "10 debrief comments wör\nds"));
   EXPECT_EQ(stored("SELECT state FROM session"), "completed");

@@ -1,7 +1,6 @@
-#include "study/record/threaded_recorder.h"
-
 #include <gtest/gtest.h>
 
+#include "study/record/recorders.h"
 #include "study_file.h"
 
 namespace foveola::study {
@@ -64,9 +63,9 @@ TEST_F(Recording, KeepsTheOrderAndWritesAllBeforeItEnds) {
 TEST_F(Recording, AfterAFaultNothingIsWrittenAndAllSayWhy) {
   ThreadedRecorder recorder(store_, id_);
   happen(recorder, ms(30), FirstFramePresented{ms(30)}).get();
-  // No attempt 9 was begun.
+  // No trial 9 was planned.
   std::future<void> fault = recorder.record(
-      FrameChunk{.attempt = {.trial = 0, .attempt = 9}, .first = 0, .frames = plausible_frames(1)});
+      FrameChunk{.attempt = {.trial = 9, .attempt = 1}, .first = 0, .frames = plausible_frames(1)});
   std::future<void> after = happen(recorder, ms(40), Marked{ms(40)});
   std::future<void> later =
       recorder.record(GazeChunk{.attempt = {}, .first = 0, .samples = plausible_gaze(1)});

@@ -3,9 +3,11 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <zlib.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files/files.h"
 #include "study/record/hash_chain.h"
 #include "study/record/schema.h"
 #include "study/record/table_rows.h"
@@ -64,20 +66,9 @@ TEST_F(VerifiedStudy, NamesTheFirstEventThatWasChangedOrTakenOut) {
               Contains(FieldsAre("P02", HasSubstr("event 9 "))));
 }
 
-/// Of what follows from the log alone, and of what was measured.
+/// Of the session and its plan, and of what was measured.
 TEST_F(VerifiedStudy, FindsWhateverElseWasChanged) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"UPDATE mark SET time_ns = time_ns - 1 WHERE session = 1 AND trial = 2", "rows in mark"},
-      {"DELETE FROM mark WHERE session = 1 AND trial = 2 AND kind = 'material'", "rows in mark"},
-      {"UPDATE mark SET censored = 1 WHERE session = 1 AND trial = 0", "rows in mark"},
-      {"UPDATE rating SET value = 5.0 WHERE session = 1 AND trial = 3", "rows in rating"},
-      {"UPDATE attempt SET outcome = 'retimed' WHERE session = 1 AND trial = 0", "rows in attempt"},
-      {"UPDATE attempt SET object = 'x' WHERE session = 1 AND trial = 0", "rows in attempt"},
-      {"UPDATE questionnaire_answer SET number = 32 WHERE session = 1 AND question = 'age'",
-       "rows in questionnaire_answer"},
-      {"UPDATE reaction SET pressed_ns = pressed_ns + 1 WHERE session = 1", "rows in reaction"},
-      {"UPDATE gaze_run SET accuracy_deg = 0.1 WHERE session = 1", "rows in gaze_run"},
-      {"UPDATE gaze_target SET samples = 999 WHERE session = 1", "rows in gaze_target"},
       {"UPDATE session SET state = 'withdrawn' WHERE id = 1",
        "its state is withdrawn, and its events lead to completed"},
       {"UPDATE session SET seed = '2' WHERE id = 1", "event 1, the study, the session or its plan"},
@@ -131,18 +122,68 @@ TEST_F(VerifiedStudy, FindsAnEventThatSaysMoreThanFoveolaWrites) {
 }
 
 TEST_F(VerifiedStudy, FindsReferencesToWhatIsNotThere) {
-  EXPECT_THAT(faults_after("PRAGMA foreign_keys = OFF; DELETE FROM attempt WHERE session = 1"),
+  EXPECT_THAT(
+      faults_after("PRAGMA foreign_keys = OFF; DELETE FROM planned_trial WHERE session = 1"),
+      Contains(FieldsAre("", HasSubstr("a row of frame_chunk refers to one of planned_trial"))));
+}
+
+TEST_F(VerifiedStudy, FindsWhatWasMeasuredInAnAttemptThatNeverBegan) {
+  const std::string whole = folder_.content().at("study.sqlite");
+  for (const char* table : {"frame_chunk", "gaze_chunk", "film_hash"}) {
+    folder_.write("study.sqlite", whole);
+    const std::vector<std::string> columns = query_column(
+        path_, fmt::format("SELECT name FROM pragma_table_info('{}') WHERE cid > 2", table));
+    EXPECT_THAT(faults_after(fmt::format("INSERT INTO {0} SELECT session, trial, 7, {1} FROM {0}"
+                                         " WHERE session = 1 AND trial = 3 LIMIT 1",
+                                         table, fmt::join(columns, ", "))),
+                Contains(FieldsAre(
+                    "P01", "trial 3, attempt 7: has frames, gaze or films, and never began")))
+        << table;
+  }
+}
+
+/// A study of schema 4, which has tables of what follows from the log; written by Foveola 0.1.0.
+class VerifiedOlderStudy : public StudyFile {
+ protected:
+  const std::string whole_ = read_file(fs::path(TEST_DATA_DIR) / "schema-4/study.sqlite");
+};
+
+TEST_F(VerifiedOlderStudy, FindsWhateverDoesNotFollowFromTheLog) {
+  folder_.write("study.sqlite", whole_);
+  EXPECT_THAT(verify_study(path_).faults, IsEmpty());
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"UPDATE mark SET time_ns = time_ns - 1 WHERE session = 1 AND trial = 2", "rows in mark"},
+      {"DELETE FROM mark WHERE session = 1 AND trial = 2 AND kind = 'material'", "rows in mark"},
+      {"UPDATE mark SET censored = 1 WHERE session = 1 AND trial = 0", "rows in mark"},
+      {"UPDATE rating SET value = 5.0 WHERE session = 1 AND trial = 3", "rows in rating"},
+      {"UPDATE attempt SET outcome = 'retimed' WHERE session = 1 AND trial = 0", "rows in attempt"},
+      {"UPDATE attempt SET object = 'x' WHERE session = 1 AND trial = 0", "rows in attempt"},
+      {"UPDATE questionnaire_answer SET number = 32 WHERE session = 1 AND question = 'age'",
+       "rows in questionnaire_answer"},
+      {"UPDATE reaction SET pressed_ns = pressed_ns + 1 WHERE session = 1", "rows in reaction"},
+      {"UPDATE gaze_run SET accuracy_deg = 0.1 WHERE session = 1", "rows in gaze_run"},
+      {"UPDATE gaze_target SET samples = 999 WHERE session = 1", "rows in gaze_target"}};
+  for (const auto& [sql, words] : cases) {
+    folder_.write("study.sqlite", whole_);
+    tamper(path_, sql);
+    EXPECT_THAT(verify_study(path_).faults,
+                Contains(FieldsAre("PROGRAM-1", HasSubstr(words + " do not follow"))))
+        << sql;
+  }
+  folder_.write("study.sqlite", whole_);
+  tamper(path_, "PRAGMA foreign_keys = OFF; DELETE FROM attempt WHERE session = 1");
+  EXPECT_THAT(verify_study(path_).faults,
               Contains(FieldsAre("", HasSubstr("a row of mark refers to one of attempt"))));
 }
 
 TEST_F(VerifiedStudy, NamesWhatStandsBesideItsSchema) {
   const std::string whole = folder_.content().at("study.sqlite");
   for (const auto& [sql, object] :
-       {std::pair("CREATE TRIGGER faster AFTER INSERT ON mark BEGIN SELECT 1; END",
-                  "trigger faster on mark"),
+       {std::pair("CREATE TRIGGER faster AFTER INSERT ON event BEGIN SELECT 1; END",
+                  "trigger faster on event"),
         std::pair("CREATE VIEW marks AS SELECT * FROM mark", "view marks"),
         std::pair("CREATE TABLE other (x)", "table other"),
-        std::pair("CREATE INDEX times ON mark (time_ns)", "index times on mark")}) {
+        std::pair("CREATE INDEX times ON event (time_ns)", "index times on event")}) {
     folder_.write("study.sqlite", whole);
     SQLite::Database(path_, SQLite::OPEN_READWRITE).exec(sql);
     EXPECT_THAT(

@@ -4,7 +4,7 @@
 
 #include "study/record/recorded_gaze.h"
 #include "study/record/recorded_session.h"
-#include "study/record/store_recorder.h"
+#include "study/record/recorders.h"
 #include "study/simulation/rendered_attempt.h"
 #include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"

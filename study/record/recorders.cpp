@@ -1,4 +1,4 @@
-#include "study/record/threaded_recorder.h"
+#include "study/record/recorders.h"
 
 #include <condition_variable>
 #include <deque>
@@ -9,6 +9,20 @@
 #include <utility>
 
 namespace foveola::study {
+
+std::future<void> BufferedRecorder::record(SessionEntry entry) {
+  entries_.push_back(std::move(entry));
+  return already_recorded();
+}
+
+void BufferedRecorder::write(StudyStore& store, const SessionFacts& facts, const Plan& plan) const {
+  store.record_together([&] {
+    const std::int64_t session = store.begin_session(facts, plan);
+    for (const SessionEntry& entry : entries_) {
+      store.record(session, entry);
+    }
+  });
+}
 
 struct ThreadedRecorder::Implementation {
   using Task = std::packaged_task<void()>;
