@@ -11,7 +11,7 @@ void add_scene_option(CLI::App& command, std::string& scene) {
 void add_max_depth_option(CLI::App& command, int& max_depth) {
   command
       .add_option("--max-depth", max_depth,
-                  "The most surface vertices of a path; 1 is direct light alone")
+                  "Maximum number of surface vertices of a path; 1 is direct light only")
       ->check(CLI::Range(1, 1 << 20));
 }
 

@@ -65,7 +65,7 @@ IVec2 parse_size(const std::string& option, const std::string& text) {
   const std::vector<int> size = parse_numbers<int>(text, 'x', 2);
   constexpr int limit = 65536;
   if (size.empty() || size[0] < 1 || size[1] < 1 || size[0] > limit || size[1] > limit) {
-    throw UsageError(option, fmt::format("'{}' is no image size", text),
+    throw UsageError(option, fmt::format("'{}' is not an image size", text),
                      fmt::format("give WIDTHxHEIGHT in pixels, each from 1 to {}", limit));
   }
   return {size[0], size[1]};
@@ -77,7 +77,7 @@ FieldsOfView parse_fields_of_view(const std::string& option, const std::string& 
   const bool is_seen = std::all_of(degrees.begin(), degrees.end(),
                                    [](double angle) { return angle > 0.0 && angle < 180.0; });
   if (degrees.empty() || !is_seen) {
-    throw UsageError(option, fmt::format("'{}' is no field of view", text),
+    throw UsageError(option, fmt::format("'{}' is not a field of view", text),
                      "give degrees between 0 and 180, or WIDTHxHEIGHT");
   }
   return {.horizontal_deg = degrees[0],
@@ -87,7 +87,7 @@ FieldsOfView parse_fields_of_view(const std::string& option, const std::string& 
 RadialLens parse_lens(const std::string& option, const std::string& text) {
   const std::vector<double> values = parse_finite(text, 4);
   if (values.empty() || values[0] < 0.0 || values[0] > 1.0 || values[1] < 0.0 || values[1] > 1.0) {
-    throw UsageError(option, fmt::format("'{}' is no lens", text),
+    throw UsageError(option, fmt::format("'{}' is not a lens", text),
                      "give AXIS_X,AXIS_Y,K1,K2, the axis from 0,0 (top left) to 1,1");
   }
   return {.axis = {static_cast<float>(values[0]), static_cast<float>(values[1])},
@@ -111,7 +111,7 @@ SunAndSky parse_sky(const std::string& option, const std::string& text) {
     const std::size_t comma = text.rfind(',');
     const std::vector<double> turbidity = parse_finite(std::string_view(text).substr(comma + 1), 1);
     if (turbidity.empty()) {
-      throw UsageError(option, fmt::format("'{}' is no sky", text),
+      throw UsageError(option, fmt::format("'{}' is not a sky", text),
                        "give sky:azimuth,elevation,turbidity");
     }
     sky.turbidity = turbidity[0];
@@ -125,7 +125,7 @@ SampleAddress parse_sample(const std::string& option, const std::string& text) {
   const std::vector<std::uint32_t> values = parse_numbers<std::uint32_t>(text, ',', 3);
   constexpr std::uint32_t largest = 65535;
   if (values.empty() || values[0] > largest || values[1] > largest) {
-    throw UsageError(option, fmt::format("'{}' is no sample of an image", text),
+    throw UsageError(option, fmt::format("'{}' is not a sample of an image", text),
                      "give x,y,sample as render lists them");
   }
   return {.pixel = {values[0], values[1]}, .sample_number = values[2]};
@@ -134,7 +134,7 @@ SampleAddress parse_sample(const std::string& option, const std::string& text) {
 AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text) {
   const std::vector<double> angles_deg = parse_finite(text, 2);
   if (angles_deg.empty() || std::abs(angles_deg[1]) > 90.0) {
-    throw UsageError(option, fmt::format("'{}' is no direction", text),
+    throw UsageError(option, fmt::format("'{}' is not a direction", text),
                      "give azimuth,elevation in degrees, elevation from -90 to 90");
   }
   return {.azimuth_rad = radians(angles_deg[0]), .elevation_rad = radians(angles_deg[1])};

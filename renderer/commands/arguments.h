@@ -39,9 +39,9 @@ RadialLens parse_lens(const std::string& option, const std::string& text);
 
 /// The help text of --camera.
 inline constexpr const char* camera_help =
-    "Where the camera stands, x,y,z in metres, or the name of one of the file's cameras as "
-    "'foveola scene info' lists them, such as 'camera 2' for a second one without a name (default: "
-    "where the scene says, else in a room where it is widest, or in front of all there is)";
+    "Camera position: x,y,z in metres, or the name of one of the file's cameras as 'foveola scene "
+    "info' lists them, such as 'camera 2' for a second one without a name (default: the scene's "
+    "camera, else chosen: inside a room, or outside with everything in view)";
 
 /// The finite number in all of `text`; nullopt if it is not one.
 std::optional<double> parse_finite_number(std::string_view text);

@@ -165,7 +165,8 @@ void run_compare(const CompareArguments& arguments) {
 
 void add_compare(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", "Measure how far an image is from a reference");
+  CLI::App* command =
+      app.add_subcommand("compare", "Measure the error of an image against a reference");
   command->add_option("IMAGE", arguments->image, "An image file")->required();
   command->add_option("REFERENCE", arguments->reference, "An image file of the same size")
       ->required();
@@ -173,8 +174,8 @@ void add_compare(CLI::App& app) {
                     "Weight pixels by their solid angle: the cosine of their latitude");
   command
       ->add_option("--pixels-per-degree", arguments->pixels_per_degree,
-                   "Measure FLIP too, seen at this density, and HDR-FLIP of two .exr files; of "
-                   "views, not of 360-degree images (default: the display's)")
+                   "Also measure FLIP at this density, and HDR-FLIP of two .exr files; of views, "
+                   "not of 360-degree images (default: the display's)")
       ->check(CLI::Range(0.1, 1000.0));
   CLI::Option* display =
       command->add_option("--display", arguments->display,
@@ -183,8 +184,7 @@ void add_compare(CLI::App& app) {
                           "has 100 cd/m2 unless it was measured; an .exr is shown with exposure 0");
   command
       ->add_option("--fixation", arguments->fixation_px,
-                   "Where the eye looks: x,y in pixels from the upper left corner (default: "
-                   "everywhere)")
+                   "Fixation: x,y in pixels from the upper left corner (default: everywhere)")
       ->delimiter(',')
       ->expected(2)
       ->needs(display);

@@ -30,7 +30,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 double number_in(std::string_view text, const SettingRange& range, std::string_view what) {
   const std::optional<double> number = parse_finite_number(text);
   if (!number || *number < range.least || *number > range.most) {
-    refuse(fmt::format("'{}' is no {}", text, what),
+    refuse(fmt::format("'{}' is not a {}", text, what),
            fmt::format("give a number from {} to {}", range.least, range.most));
   }
   return *number;
@@ -39,7 +39,7 @@ double number_in(std::string_view text, const SettingRange& range, std::string_v
 OneEuroSettings one_euro_in(std::string_view text) {
   const std::vector<std::string_view> numbers = split(text, ':');
   if (numbers.size() != 3) {
-    refuse(fmt::format("'{}' is no 1-Euro filter", text),
+    refuse(fmt::format("'{}' is not a 1-Euro filter", text),
            "give one-euro=MIN_CUTOFF_HZ:BETA_PER_DEG:DERIVATIVE_CUTOFF_HZ, or one-euro alone");
   }
   return {
@@ -52,7 +52,7 @@ OneEuroSettings one_euro_in(std::string_view text) {
 template <typename Setting>
 void add(std::string_view name, std::optional<Setting>& setting, const Setting& value) {
   if (setting) {
-    refuse(fmt::format("'{}' is there twice", name), "leave one out");
+    refuse(fmt::format("'{}' is given twice", name), "remove one of them");
   }
   setting = value;
 }
@@ -73,7 +73,7 @@ void add_filter(std::string_view name, const std::optional<std::string_view>& va
         value ? number_in(*value, hold_range_s, "time in seconds to hold a gaze for")
               : hold_range_s.most);
   } else {
-    refuse(fmt::format("'{}' is no filter of a gaze", name),
+    refuse(fmt::format("'{}' is not a gaze filter", name),
            fmt::format("give {}", gaze_filter_notation));
   }
 }

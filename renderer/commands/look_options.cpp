@@ -20,7 +20,7 @@ constexpr std::array tone_curves{Word<ToneCurve>{"plain", ToneCurve::plain},
 
 /// The help text of --environment.
 constexpr const char* environment_help =
-    "What surrounds the scene: a lat-long image file, r,g,b for a constant radiance, or "
+    "Environment of the scene: a lat-long image file, r,g,b for a constant radiance, or "
     "sky:AZIMUTH,ELEVATION[,TURBIDITY] for daylight with the sun there (degrees)";
 
 /// Replaces the environment of `source` by that of `text`: "r,g,b" is a constant radiance,
@@ -64,7 +64,7 @@ double parse_stops(const std::string& text, std::string_view number) {
   }
   const std::optional<double> stops = parse_finite_number(number);
   if (!stops || std::abs(*stops) > max_exposure_stops) {
-    throw UsageError("--exposure", fmt::format("'{}' is no exposure", text),
+    throw UsageError("--exposure", fmt::format("'{}' is not an exposure", text),
                      fmt::format("give stops from {:g} to {:g}, auto, auto+1, auto-1, or fixed:2",
                                  -max_exposure_stops, max_exposure_stops));
   }
@@ -76,7 +76,7 @@ double parse_stops(const std::string& text, std::string_view number) {
 void add_viewpoint_options(CLI::App& command, LookArguments& arguments) {
   command.add_option("--camera", arguments.camera, camera_help);
   command.add_option("--head", arguments.head,
-                     "Where the camera or the head points: azimuth,elevation in degrees, azimuth "
+                     "Direction of the camera or the head: azimuth,elevation in degrees, azimuth "
                      "from -Z towards +X (default: the scene's heading)");
 }
 
@@ -89,7 +89,7 @@ void add_fov_option(CLI::App& command, LookArguments& arguments, const std::stri
 void add_light_options(CLI::App& command, LookArguments& arguments) {
   command.add_option("--environment", arguments.environment, environment_help);
   command.add_option("--environment-rotation", arguments.environment_rotation_deg,
-                     "Turn the environment by so many degrees, from -Z towards +X");
+                     "Rotate the environment by this angle in degrees, from -Z towards +X");
   command.add_option("--environment-strength", arguments.environment_strength,
                      "Multiply the environment's radiance by this");
   add_scene_file_options(command, arguments.file);
@@ -100,19 +100,16 @@ void add_light_options(CLI::App& command, LookArguments& arguments) {
 }
 
 void add_exposure_option(CLI::App& command, LookArguments& arguments) {
-  command.add_option(
-      "--exposure", arguments.exposure,
-      "STOPS brighter than the scene's exposure, or than the automatic one where it has none; "
-      "auto, "
-      "auto+STOPS or auto-STOPS: by what is seen, whatever the scene says; fixed:STOPS: exactly "
-      "that. Radiances in an .exr stay what they are");
+  command.add_option("--exposure", arguments.exposure,
+                     "Exposure: STOPS added to the scene's own, or to the automatic one if it has "
+                     "none; auto, auto+STOPS or auto-STOPS: automatic, whatever the scene has; "
+                     "fixed:STOPS: exactly this. Radiances in an .exr do not change");
 }
 
 void add_tone_option(CLI::App& command, LookArguments& arguments) {
   command
       .add_option("--tone", arguments.tone,
-                  "How bright light is shown: plain (cut off at white) or filmic (rolling off "
-                  "towards it)")
+                  "Tone curve: plain (clipped at white) or filmic (compressed towards white)")
       ->check(CLI::IsMember(texts_of(tone_curves)));
 }
 

@@ -12,11 +12,10 @@ namespace foveola {
 
 void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
   command
-      .add_option(
-          "--light-units", arguments.light_units,
-          "Units of a glTF file's punctual lights: photometric (lux and candela, divided by "
-          "683 lm/W) or radiometric (taken as they are); the default is photometric in "
-          "files by Blender's exporter from 3.4.40 on, and radiometric in others")
+      .add_option("--light-units", arguments.light_units,
+                  "Units of a glTF file's punctual lights: photometric (lux and candela, divided "
+                  "by 683 lm/W) or radiometric (unchanged); the default is photometric in files by "
+                  "Blender's exporter from 3.4.40 on, and radiometric in others")
       ->check(CLI::IsMember(texts_of(light_unit_words)));
   command.add_flag(
       "--strict", arguments.strict,
@@ -24,14 +23,14 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
       "read, which is otherwise left out with a warning");
   CLI::Option* const time =
       command.add_option("--time", arguments.time_s,
-                         "Show a glTF file as its animations, all of them, have it at so many "
-                         "seconds (default: as it stands without them)");
+                         "Show a glTF file at this time of all its animations, in seconds "
+                         "(default: without animation)");
   time->check([](const std::string& text) {
-    return parse_finite_number(text) ? std::string() : "'" + text + "' is no time in seconds";
+    return parse_finite_number(text) ? std::string() : "'" + text + "' is not a time in seconds";
   });
   command
       .add_option("--clip", arguments.clip,
-                  "The animation alone that --time is of; scene info lists them")
+                  "The only animation to apply at --time; scene info lists them")
       ->needs(time);
 }
 

@@ -193,11 +193,12 @@ void add_list(CLI::App& tracker) {
 void add_watch(CLI::App& tracker, const std::stop_token& stop) {
   const auto arguments = std::make_shared<WatchArguments>();
   CLI::App* command =
-      tracker.add_subcommand("watch", "Show where the eyes look, and how regularly samples come");
+      tracker.add_subcommand("watch", "Show the gaze, and the regularity of its samples");
   command->add_option("TRACKER", arguments->tracker, "A profile's name or file (see tracker list)");
   command->add_option("--display", arguments->display,
-                      "The display that they look at: a profile's name or file");
-  command->add_option("--seconds", arguments->seconds, "End after so many seconds (0: with Ctrl-C)")
+                      "The display before the eyes: a profile's name or file");
+  command
+      ->add_option("--seconds", arguments->seconds, "End after this many seconds (0: with Ctrl-C)")
       ->check(CLI::Range(0.0, 86400.0));
   command->add_flag("--json", arguments->json, "Print only the summary at the end, as JSON");
   command->footer("Example: foveola tracker watch simulated --seconds 5");

@@ -32,7 +32,7 @@ std::string no_number(const std::string& text) {
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
   const bool has_unit = end != text.c_str();
-  return fmt::format("'{}' is no number{}", text,
+  return fmt::format("'{}' is not a number{}", text,
                      has_unit ? fmt::format("; leave out '{}'", end) : "");
 }
 
@@ -50,7 +50,7 @@ std::string check_whole_number(std::string& text) {
   std::string digits = text.starts_with('+') ? text.substr(1) : text;
   if (text.find_first_of(".eE") != std::string::npos) {
     if (*number != std::trunc(*number) || std::abs(*number) > largest) {
-      return fmt::format("'{}' is no whole number", text);
+      return fmt::format("'{}' is not a whole number", text);
     }
     digits = fmt::format("{:.0f}", *number);
   }
@@ -107,8 +107,7 @@ std::string text_of_extras(const CLI::App& app) {
   for (const std::string& extra : extras) {
     if (extra.starts_with("--shard")) {
       remedy =
-          fmt::format("what {} finds in parts could not be put together, so it cannot be split",
-                      typed_command(app));
+          fmt::format("parts of {} could not be merged, so it cannot be split", typed_command(app));
       break;
     }
     if (const auto meant = similar_word(extra.substr(0, extra.find('=')), option_names(command))) {

@@ -202,7 +202,7 @@ FilmFileReader::FilmFileReader(std::filesystem::path path) : path_(std::move(pat
     fail();
   }
   if (read(first_line.size()) != first_line) {
-    throw Error(path_.string(), "is no film that this program knows",
+    throw Error(path_.string(), "is not a film that this program reads",
                 "name one that foveola render has written");
   }
   std::string_view numbers = read(4 * sizeof(std::uint32_t));

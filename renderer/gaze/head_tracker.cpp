@@ -43,7 +43,7 @@ ScriptedHeadTracker::ScriptedHeadTracker(std::vector<HeadPose> poses) : poses_(s
   const auto earlier = [](const HeadPose& a, const HeadPose& b) { return a.time < b.time; };
   if (poses_.empty() ||
       std::adjacent_find(poses_.begin(), poses_.end(), std::not_fn(earlier)) != poses_.end()) {
-    throw Error("head poses", "there are none, or their times do not ascend",
+    throw Error("head poses", "no poses are given, or their times do not ascend",
                 "give at least one pose, in the order of time");
   }
 }

@@ -37,7 +37,7 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
   const std::vector<std::string> names = toml_names_in(profile_folder(folder));
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
     throw Error(
-        fmt::format("profile '{}'", name_or_path), fmt::format("is none of the {}", folder),
+        fmt::format("profile '{}'", name_or_path), fmt::format("is not one of the {}", folder),
         did_you_mean(name_or_path, names,
                      fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
   }
@@ -103,9 +103,9 @@ void read_monitor(TomlReader& table, DisplayProfile& display) {
 MeasuredDisplay read_measured(TomlReader table) {
   MeasuredDisplay measured;
   measured.date = table.require_text("date", "The date of the measurement.");
-  table.read("instrument", measured.instrument, "What it was measured with.");
+  table.read("instrument", measured.instrument, "The instrument of the measurement.");
   table.read("white_cd_m2", measured.white_cd_m2, 0.001, 1e5,
-             "Luminance of white in the middle, in cd/m².");
+             "Luminance of white in the centre, in cd/m².");
   table.read("black_cd_m2", measured.black_cd_m2, 0.0, 1e5, "Luminance of black, in cd/m².");
   table.read("gamma", measured.gamma, 0.1, 10.0, "The exponent from pixel values to luminance.");
   table.read("refresh_rate_hz", measured.refresh_rate_hz, 1.0, 1000.0, "Refreshes per second.");
@@ -135,9 +135,9 @@ DisplayProfile display_from(TomlReader table) {
   DisplayProfile display;
   display.title = table.require_text("title", "The display's name, for people.");
   table.read(required("kind"), display.kind, words,
-             "headset: two views side by side in a window, each through a lens; "
-             "monitor: one flat view; openxr: a headset by OpenXR, whose runtime "
-             "tells the rest, so that no other key is allowed.");
+             "headset: two views side by side in a window, each through a lens; monitor: one flat "
+             "view; openxr: a headset by OpenXR, whose runtime gives the rest, so that no other "
+             "key is allowed.");
   if (display.kind == DisplayKind::openxr) {
     table.reject_unknown_keys();
     return display;
@@ -158,7 +158,7 @@ DisplayProfile display_from(TomlReader table) {
                                       "The time from a frame's presentation until all of "
                                       "it is lit. Required of a headset and a monitor.");
   table.read_table("measured", display.measured, read_measured,
-                   "What was measured of the display with instruments.");
+                   "Measurements of the display with instruments.");
   table.read_table("timing_patch", display.timing_patch, read_timing_patch,
                    "A square in a corner of the window that is white while a "
                    "trial is shown and black otherwise, for a photodiode.");
@@ -181,11 +181,10 @@ void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
   table.read("precision_deg", settings.precision_deg, 0.0, 10.0,
              "Standard deviation of its noise along each axis, in degrees.");
   table.read("bias_right_deg", settings.bias_right_deg, -30.0, 30.0,
-             "What it adds to the eye's azimuth, in degrees.");
+             "Constant error of the azimuth, in degrees.");
   table.read("bias_up_deg", settings.bias_up_deg, -30.0, 30.0,
-             "What it adds to the eye's elevation, in degrees.");
-  table.read("data_loss", settings.data_loss, 0.0, 1.0,
-             "The part of samples that come without a gaze.");
+             "Constant error of the elevation, in degrees.");
+  table.read("data_loss", settings.data_loss, 0.0, 1.0, "Share of invalid samples.");
   table.reject_unknown_keys();
 }
 
@@ -207,13 +206,13 @@ TrackerProfile tracker_from(TomlReader table) {
              "recording; simulated: a simulated tracker.");
   table.read(required("rate_hz"), tracker.rate_hz, 1.0, 10000.0, "Samples per second.");
   tracker.exposure =
-      require_duration(table, "exposure", "How long a sample's picture of the eye is exposed.");
+      require_duration(table, "exposure", "Exposure time of a sample's picture of the eye.");
   tracker.transfer =
-      require_duration(table, "transfer", "How long a picture takes from the camera.");
+      require_duration(table, "transfer", "Transfer time of a picture from the camera.");
   tracker.processing =
-      require_duration(table, "processing", "How long it takes to find the gaze in it.");
+      require_duration(table, "processing", "Processing time from a picture to its gaze.");
   if (tracker.source == TrackerSource::open_gaze) {
-    read_open_gaze(table.table("open_gaze", "Where the server of an open-gaze source listens."),
+    read_open_gaze(table.table("open_gaze", "Address of the server of an open-gaze source."),
                    tracker.open_gaze);
   }
   if (tracker.source == TrackerSource::recorded) {
@@ -223,8 +222,9 @@ TrackerProfile tracker_from(TomlReader table) {
   }
   if (tracker.source == TrackerSource::simulated) {
     read_simulated(
-        table.table("simulated",
-                    "What a simulated source does. Its latency follows from the durations above."),
+        table.table(
+            "simulated",
+            "Settings of a simulated source. Its latency follows from the durations above."),
         tracker.simulated);
   }
   tracker.simulated.rate_hz = tracker.rate_hz;

@@ -125,7 +125,7 @@ Value RecordedLine::value(std::size_t number, Value minimum, Value maximum) cons
   const char* const end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, parsed);
   if (failure != std::errc() || stop != end || !(parsed >= minimum && parsed <= maximum)) {
-    fail(fmt::format("\"{}\" is no number from {} to {}", text, minimum, maximum),
+    fail(fmt::format("\"{}\" is not a number from {} to {}", text, minimum, maximum),
          fmt::format("the fields are {}", header_));
   }
   return parsed;

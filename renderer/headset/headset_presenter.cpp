@@ -150,7 +150,7 @@ bool HeadsetPresenter::take_frame(FramePainter& painter) {
 void HeadsetPresenter::give_up_picture() {
   if (shown_.picture) {
     shown_.picture->set_exception(std::make_exception_ptr(
-        Error("headset", "it did not show what there was to be a picture of", "wear it")));
+        Error("headset", "it did not show the frame of the picture", "wear it")));
     shown_.picture.reset();
   }
 }

@@ -25,7 +25,7 @@ XrLoader::XrLoader() : library_(::dlopen(loader_name, RTLD_NOW | RTLD_LOCAL)) {
   find_ =
       reinterpret_cast<PFN_xrGetInstanceProcAddr>(::dlsym(library_.get(), "xrGetInstanceProcAddr"));
   if (find_ == nullptr) {
-    throw Error("headset", std::string(loader_name) + " is no loader of OpenXR",
+    throw Error("headset", std::string(loader_name) + " is not a loader of OpenXR",
                 "install libopenxr-loader1");
   }
 }

@@ -66,15 +66,15 @@ bool is_targa(std::span<const unsigned char> encoded) {
 const char* refusal_of(ImageFormats allowed) {
   switch (allowed) {
     case ImageFormats::environment:
-      return "is no EXR, HDR, PNG or JPEG image";
+      return "is not an EXR, HDR, PNG or JPEG image";
     case ImageFormats::gltf_texture:
-      return "is no PNG, JPEG or WebP image";
+      return "is not a PNG, JPEG or WebP image";
     case ImageFormats::picture:
-      return "is no EXR, HDR, PNG, JPEG, WebP, BMP, GIF, TGA, TIFF or PNM image";
+      return "is not an EXR, HDR, PNG, JPEG, WebP, BMP, GIF, TGA, TIFF or PNM image";
     case ImageFormats::any_texture:
       break;
   }
-  return "is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image";
+  return "is not a PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image";
 }
 
 /// Only few formats are passed to a decoder.
@@ -143,7 +143,7 @@ std::size_t webp_pixels(std::span<const unsigned char> encoded) {
   constexpr std::size_t shortest = 30;
   const std::string_view bytes(reinterpret_cast<const char*>(encoded.data()), encoded.size());
   if (bytes.size() < shortest || bytes.substr(8, 4) != "WEBP") {
-    throw std::runtime_error("is damaged: no whole WebP image");
+    throw std::runtime_error("is damaged: the WebP image is incomplete");
   }
   const std::string_view chunk = bytes.substr(12, 4);
   if (chunk == "VP8X") {

@@ -16,7 +16,7 @@ const ImageCodec& load_codec() {
   if (function == nullptr) {
     const char* const fault = dlerror();
     throw Error(FOVEOLA_IMAGE_MODULE,
-                std::string("cannot be loaded, and with it no image: ") +
+                std::string("cannot be loaded, and is needed for every image: ") +
                     (fault == nullptr ? "no reason is known" : fault),
                 "build or install Foveola anew");
   }

@@ -193,7 +193,7 @@ std::uint32_t count_from(float value) {
 void require_image_extension(const fs::path& path) {
   if (format_to_write(path).empty()) {
     throw UsageError(path.string(),
-                     fmt::format("'{}' is no image format to write", path.extension().string()),
+                     fmt::format("'{}' is not an image format to write", path.extension().string()),
                      "use .exr, .png or .jpg");
   }
 }

@@ -317,7 +317,7 @@ std::vector<float> flip_errors(const RgbImage& image, const RgbImage& reference,
                 "compare images of the same size");
   }
   if (!(pixels_per_degree > 0.0) || !std::isfinite(pixels_per_degree)) {
-    throw Error("FLIP", fmt::format("{} pixels per degree make no sense", pixels_per_degree),
+    throw Error("FLIP", fmt::format("{} pixels per degree is not a density", pixels_per_degree),
                 "give a number above zero");
   }
   const Planes opponent = opponent_planes(image);

@@ -150,8 +150,8 @@ Exposure chosen_exposure(const ExposureChoice& choice, const LoadedScene& loaded
 
 std::string exposure_note(const Exposure& exposure) {
   return fmt::format(
-      "the exposure was chosen by what is seen, {0:g} stops; --exposure fixed:{0:g} keeps it, and "
-      "--exposure +1 or -1 is brighter or darker than that",
+      "the exposure is automatic, {0:g} stops; --exposure fixed:{0:g} keeps it, and --exposure +1 "
+      "or -1 is brighter or darker than that",
       exposure.stops);
 }
 

@@ -110,7 +110,7 @@ std::uint32_t seed_of(const RenderSettings& settings) {
 /// Throws Error for settings that cannot be split into parts.
 void require_splittable(const RenderSettings& settings) {
   if ((settings.part || settings.so_far != nullptr) && settings.progressive.adaptive) {
-    throw Error("adaptive sampling", "looks at the whole film, which is not in one place",
+    throw Error("adaptive sampling", "needs the whole film, which is not in one place",
                 "render it in one piece, or without it");
   }
   if (settings.part && settings.budget.seconds > 0.0) {
@@ -246,7 +246,7 @@ void go_on_from(const RenderProgress& so_far, ProgressiveRender& render) {
   const EquirectFilm& film = render.film();
   if (so_far.film_size != IVec2(film.width(), film.height()) ||
       so_far.statistics != film.statistics()) {
-    throw Error("the film that was kept", "has another size, or keeps other figures",
+    throw Error("the stored film", "has another size or other statistics",
                 "give the options that it was begun with");
   }
   render.go_on_from(so_far.pixels, so_far.points_drawn, so_far.non_finite);

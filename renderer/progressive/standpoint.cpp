@@ -210,14 +210,14 @@ Standpoint choose_standpoint(const Scene& scene, const RayScene& rays,
   const Shape shape(bounds);
   if (shape.is_flat()) {
     return outside(scene, subject, azimuth_elevation(-shape.front()), field_of_view,
-                   "from in front of all there is, since it is flat");
+                   "from its front, since it is flat");
   }
   if (std::optional<Standpoint> room = standpoint_in_room(scene, rays, bounds, field_of_view)) {
     return *std::move(room);
   }
   return outside(scene, subject, best_heading(scene, rays, subject, field_of_view), field_of_view,
                  subject.leaves_out_floor
-                     ? "from outside with all that stands on the floor in the picture"
+                     ? "from outside with everything on the floor in the picture"
                      : "from outside with all of it in the picture");
 }
 
@@ -235,25 +235,25 @@ std::vector<std::string> lacks_of(const Scene& scene, bool camera_is_enclosed,
   std::vector<std::string> lacks;
   if (scene.object_count() == 0) {
     lacks.emplace_back(
-        "there is nothing to see but what surrounds the scene; export its objects as meshes, and "
-        "not only those that are selected");
+        "the scene has no visible objects, only an environment; export all its objects as meshes, "
+        "not only selected ones");
   }
   if (has_light(scene) && !has_studio_light) {
     return lacks;
   }
   if (camera_is_enclosed) {
     lacks.emplace_back(
-        "nothing in the scene shines, so that pictures of it are black; it is closed around the "
-        "camera, where no light comes in from outside: export lights in it, or a material that "
+        "nothing in the scene emits light, so that pictures of it are black; it is closed around "
+        "the camera, where no light comes in from outside: export lights in it, or a material that "
         "emits, or see it from outside by --camera X,Y,Z and --environment 1,1,1");
   } else if (has_studio_light) {
     lacks.emplace_back(
-        "nothing in the scene shines: it is shown in a studio light; choose another by "
+        "nothing in the scene emits light: it is shown in a studio light; choose another by "
         "--environment, see --help for daylight and images");
   } else {
     lacks.emplace_back(
-        "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
-        "render and preview lights it evenly, and see their --help for daylight and images");
+        "nothing in the scene emits light, so that pictures of it are black; --environment 1,1,1 "
+        "of render and preview lights it evenly, and see their --help for daylight and images");
   }
   return lacks;
 }
@@ -272,11 +272,11 @@ std::vector<std::string> notes_on_standpoint(const Scene& scene, const RayScene&
   constexpr double least_covered = 0.002;
   const Viewport viewport(standpoint.heading, field_of_view);
   if (share_covered(rays, standpoint.position, viewport) < least_covered) {
-    notes.push_back(fmt::format(
-        "nearly all of the picture is empty, as the scene's parts are small and far apart; {} is "
-        "before one of them",
-        as_options(scene, place_near_a_part(scene, standpoint, field_of_view),
-                   standpoint.heading)));
+    notes.push_back(
+        fmt::format("nearly all of the picture is empty, as the scene's parts are small and far "
+                    "apart; {} is in front of one of them",
+                    as_options(scene, place_near_a_part(scene, standpoint, field_of_view),
+                               standpoint.heading)));
   }
   return notes;
 }

@@ -34,7 +34,7 @@ int axis_of(const Vec3& direction) {
 
 void require_valid(const RectangleLight& light, const std::string& where) {
   if (axis_of(light.normal) < 0) {
-    throw Error(where, "the normal of a light is none of the axes",
+    throw Error(where, "the normal of a light is not an axis",
                 "use one of (+-1, 0, 0), (0, +-1, 0), (0, 0, +-1)");
   }
   if (!is_finite(light.center)) {
@@ -232,8 +232,8 @@ std::optional<std::string> note_of_descriptor(const SceneSource& source) {
   if (source.descriptor_beside.empty()) {
     return std::nullopt;
   }
-  return fmt::format("{} is shown as {} beside it says", source.file.filename().string(),
-                     source.descriptor_beside.filename().string());
+  return fmt::format("{} is shown with the settings of {} beside it",
+                     source.file.filename().string(), source.descriptor_beside.filename().string());
 }
 
 }  // namespace

@@ -104,14 +104,14 @@ StabilityFigure not_finite_figure(std::string name, const Scene& scene, const Ve
           .bound = 0.0,
           .unit = fmt::format("of {} paths", 2048 * run.effort.picture_samples_per_pixel),
           .details =
-              "triangles without area, needles, vertices and normals that are no numbers, "
-              "duplicates, overlaps, roughness 0, black"};
+              "triangles without area, needles, NaN vertices and normals, duplicates, overlaps, "
+              "roughness 0, black"};
 }
 
 /// The warnings that the loader of extreme_room() in a file, with an albedo of 2, failed to give:
 /// parts of their lines.
 std::vector<std::string> warnings_missing(const Scene& loaded) {
-  const std::array<std::string, 3> wanted{"without area", "normals of no use", "baseColorFactor"};
+  const std::array<std::string, 3> wanted{"without area", "invalid normals", "baseColorFactor"};
   std::vector<std::string> missing;
   for (const std::string& part : wanted) {
     const auto says_so = [&](const std::string& line) {

@@ -53,7 +53,7 @@ MethodText::MethodText(std::string_view text) : text_(text) {
     const std::string_view value =
         without_quotes(setting.substr(std::min(equals + 1, setting.size())));
     if (key.empty() || value.empty() || value.find('"') != std::string_view::npos) {
-      fail(fmt::format("'{}' is no setting", setting),
+      fail(fmt::format("'{}' is not a setting", setting),
            "write KEY=VALUE, in double quotes a value with commas or pluses");
     }
     if (lookup(key) != nullptr) {
@@ -76,7 +76,7 @@ std::optional<double> MethodText::number(std::string_view key, double minimum, d
   const char* end = value->data() + value->size();
   const auto [stop, failure] = std::from_chars(value->data(), end, result);
   if (failure != std::errc() || stop != end || !(result >= minimum && result <= maximum)) {
-    fail(fmt::format("{}={} is out of range or no number", key, *value),
+    fail(fmt::format("{}={} is out of range or not a number", key, *value),
          fmt::format("{} lies in [{:g}, {:g}]", key, minimum, maximum));
   }
   return result;
@@ -143,17 +143,17 @@ std::vector<HybridPart> hybrid_parts(std::string_view method) {
     const std::string_view part = take(rest, '+');
     const std::size_t star = part.find('*');
     if (star == std::string_view::npos) {
-      throw fail(fmt::format("'{}' is no WEIGHT*METHOD", part));
+      throw fail(fmt::format("'{}' is not a WEIGHT*METHOD", part));
     }
     double weight = 0.0;
     const auto [stop, failure] = std::from_chars(part.data(), part.data() + star, weight);
     if (failure != std::errc() || stop != part.data() + star || !(weight > 0.0) ||
         !std::isfinite(weight)) {
-      throw fail(fmt::format("'{}' is no positive weight", part.substr(0, star)));
+      throw fail(fmt::format("'{}' is not a positive weight", part.substr(0, star)));
     }
     const std::string_view written = part.substr(star + 1);
     if (is_hybrid(written)) {
-      throw fail("nobody can see where the hybrid within it ends",
+      throw fail("the end of the hybrid within it is ambiguous",
                  "put it in quotes, as in hybrid:0.6*\"hybrid:0.9*fv+0.1*od\"+0.4*vp");
     }
     parts.push_back({weight, without_quotes(written)});

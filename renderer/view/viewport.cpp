@@ -30,7 +30,7 @@ bool is_grid(const std::vector<std::string>& rows) {
 /// 1 for each visible cell, row by row.
 std::vector<float> weights_of(const std::vector<std::string>& rows) {
   if (!is_grid(rows)) {
-    throw Error("display", "what is seen of it is no grid of cells",
+    throw Error("display", "its visible part is not a grid of cells",
                 "write rows of hexadecimal digits, each as long as the others");
   }
   std::vector<float> weights;
@@ -43,7 +43,7 @@ std::vector<float> weights_of(const std::vector<std::string>& rows) {
     }
   }
   if (std::count(weights.begin(), weights.end(), 1.0F) == 0) {
-    throw Error("display", "nothing of it is seen", "leave out what is seen of it");
+    throw Error("display", "its visible part is empty", "leave out its visible part");
   }
   return weights;
 }

@@ -43,7 +43,7 @@ WeightImage read_weights(const std::filesystem::path& path) {
   }
   if (*std::max_element(image.weights.begin(), image.weights.end()) == 0.0F) {
     throw Error(path.string(), "is black all over, so no sample could fall anywhere",
-                "paint what matters in lighter colours");
+                "paint important parts in lighter colours");
   }
   return image;
 }

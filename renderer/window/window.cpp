@@ -146,7 +146,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   }
   window_ = glfwCreateWindow(size.x, size.y, settings.title.c_str(), monitor, nullptr);
   if (window_ == nullptr) {
-    throw Error("window", "OpenGL 3.3 is not to be had: " + glfw_fault(),
+    throw Error("window", "OpenGL 3.3 is not available: " + glfw_fault(),
                 "update the graphics driver, or use Mesa's");
   }
   key_times_.emplace(window_, clock);

@@ -78,7 +78,7 @@ def test_content(foveola, file):
     kinds = {kind["kind"]: (kind["count"], kind["unit"]) for kind in info["light_kinds"]}
     require(kinds == {"point": (1, "W/sr"), "directional": (1, "W/m^2")}, kinds)
     require("environment" in info["features"], info["features"])
-    expected = ("scene.toml beside it says", "a camera is rolled")
+    expected = ("with the settings of scene.toml beside it", "camera roll is used by")
     said = [line for line in info["warnings"] if not any(words in line for words in expected)]
     require(len(info["warnings"]) == 2 and not said, info["warnings"])
     descriptor = tomllib.loads(file.with_suffix(".toml").read_text())

@@ -175,8 +175,7 @@ std::string read_file(const fs::path& path, std::size_t most_bytes, const std::s
   }
   if (size > most_bytes) {
     throw Error(path.string(),
-                fmt::format("has over {} bytes, which are the most that are read", most_bytes),
-                remedy);
+                fmt::format("has over {} bytes, the maximum that is read", most_bytes), remedy);
   }
   if (!file.eof()) {
     throw cannot_be_read(path);

@@ -83,8 +83,7 @@ constexpr std::size_t most_bytes = 4'000'000;
 void require_moderate_size(const std::string& file, std::string_view text,
                            const std::string& remedy) {
   if (text.size() > most_bytes) {
-    throw Error(file,
-                fmt::format("has over {} bytes, which are the most that are read", most_bytes),
+    throw Error(file, fmt::format("has over {} bytes, the maximum that is read", most_bytes),
                 remedy);
   }
 }

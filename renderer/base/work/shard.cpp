@@ -31,10 +31,10 @@ Shard parse_shard(const std::string& option, const std::string& text) {
       .number = number_in(std::string_view(text).substr(0, slash)),
       .count = slash < text.size() ? number_in(std::string_view(text).substr(slash + 1)) : 0};
   if (shard.number < 1 || shard.count > max_shards || shard.number > shard.count) {
-    throw UsageError(option,
-                     fmt::format("\"{}\" is no shard and how many there are; write 3/16 for "
-                                 "the third of 16 (at most {})",
-                                 text, max_shards));
+    throw UsageError(
+        option,
+        fmt::format("\"{}\" is not a shard; write K/N with 1 <= K <= N <= {}, for example 3/16",
+                    text, max_shards));
   }
   return shard;
 }

@@ -141,21 +141,20 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
   add_scene_option(*command, arguments->scene);
   command->add_option("--method", arguments->settings.method, "The method, as render's --method");
   add_film_size_option(*command, arguments->settings.progressive.film_size);
-  command->add_option(
-      "--view", arguments->view,
-      "Resample every frame to a view of so many pixels, WIDTHxHEIGHT (default: do not; "
-      "in a window the graphics card does it)");
+  command->add_option("--view", arguments->view,
+                      "Resample every frame to a view of this size in pixels, WIDTHxHEIGHT "
+                      "(default: do not; in a window the graphics card does it)");
   command->add_option("--tracker", arguments->tracker, "The tracker: a profile's name or file");
   command->add_option("--display", arguments->display, "The display: a profile's name or file");
   command
       ->add_option("--rate", arguments->rate_hz,
-                   "The display's refresh rate in Hz (default: as its profile says)")
+                   "The display's refresh rate in Hz (default: by its profile)")
       ->check(CLI::Range(1.0, 1000.0));
   command->add_option("--frames", arguments->frames, "Number of frames")
       ->check(CLI::Range(1, 10'000'000));
   command
       ->add_option("--restart-every", arguments->restart_every,
-                   "Begin a new picture after so many frames")
+                   "Restart the picture after this many frames")
       ->check(CLI::Range(1, 10'000'000));
   add_threads_option(*command, arguments->settings.threads);
   add_json_option(*command, arguments->json);

@@ -107,8 +107,8 @@ void print_density(const std::string& method, bool as_json) {
   if (!as_json) {
     print_text("{}: {} samples on a film of {}x{}\n", method, samples_in_all, film_width,
                film_height);
-    print_text("{:>16} {:>12} {:>16} {:>16} {:>8}\n", "degrees from", "samples", "a square degree",
-               "stated", "ratio");
+    print_text("{:>16} {:>12} {:>16} {:>16} {:>8}\n", "degrees from", "samples",
+               "per square degree", "stated", "ratio");
   }
   double begin_deg = 0.0;
   for (const Ring& ring : measure(*sampler, gaze)) {
@@ -188,7 +188,7 @@ Measured sampler_cost(const std::string& method) {
   const Median time_s = median_s([&] { sampler->sample(square, samples); });
   constexpr double ns_per_s = 1e9;
   return {method, time_s * (ns_per_s / static_cast<double>(square.size())),
-          "ns a sample, one core"};
+          "ns per sample, one core"};
 }
 
 /// Whether a film continues, or is cleared before every batch, with a new gaze.
@@ -280,11 +280,11 @@ void add_bench_sampling(CLI::App& bench) {
   const auto methods = std::make_shared<std::vector<std::string>>();
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "sampling", "Measure what drawing view samples and adding them to the film cost: medians");
+      "sampling", "Measure the cost of drawing view samples and adding them to the film: medians");
   const auto density = std::make_shared<std::string>();
-  command->add_option("--density", *density,
-                      "Print where this method's samples fall instead: counted and stated, in "
-                      "rings around the gaze");
+  command->add_option(
+      "--density", *density,
+      "Print this method's sample density instead: counted and stated, in rings around the gaze");
   command->add_option("METHOD", *methods,
                       "Methods, as render's --method (default: one of each kind)");
   command->add_flag("--json", *as_json, "Print the figures as JSON");

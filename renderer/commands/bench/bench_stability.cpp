@@ -55,7 +55,7 @@ std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes
   std::erase_if(checks,
                 [&](const auto& check) { return check.name.find(only) == std::string::npos; });
   if (checks.empty()) {
-    throw Error("--only", fmt::format("no stress test is called {}", only),
+    throw Error("--only", fmt::format("there is no stress test {}", only),
                 fmt::format("there are: {}", fmt::join(names, ", ")));
   }
   return checks;
@@ -118,7 +118,7 @@ void require_all(const std::vector<StabilityFigure>& figures) {
                                       [](const auto& figure) { return !figure.passes(); });
   if (failures > 0) {
     throw Error("bench stability",
-                fmt::format("{} of {} figures are not met", failures, figures.size()),
+                fmt::format("{} of {} figures exceed their bounds", failures, figures.size()),
                 "see the table; --json has the details of all");
   }
 }
@@ -162,7 +162,7 @@ void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes
                       "Run only the stress tests whose name contains this");
   add_threads_option(*command, arguments->threads);
   command->add_option("--paths", arguments->scene_paths,
-                      "Number of paths over the scenes (default: as --quick and --full say)");
+                      "Number of paths over the scenes (default: by --quick and --full)");
   command->add_option(
       "--seed", arguments->scene_seed,
       "Seed of these paths: many can be traced in several runs, each with its own seed");

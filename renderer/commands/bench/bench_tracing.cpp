@@ -257,12 +257,12 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
                        const std::stop_token& stop) {
   const auto arguments = std::make_shared<TracingArguments>();
   CLI::App* command = bench.add_subcommand(
-      "tracing", "Measure what a path costs, beside what Embree alone takes for the same rays");
+      "tracing", "Measure the time per path, compared with Embree alone for the same rays");
   add_scene_option(*command, arguments->scene);
   command->add_option("--method", arguments->settings.method, "The method, as render's --method");
   add_film_size_option(*command, arguments->settings.progressive.film_size);
   command->add_option("--camera", arguments->camera,
-                      "Where the camera stands: x,y,z in metres (default: as in render)");
+                      "Camera position: x,y,z in metres (default: as in render)");
   command
       ->add_option("--threads", arguments->threads,
                    "Numbers of threads, each measured (default: 1 and all cores)")
@@ -272,11 +272,11 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene,
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22));
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   "Number of repetitions, whose median counts")
+                   "Number of repetitions; their median is reported")
       ->check(CLI::Range(1, 1000));
   add_max_depth_option(*command, arguments->settings.progressive.trace.max_depth);
   command->add_flag("--no-fast-path", arguments->no_fast_path,
-                    "Measure the general path too, and what the fast path gains over it");
+                    "Also measure the general path, and the fast path's gain over it");
   add_json_option(*command, arguments->json);
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
   command->callback([arguments, stop, find = with_scene_file_options(*command, find_scene)] {

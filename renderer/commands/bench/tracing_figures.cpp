@@ -54,7 +54,7 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
   for (const TracingFigures& figures : runs) {
     const double time_s = figures.seconds.value;
     print_text(
-        "{} thread{}: {:.0f} paths a second, {:.2f}{} times Embree alone, {:.2f} times as fast "
+        "{} thread{}: {:.0f} paths per second, {:.2f}{} times Embree alone, {:.2f} times as fast "
         "as the first\n",
         figures.threads, figures.threads == 1 ? "" : "s", static_cast<double>(paths) / time_s,
         figures.ratio_to_embree.value, interval_text(figures.ratio_to_embree),
@@ -67,7 +67,8 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
       const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
       if (rays > 0.0) {
         print_text(
-            "  {:<8} {:6.2f} rays a path, {:6.2f} M rays a second; Embree alone {:6.2f} by {}\n",
+            "  {:<8} {:6.2f} rays per path, {:6.2f} M rays per second; Embree alone {:6.2f} by "
+            "{}\n",
             ray_kinds[i].name, rays / static_cast<double>(paths), per_mega * rays / time_s,
             per_mega * rays / figures.embree[i].seconds, figures.embree[i].entry_point);
       }

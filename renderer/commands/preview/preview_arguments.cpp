@@ -57,17 +57,16 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
   command.add_option("--display", arguments.display,
                      "A display's profile, by name or file: a monitor's window, or a headset's two "
                      "views side by side");
-  CLI::Option* tracker = command.add_option(
-      "--tracker", arguments.tracker,
-      "Where the gaze comes from: pointer, or a tracker's profile (see tracker list)");
+  CLI::Option* tracker =
+      command.add_option("--tracker", arguments.tracker,
+                         "Source of the gaze: pointer, or a tracker's profile (see tracker list)");
   add_headset_option(command, arguments.display, arguments.tracker);
   command
       .add_option("--gaze-file", arguments.gaze_file,
                   "Replay a recorded gaze from this file instead")
       ->excludes(tracker);
-  command.add_option(
-      "--gaze-filter", arguments.gaze_filter,
-      std::string("What the gaze goes through before frames use it: ") + gaze_filter_notation);
+  command.add_option("--gaze-filter", arguments.gaze_filter,
+                     std::string("Filters of the gaze: ") + gaze_filter_notation);
   command.add_flag("--correct-gaze", arguments.correct_gaze,
                    "Correct the gaze by what each check of the tracker (key c) finds");
   add_viewpoint_options(command, arguments.look);
@@ -78,21 +77,19 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
   command.add_option("--window", arguments.window, "Size of the window, WIDTHxHEIGHT");
   CLI::Option* full_screen = command.add_flag("--full-screen", arguments.full_screen,
                                               "Fill a monitor instead of a window");
-  command.add_option("--monitor", arguments.monitor, "Which monitor to fill, counted from 0")
+  command.add_option("--monitor", arguments.monitor, "Number of the monitor to fill, from 0")
       ->check(CLI::Range(0, 100))
       ->needs(full_screen);
-  CLI::Option* true_angles = command.add_flag(
-      "--true-angles", arguments.true_angles,
-      "Show on a monitor what a pane of its size would let through, as the participants of a study "
-      "see it");
-  add_fov_option(command, arguments.look, "a monitor's window shows what the scene's camera shows");
+  CLI::Option* true_angles = command.add_flag("--true-angles", arguments.true_angles,
+                                              "Show a monitor's window at true angles, like a pane "
+                                              "of glass, as the participants of a study see it");
+  add_fov_option(command, arguments.look, "the scene's camera's, in a monitor's window");
   command.get_option("--fov")->excludes(true_angles);
   add_light_options(command, arguments.look);
   add_exposure_option(command, arguments.look);
   add_tone_option(command, arguments.look);
-  command.add_flag(
-      "--fill-unsampled", arguments.fill_unsampled,
-      "Fill unsampled pixels from what is known around them; they are black otherwise");
+  command.add_flag("--fill-unsampled", arguments.fill_unsampled,
+                   "Fill unsampled pixels from sampled ones around them; otherwise they are black");
   command.add_option("--show", arguments.shown, "Overlays to show to begin with")
       ->delimiter(',')
       ->check(CLI::IsMember(texts_of(overlays)));
@@ -102,12 +99,11 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
   CLI::Option* frames =
       command
           .add_option("--frames", arguments.frames,
-                      "End after so many frames (default: when the window is closed)")
+                      "End after this many frames (default: when the window is closed)")
           ->check(CLI::Range(1, 1'000'000'000));
-  mark_output(
-      command.add_option(
-          "--screenshot", arguments.screenshot,
-          "Write the last frame's picture, with all that stands over it, as .png, .jpg or .exr"))
+  mark_output(command.add_option(
+                  "--screenshot", arguments.screenshot,
+                  "Write the last frame's picture, with its overlays, as .png, .jpg or .exr"))
       ->needs(frames);
   add_path_options(command, arguments.trace);
   add_threads_option(command, arguments.threads);

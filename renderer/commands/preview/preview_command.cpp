@@ -266,7 +266,7 @@ void print_words(const LivePreviewReport& report, const PreviewRun& run) {
   print_text(
       "{}\nFirst picture {:.2f} s after the scene was loaded; refreshes at {:.2f} Hz, {}\n{}",
       report.graphics, seconds_to_first_picture(report), report.refresh_rate_hz,
-      report.is_refresh_measured ? "measured" : "as the system or the display's profile says",
+      report.is_refresh_measured ? "measured" : "by the system or the display's profile",
       preview_text(run));
   for (const GazeCheck& check : report.gaze_checks) {
     print_text("Check of the tracker: {}\n", gaze_quality_line(check.quality));

@@ -145,11 +145,11 @@ void add_latency(Text text, const PreviewRun& run) {
                    ms_per_s * row.best_s, ms_per_s * row.median_s, ms_per_s * row.percentile_95_s,
                    ms_per_s * row.worst_s, name_of(row.provenance));
   }
-  fmt::format_to(text,
-                 "Gaze was at most {:.2f} ms old in {} of them, {:.2f} %: a period of the tracker, "
-                 "and what it takes\n",
-                 ms_per_s * gaze_age_limit_s(run.tracker), eye.with_fresh_gaze,
-                 percent(eye.with_fresh_gaze, frames));
+  fmt::format_to(
+      text,
+      "Gaze was at most {:.2f} ms old in {} of them, {:.2f} %: the tracker's period and delay\n",
+      ms_per_s * gaze_age_limit_s(run.tracker), eye.with_fresh_gaze,
+      percent(eye.with_fresh_gaze, frames));
   if (!run.is_resampled) {
     fmt::format_to(text, "Frames were not resampled for a display\n");
   }

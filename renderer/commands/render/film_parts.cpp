@@ -83,7 +83,7 @@ RenderPart::By split_named(const std::string& name) {
       return by;
     }
   }
-  throw Error(name, "is no split of a render that is known here");
+  throw Error(name, "is not a known split of a render");
 }
 
 FilmOrigin origin_of(const FilmFileReader& film) {
@@ -98,7 +98,7 @@ FilmOrigin origin_of(const FilmFileReader& film) {
     }
     return origin;
   } catch (const std::exception&) {
-    throw Error(film.path().string(), "does not say which render it is of",
+    throw Error(film.path().string(), "does not name its render",
                 "name one that foveola render has written");
   }
 }
@@ -113,11 +113,12 @@ std::string difference(const RenderIdentity& here, const RenderIdentity& there) 
                            value);
       }
     }
-    return a.size() == b.size() ? "" : "it says more";
+    return a.size() == b.size() ? "" : "it has more facts";
   };
   std::string found = first_in(here.more, there.more);
   found = found.empty() ? first_in(here.facts, there.facts) : found;
-  return found.empty() && json_of(here) != json_of(there) ? "it is to be shown otherwise" : found;
+  return found.empty() && json_of(here) != json_of(there) ? "its exposure or tone curve differs"
+                                                          : found;
 }
 
 /// A film to merge, and its next pixel.
@@ -153,12 +154,12 @@ void require_whole(const std::vector<Source>& sources) {
     if (source.shard().count != first.shard().count || source.by() != first.by()) {
       throw Error(
           where,
-          fmt::format("is part {} of a render that {} is part {} of", text_of(source.shard()),
+          fmt::format("is part {}, but {} is part {} of the same render", text_of(source.shard()),
                       first.path().string(), text_of(first.shard())),
           "merge parts of one split");
     }
     if (!source.origin.progress.is_complete()) {
-      throw Error(where, "is not finished", "go on with it: the same command with --resume");
+      throw Error(where, "is not finished", "continue it: repeat its command with --resume");
     }
   }
   for (std::int64_t number = 1; number <= first.shard().count; ++number) {
@@ -167,7 +168,7 @@ void require_whole(const std::vector<Source>& sources) {
     if (count != 1) {
       throw Error("merge-images",
                   fmt::format("part {} is {}", text_of(Shard{number, first.shard().count}),
-                              count == 0 ? "missing" : "there more than once"),
+                              count == 0 ? "missing" : "given more than once"),
                   "name each part once");
     }
   }

@@ -48,7 +48,7 @@ void run_merge(const MergeArguments& arguments) {
 void add_merge_images(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand(
-      "merge-images", "Make one image of the parts that render --shard has rendered");
+      "merge-images", "Merge the parts of a render, made by render --shard, into one image");
   command->add_option("PART", arguments->parts, "The .film of each part, in any order")->required();
   command->add_option("-o,--output", arguments->output, "The image to write, as .exr, .png or .jpg")
       ->required();

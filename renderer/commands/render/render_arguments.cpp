@@ -93,25 +93,23 @@ PictureChoices picture_from(const RenderArguments& arguments) {
 
 void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
   command
-      .add_flag("--panorama", arguments.panorama,
-                "Make a 360-degree image instead of a picture, as each option of this group "
-                "does by itself")
+      .add_flag(
+          "--panorama", arguments.panorama,
+          "Make a 360-degree image instead of a picture; implied by each option of this group")
       ->group("360-degree image");
   command
-      .add_option(
-          "--method", arguments.settings.method,
-          "Where the samples go: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or a "
-          "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
-          "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
+      .add_option("--method", arguments.settings.method,
+                  "Sampling method: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or "
+                  "a hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
+                  "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
       ->group("360-degree image");
   command
       .add_option("--gaze", arguments.gaze,
-                  "Where the eye looks: azimuth,elevation in degrees in the world (default: where "
-                  "the head points)")
+                  "Gaze: azimuth,elevation in degrees in the world (default: the head's direction)")
       ->group("360-degree image");
   command
       .add_option("--pointer", arguments.pointer,
-                  "Where the method pointer points: azimuth,elevation in degrees in the world "
+                  "Direction of the method pointer: azimuth,elevation in degrees in the world "
                   "(default: the gaze)")
       ->group("360-degree image");
   command
@@ -119,7 +117,7 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
                   "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]")
       ->group("360-degree image");
   CLI::Option* view = mark_output(command.add_option(
-      "--view", arguments.view, "Also write what the display shows, as .exr, .png or .jpg"));
+      "--view", arguments.view, "Also write the display's view, as .exr, .png or .jpg"));
   view->group("360-degree image");
   command
       .add_option("--view-size", arguments.view_size,
@@ -128,8 +126,8 @@ void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
       ->group("360-degree image");
   command
       .add_flag("--fill-unsampled", arguments.fill_unsampled,
-                "Fill unsampled pixels of the display's image from what is known around them; they "
-                "are black otherwise")
+                "Fill unsampled pixels of the display's image from sampled ones around them; "
+                "otherwise they are black")
       ->needs(view)
       ->group("360-degree image");
   command
@@ -158,30 +156,30 @@ std::optional<RenderPart> part_from(const RenderArguments& arguments) {
   require(!arguments.seconds, "--shard",
           "needs --spp or --samples: seconds differ between machines");
   require(arguments.adaptive_contrast == 0.0, "--shard",
-          "does not go with --adaptive, which looks at the whole film");
-  require(arguments.view.empty(), "--shard", "has no --view: that is of the whole film");
+          "cannot be combined with --adaptive, which needs the whole film");
+  require(arguments.view.empty(), "--shard",
+          "cannot be combined with --view, which shows the whole film");
   return RenderPart{.shard = parse_shard("--shard", arguments.shard),
                     .by = value_of(splits, arguments.split)};
 }
 
 void add_part_options(CLI::App& command, RenderArguments& arguments) {
-  CLI::Option* const shard = command.add_option(
-      "--shard", arguments.shard,
-      "Render only the Kth of N parts, as K/N, into a .film; foveola merge-images puts all parts "
-      "together");
+  CLI::Option* const shard = command.add_option("--shard", arguments.shard,
+                                                "Render only the Kth of N parts, as K/N, into a "
+                                                ".film; foveola merge-images merges all parts");
   shard->group("Parts");
   command
       .add_option("--split", arguments.split,
-                  "What parts are: tiles, each of which draws all directions and traces those of "
+                  "Kind of parts: tiles, each of which draws all directions and traces those of "
                   "its own, so that together they are the whole image bit for bit; or seeds, each "
                   "of which takes a part of the samples, from random numbers of its own")
       ->needs(shard)
       ->check(CLI::IsMember(texts_of(splits)))
       ->group("Parts");
   command
-      .add_flag("--resume", arguments.resume,
-                "Go on with the .film of this command, where it was stopped or killed; begin it if "
-                "there is none")
+      .add_flag(
+          "--resume", arguments.resume,
+          "Continue the .film of this command after a stop or kill; begin it if there is none")
       ->group("Parts");
 }
 
@@ -193,7 +191,7 @@ void add_tracing_options(CLI::App& command, RenderArguments& arguments) {
   command.add_flag("--diffuse", arguments.settings.scene.diffuse,
                    "Show every material as Lambertian in its base colour, to compare renderers");
   command.add_option("--clamp", arguments.largest_radiance,
-                     "Cut each sample's radiance to this: less noise, but too dark a picture");
+                     "Clamp each sample's radiance to this: less noise, but too dark a picture");
 }
 
 }  // namespace
@@ -238,10 +236,9 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
 
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
   add_scene_option(command, arguments.scene);
-  command.add_option(
-      "-o,--output", arguments.output,
-      "The image to write, as .exr (R, G, B, samples), .png or .jpg; or a .film, which "
-      "--resume goes on with and merge-images makes an image of");
+  command.add_option("-o,--output", arguments.output,
+                     "The image to write, as .exr (R, G, B, samples), .png or .jpg; or a .film, "
+                     "for --resume and merge-images");
   command.add_option(
       "--size", arguments.size,
       fmt::format("Size of the image in pixels, WIDTHxHEIGHT (default: {}, cut to the "

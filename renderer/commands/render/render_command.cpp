@@ -21,7 +21,8 @@ namespace {
 void run_replay(const RenderArguments& arguments, const RenderSettings& settings,
                 const SceneFinder& find_scene, const std::stop_token& stop) {
   const SampleAddress address = parse_sample("--replay", arguments.replay);
-  require(settings.budget.seconds == 0.0, "--seconds", "does not go with --replay; use --samples");
+  require(settings.budget.seconds == 0.0, "--seconds",
+          "cannot be combined with --replay; use --samples");
   const ReplayedPath path =
       replay(lit_scene(arguments.scene, arguments.look, find_scene), settings, address, stop);
   if (arguments.json) {
@@ -71,8 +72,8 @@ void require_kind_of_output(const RenderArguments& arguments) {
     return;
   }
   require_writable(arguments.output);
-  require(arguments.adaptive_contrast == 0.0, "--adaptive", "cannot be gone on with in a .film");
-  require(!arguments.seconds, "--seconds", "cannot be gone on with in a .film; use --spp");
+  require(arguments.adaptive_contrast == 0.0, "--adaptive", "cannot be continued in a .film");
+  require(!arguments.seconds, "--seconds", "cannot be continued in a .film; use --spp");
 }
 
 /// Renders into a film, continuing an earlier run, and stores it at intervals.

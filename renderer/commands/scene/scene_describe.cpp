@@ -69,7 +69,7 @@ void require_free(const Outputs& outputs, bool may_replace) {
   for (const fs::path& file : {outputs.descriptor, outputs.sheet}) {
     std::error_code ignored;
     if (fs::exists(file, ignored) && !may_replace) {
-      throw Error(file.string(), "is there already", "add --force to replace it");
+      throw Error(file.string(), "exists already", "add --force to replace it");
     }
     require_writable(file);
   }
@@ -99,8 +99,8 @@ void print_result(const Outputs& outputs, const std::vector<ProposedObject>& obj
   }
   if (objects.empty()) {
     print_text(
-        "Nothing by itself is of the size and in sight that an object needs; 'foveola scene "
-        "pick' says where things are, for [[object]] entries of your own.\n");
+        "No object of the scene has a suitable size and visibility; 'foveola scene pick' gives "
+        "positions for [[object]] entries of your own.\n");
   } else {
     print_text("{}: a picture of each\n", outputs.sheet.string());
   }
@@ -181,10 +181,10 @@ void describe(const DescribeArguments& arguments, SceneSource source,
 void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
                         const std::stop_token& stop) {
   const auto arguments = std::make_shared<DescribeArguments>();
-  CLI::App* command = scene.add_subcommand(
-      "describe",
-      "Write a descriptor of a scene of your own: where one stands in it, its exposure, and "
-      "objects that a study's participants may choose, proposed from what the camera sees");
+  CLI::App* command =
+      scene.add_subcommand("describe",
+                           "Write a descriptor of your own scene: its camera, its exposure, and "
+                           "objects in view that a study's participants may choose");
   command->add_option("FILE", arguments->file, "A .glb, .gltf or .obj file")->required();
   command->add_option("-o,--output", arguments->output,
                       "The .toml file to write (default: beside FILE, under its name, where every "
@@ -192,7 +192,7 @@ void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
   mark_output(command->add_option("--contact-sheet", arguments->contact_sheet,
                                   "The .png with a picture of each object (default: beside the "
                                   "descriptor, NAME-objects.png)"));
-  command->add_flag("--force", arguments->may_replace, "Replace files that are there already");
+  command->add_flag("--force", arguments->may_replace, "Replace existing files");
   add_viewpoint_options(*command, arguments->look);
   add_light_options(*command, arguments->look);
   add_exposure_option(*command, arguments->look);

@@ -182,8 +182,8 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
   const double bytes_a_triangle =
       facts.stored_triangles == 0 ? 0.0 : bytes / static_cast<double>(facts.stored_triangles);
   print_text(
-      "memory     geometry {:.1f} MiB and Embree's hierarchy {:.1f} MiB ({:.0f} bytes a triangle), "
-      "textures {:.1f} MiB\n",
+      "memory     geometry {:.1f} MiB and Embree's hierarchy {:.1f} MiB ({:.0f} bytes per "
+      "triangle), textures {:.1f} MiB\n",
       mib(facts.geometry_bytes), mib(tracing_bytes), bytes_a_triangle,
       mib(facts.texture_bytes + facts.environment_bytes));
 }
@@ -229,8 +229,7 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::s
   const auto name = std::make_shared<std::string>();
   const auto look = std::make_shared<LookArguments>();
   const auto as_json = std::make_shared<bool>(false);
-  CLI::App* command =
-      scene.add_subcommand("info", "What a scene contains, and the memory that it needs");
+  CLI::App* command = scene.add_subcommand("info", "Print a scene's content and memory");
   command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
   add_light_options(*command, *look);
   command->add_flag("--json", *as_json, "Print it as JSON");

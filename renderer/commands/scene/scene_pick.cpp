@@ -80,15 +80,14 @@ void print(const std::optional<Answer>& answer, bool as_json) {
 
 void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<PickArguments>();
-  CLI::App* command =
-      scene.add_subcommand("pick", "Which object a gaze meets first, of which material, and where");
+  CLI::App* command = scene.add_subcommand(
+      "pick", "Print the first object that a gaze hits, its material, and the place");
   add_scene_option(*command, arguments->scene);
   command->add_option(
       "--gaze", arguments->gaze,
-      "Where the eye looks: azimuth,elevation in degrees in the world (default: where the head "
-      "points)");
+      "Gaze: azimuth,elevation in degrees in the world (default: the head's direction)");
   add_viewpoint_options(*command, arguments->look);
-  command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
+  command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is hit");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");
   command->callback([arguments, stop, find = with_scene_file_options(*command, find_scene)] {
     print(pick(*arguments, find(arguments->scene), stop), arguments->json);

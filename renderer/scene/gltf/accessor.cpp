@@ -211,9 +211,8 @@ void check_sparse_accessors(const GltfModel& model) {
     const SparseElements sparse(model, static_cast<int>(i), place);
     checked += sparse.count();
     if (checked > most) {
-      throw GltfFault(place, fmt::format("brings the elements that sparse accessors replace to "
-                                         "more than {}",
-                                         most));
+      throw GltfFault(place,
+                      fmt::format("the sparse accessors replace more than {} elements", most));
     }
     std::int64_t previous = -1;
     for (std::size_t k = 0; k < sparse.count(); ++k) {

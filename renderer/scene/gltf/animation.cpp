@@ -150,8 +150,7 @@ class Poser {
     constexpr std::size_t most = std::size_t{1} << 27;
     read_ += element_count(model_, accessor) * static_cast<std::size_t>(components);
     if (read_ > most) {
-      throw GltfFault(place,
-                      fmt::format("brings the numbers of the animations to more than {}", most));
+      throw GltfFault(place, fmt::format("the animations hold more than {} keyframe values", most));
     }
     return read_numbers(model_, accessor, components, place);
   }
@@ -208,10 +207,9 @@ void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings&
     }
   }
   if (overlaps) {
-    warnings.add(
-        fmt::format("the clips {} move the same nodes, and the last holds; --clip NAME "
-                    "chooses one",
-                    listed(names)));
+    warnings.add(fmt::format(
+        "the clips {} move the same nodes, and the last one wins; --clip NAME chooses one",
+        listed(names)));
   }
 }
 

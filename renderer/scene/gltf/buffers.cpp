@@ -80,7 +80,7 @@ class BufferReader {
     total_size_ += std::filesystem::file_size(path);
     if (total_size_ > largest_total_size) {
       throw std::runtime_error(
-          fmt::format("brings the files of the scene to more than {} bytes", largest_total_size));
+          fmt::format("the scene's files hold more than {} bytes", largest_total_size));
     }
     std::string content = read_file(path);
     if (content.empty()) {

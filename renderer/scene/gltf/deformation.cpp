@@ -146,7 +146,7 @@ void separate_deformed_meshes(GltfModel& model) {
       if (copies > max_copies) {
         throw GltfFault(
             fmt::format("nodes[{}]", i),
-            fmt::format("brings the deformed copies of primitives to more than {}", max_copies));
+            fmt::format("the scene needs more than {} deformed copies of primitives", max_copies));
       }
       node.mesh = static_cast<int>(model.meshes.size());
       model.meshes.push_back(GltfMesh(model.meshes[mesh]));

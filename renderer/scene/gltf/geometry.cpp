@@ -168,7 +168,7 @@ Mesh read_vertices(const Attributes& attributes, const VertexNeeds& needs, const
 void warn_of_what_is_ignored(const GltfPrimitive& primitive, const std::string& place,
                              Warnings& warnings) {
   if (primitive.attribute("COLOR_1") >= 0) {
-    warnings.add("vertex colours but the first are ignored", place);
+    warnings.add("vertex colours other than the first are ignored", place);
   }
 }
 
@@ -177,16 +177,15 @@ void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnin
   warnings.add("triangles without area or with coordinates that are not finite are dropped", place,
                drop_degenerate_triangles(mesh));
   throw_if_work_stopped();
-  warnings.add("normals of no use are replaced by those of the surface", place,
-               repair_normals(mesh));
+  warnings.add("invalid normals are replaced by the surface's", place, repair_normals(mesh));
   warnings.add("texture coordinates that are not finite become 0", place, repair_uvs(mesh));
-  warnings.add("vertex colours are limited to the range they may have", place, repair_colors(mesh));
+  warnings.add("vertex colours are clamped to their range", place, repair_colors(mesh));
   drop_white_colors(mesh);
   if (!needs.normal_texture || mesh.uv_sets.empty()) {
     return;
   }
   const std::size_t unusable = straighten_tangents(mesh);
-  warnings.add("tangents of no use: all those of their mesh are computed", place, unusable);
+  warnings.add("invalid tangents: all tangents of their mesh are recomputed", place, unusable);
   if (unusable > 0 || mesh.tangents.empty()) {
     add_tangents(mesh, needs.normal_texture->uv_set, needs.normal_texture->texture_from_mesh);
   }
@@ -202,7 +201,7 @@ MemoryBudget::MemoryBudget(const GltfModel& model) : left_(std::size_t{1} << 29)
 
 void MemoryBudget::take(std::size_t bytes, const std::string& place) {
   if (bytes > left_) {
-    throw GltfFault(place, "brings the scene to more memory than a file of its size may ask for");
+    throw GltfFault(place, "the scene needs more memory than a file of its size may request");
   }
   left_ -= bytes;
 }

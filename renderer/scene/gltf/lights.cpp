@@ -62,7 +62,7 @@ Rgb intensity_of(const GltfValues& source, LightUnits units, const std::string& 
       source.vec3("color", DVec3(1.0)) * (source.number("intensity", 1.0) / units_per_watt);
   const DVec3 limited = glm::clamp(intensity, DVec3(0.0), DVec3(brightest_light));
   if (limited != intensity) {
-    warnings.add("the intensity of a light is limited to the range it may have", place);
+    warnings.add("the intensity of a light is clamped to its range", place);
   }
   return Rgb(limited);
 }
@@ -83,7 +83,7 @@ void read_cone(const GltfValues& source, PunctualLight::ConeEdge edge, const std
   light.cone_edge = edge;
   constexpr double rounding = 1e-5;  // exporters write pi / 2 with few digits
   if (std::abs(outer - stated_outer) > rounding || std::abs(inner - stated_inner) > rounding) {
-    warnings.add("the cone of a spot light is limited to the range it may have", place);
+    warnings.add("the cone of a spot light is clamped to its range", place);
   }
 }
 
@@ -97,7 +97,7 @@ float size_of(const GltfValues& source, const char* key, double highest, const s
   const double size = extras.number(key, -1.0);
   const double limited = std::clamp(size, 0.0, highest);
   if (limited != size) {
-    warnings.add("the size of a light is limited to the range it may have",
+    warnings.add("the size of a light is clamped to its range",
                  fmt::format("{}.extras.foveola.{}", place, key));
   }
   return static_cast<float>(limited);
@@ -162,8 +162,9 @@ std::vector<PunctualLight> read_lights(const GltfModel& model,
     light.intensity = intensity_of(source, meant, place, warnings);
     light.position = Vec3(DVec3(world_from_local[3]) - origin);
     if (source.number("range", 0.0) > 0.0) {
-      warnings.add("the range of a light is ignored: it shines on with the square of the distance",
-                   place);
+      warnings.add(
+          "the range of a light is ignored: its light falls off with the square of the distance",
+          place);
     }
     read_size(source, place, light, warnings);
     if (light.kind == PunctualLight::Kind::spot) {

@@ -42,8 +42,7 @@ void warn_of_ignored_parts(const GltfModel& model, bool is_posed, Warnings& warn
     }
   }
   if (model.root().size("animations") > 0 && !is_posed) {
-    warnings.add(
-        "animations are ignored: everything stays in its first place, unless --time says when");
+    warnings.add("animations are ignored; --time SECONDS applies them");
   }
 }
 
@@ -64,7 +63,7 @@ std::vector<bool> shown_materials(const GltfModel& model, const PlacedNodes& nod
 void require_few_joints(std::size_t joints, const std::string& place) {
   constexpr std::size_t most = std::size_t{1} << 22;
   if (joints > most) {
-    throw GltfFault(place, fmt::format("brings the joints of the scene to more than {}", most));
+    throw GltfFault(place, fmt::format("the scene has more than {} joints", most));
   }
 }
 

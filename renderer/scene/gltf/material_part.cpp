@@ -33,8 +33,7 @@ Rgb MaterialContext::limited(const DVec3& value, double lowest, double highest,
                              const std::string& property) {
   const DVec3 result = glm::clamp(value, DVec3(lowest), DVec3(highest));
   if (result != value) {
-    warn(property.substr(property.rfind('.') + 1) + " is limited to the range it may have",
-         property);
+    warn(property.substr(property.rfind('.') + 1) + " is clamped to its range", property);
   }
   return Rgb(result);
 }

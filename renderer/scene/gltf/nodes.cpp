@@ -147,7 +147,7 @@ std::vector<DMat4> instances_of(const GltfModel& model, const GltfNode& node, in
       numbers = read_numbers(model, accessor->second, components, where);
       const std::size_t elements = element_count(model, accessor->second);
       if (count.value_or(elements) != elements) {
-        throw GltfFault(where, "is of another number of instances than the others");
+        throw GltfFault(where, "has another number of instances than the others");
       }
       count = elements;
     }
@@ -177,7 +177,7 @@ void require_few_instances(std::size_t count, int node) {
   constexpr std::size_t max_instances = std::size_t{1} << 22;
   if (count > max_instances) {
     throw GltfFault(place_of(node),
-                    fmt::format("brings the meshes in the scene to more than {}", max_instances));
+                    fmt::format("the scene has more than {} instances of meshes", max_instances));
   }
 }
 
@@ -298,7 +298,7 @@ std::vector<CameraView> read_cameras(const GltfModel& model, const std::vector<P
                     .aspect_ratio = std::nullopt};
     if (view.roll_rad != 0.0) {
       warnings.add(
-          "a camera is rolled: only pictures of render show that, elsewhere its horizon stays "
+          "camera roll is used by 'foveola render' only; previews and panoramas keep the horizon "
           "level",
           place);
     }

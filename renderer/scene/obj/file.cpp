@@ -102,7 +102,7 @@ class Collector {
     throw_if_work_stopped();
     ++faces_;
     if (count < 3) {
-      warnings_.add("faces of less than three corners are not shown",
+      warnings_.add("faces of fewer than three corners are not shown",
                     fmt::format("face {}", faces_));
       return;
     }

@@ -128,12 +128,10 @@ Mesh mesh_of(const ObjFile& obj, const ObjPart& part, bool is_textured, Warnings
   Mesh mesh = std::move(builder).take();
   warnings.add("triangles without area or with coordinates that are not finite are dropped",
                part.object, drop_degenerate_triangles(mesh));
-  warnings.add("normals of no use are replaced by those of the surface", part.object,
-               repair_normals(mesh));
+  warnings.add("invalid normals are replaced by the surface's", part.object, repair_normals(mesh));
   warnings.add("texture coordinates that are not finite are replaced by 0", part.object,
                repair_uvs(mesh));
-  warnings.add("vertex colours are limited to the range they may have", part.object,
-               repair_colors(mesh));
+  warnings.add("vertex colours are clamped to their range", part.object, repair_colors(mesh));
   drop_white_colors(mesh);
   if (is_textured && mesh.uv_sets.empty() && !mesh.triangles.empty()) {
     warnings.add("texture coordinates are missing: a textured material shows no texture",

@@ -50,7 +50,7 @@ class MaterialReader {
   float limited(float value, float lowest, float highest, const char* statement) const {
     const float result = std::isfinite(value) ? std::clamp(value, lowest, highest) : lowest;
     if (result != value) {
-      warnings_.add(fmt::format("{} is limited to the range it may have", statement), place_);
+      warnings_.add(fmt::format("{} is clamped to its range", statement), place_);
     }
     return result;
   }

@@ -40,7 +40,7 @@ void warn_of_other_projections(const Environment& environment, const std::string
                                Warnings& warnings) {
   constexpr int rounding_px = 2;
   if (std::abs(environment.map_width - 2 * environment.map_height) > rounding_px) {
-    warnings.add(fmt::format("the environment has {} x {} pixels, no panorama of 2 to 1: it is "
+    warnings.add(fmt::format("the environment has {} x {} pixels, not a panorama of 2 to 1: it is "
                              "stretched over the whole sphere",
                              environment.map_width, environment.map_height),
                  file);
@@ -88,9 +88,8 @@ void repair(Environment& environment, const std::string& file, Warnings& warning
   const float brightest = brightest_of(environment.map);
   const Repairs repairs = repair(environment.map, brightest);
   if (repairs.darkened > 0) {
-    warnings.add(
-        fmt::format("pixels of the environment that are negative or no number are black ({} in {})",
-                    repairs.darkened, file));
+    warnings.add(fmt::format("negative or NaN pixels of the environment are black ({} in {})",
+                             repairs.darkened, file));
   }
   if (repairs.limited > 0) {
     warnings.add(fmt::format("infinite pixels of the environment are limited to {} ({} in {})",

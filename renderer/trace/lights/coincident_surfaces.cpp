@@ -308,8 +308,8 @@ std::optional<std::string> CoincidentSurfaces::warning() const {
     return given.empty() ? fmt::format("object {}", place.object) : fmt::format("'{}'", given);
   };
   return fmt::format(
-      "{} shines in one plane with {}, which it overlaps: of overlapping surfaces the first that "
-      "shines is seen, and it alone lights the scene ({} triangles)",
+      "{} emits light in one plane with {}, which it overlaps: of overlapping surfaces the first "
+      "emitter is visible, and it alone lights the scene ({} triangles)",
       name(first_->first), name(first_->second), overlaps_.size());
 }
 

@@ -137,7 +137,7 @@ std::optional<std::string> TracedScene::warning_of_lights_without_size() const {
     return std::nullopt;
   }
   return fmt::format(
-      "no path finds the lights without a size ({}) behind smooth solid glass or in mirrors; give "
+      "lights without a size ({}) are invisible behind smooth solid glass and in mirrors; give "
       "them one by {}",
       points + suns,
       suns == 0     ? "--light-radius METRES"

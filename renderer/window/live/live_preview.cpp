@@ -76,7 +76,7 @@ void LivePreview::tell_of_pictures() {
 
 void LivePreview::tell_of_warnings() {
   if (settings_.has_studio_light) {
-    tell("nothing in the scene shines: a studio light", MessageStay::long_enough);
+    tell("nothing in the scene emits light: a studio light", MessageStay::long_enough);
   }
   if (const std::size_t count = settings_.warnings.size(); count > 0) {
     tell(fmt::format("{} warning{} of the scene: w shows {}", count, count == 1 ? "" : "s",

@@ -162,31 +162,31 @@ std::vector<std::string> density_lines(std::span<const LiveFrame> frames) {
   const std::span<const LiveFrame> last = last_second(frames);
   // The scale's ends and its three quarters, below density_map's decades.
   std::vector<std::string> lines = {"1/100   1/10        1         10       100",
-                                    "times as many samples as evenly all around"};
+                                    "sample density relative to uniform"};
   const Nanoseconds took = last.empty() ? Nanoseconds(0) : last.back().shown - last.front().start;
   if (took > Nanoseconds(0)) {
     double samples = 0.0;
     for (const LiveFrame& frame : last) {
       samples += static_cast<double>(frame.report.samples);
     }
-    lines.push_back(
-        fmt::format("1: {:.3g} a second and square degree", samples / seconds(took) / sphere_deg2));
+    lines.push_back(fmt::format("1: {:.3g} per second and square degree",
+                                samples / seconds(took) / sphere_deg2));
   }
   return lines;
 }
 
 std::vector<std::string> view_lines(const ShownNow& shown) {
-  return {
-      shown.view,
-      fmt::format("camera {:.4g}, {:.4g}, {:.4g}; moves {:.3g} m a second", shown.camera.x,
-                  shown.camera.y, shown.camera.z, shown.speed_m_per_s),
-      fmt::format("head {:.1f}, {:.1f} degrees", degrees(shown.head.azimuth_rad),
-                  degrees(shown.head.elevation_rad)),
-      fmt::format("exposure {:+.1f} stops, {} tone curve", shown.exposure_stops,
-                  shown.curve == ToneCurve::filmic ? "filmic" : "plain"),
-      std::isfinite(shown.largest_radiance)
-          ? fmt::format("samples cut at {:.3g}: no specks, and too dark", shown.largest_radiance)
-          : "samples not cut"};
+  return {shown.view,
+          fmt::format("camera {:.4g}, {:.4g}, {:.4g}; moves at {:.3g} m/s", shown.camera.x,
+                      shown.camera.y, shown.camera.z, shown.speed_m_per_s),
+          fmt::format("head {:.1f}, {:.1f} degrees", degrees(shown.head.azimuth_rad),
+                      degrees(shown.head.elevation_rad)),
+          fmt::format("exposure {:+.1f} stops, {} tone curve", shown.exposure_stops,
+                      shown.curve == ToneCurve::filmic ? "filmic" : "plain"),
+          std::isfinite(shown.largest_radiance)
+              ? fmt::format("samples clamped at {:.3g}: no specks, but too dark",
+                            shown.largest_radiance)
+              : "samples not clamped"};
 }
 
 std::string view_options(const ShownNow& shown) {

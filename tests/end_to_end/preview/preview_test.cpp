@@ -74,7 +74,7 @@ TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
               HasSubstr("1.6 m above the floor of a room where it is widest"));
   EXPECT_EQ(preview({"--frames", "5", "--camera", "0,0"}).exit_code, 2);
   expect_one_line(preview({"--frames", "5", "--gaze-filter", "kalman"}), 2,
-                  "'kalman' is no filter of a gaze");
+                  "'kalman' is not a gaze filter");
 }
 
 TEST_F(PreviewCommand, ChecksTheTracker) {

@@ -139,7 +139,7 @@ TEST_F(DescribedScene, IsTheSamePictureToTheBit) {
   render("before.exr");
   render("before.png");
   succeeded(describe());
-  EXPECT_THAT(render("after.exr"), HasSubstr("as kitchen.toml beside it says"));
+  EXPECT_THAT(render("after.exr"), HasSubstr("with the settings of kitchen.toml beside it"));
   render("after.png");
   const RgbImage before = read_film_image(path("before.exr")).color;
   const RgbImage after = read_film_image(path("after.exr")).color;
@@ -166,7 +166,7 @@ TEST_F(DescribedScene, ComesWithAPictureOfEachObject) {
 
 TEST_F(DescribedScene, IsNotDescribedOverWhatIsThere) {
   write("kitchen.toml", "# mine\n");
-  expect_one_line(describe(), 1, "kitchen.toml: is there already; add --force");
+  expect_one_line(describe(), 1, "kitchen.toml: exists already; add --force");
   EXPECT_EQ(read_file(path("kitchen.toml")), "# mine\n");
   succeeded(describe({"--force"}));
   EXPECT_THAT(read_file(path("kitchen.toml")), HasSubstr("Crate"));

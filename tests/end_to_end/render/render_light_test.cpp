@@ -23,7 +23,7 @@ TEST_F(Render, SaysWhereItStandsAndThatNothingShines) {
         options));
   };
   const ProgramResult dark = succeeded(render_cube({}));
-  EXPECT_THAT(dark.errors, HasSubstr("nothing in the scene shines"));
+  EXPECT_THAT(dark.errors, HasSubstr("nothing in the scene emits light"));
   EXPECT_THAT(dark.errors, HasSubstr("--environment 1,1,1"));
   EXPECT_EQ(black_share(read_film_image(folder_ / "c.exr").color), 1.0) << "but it is written";
 

@@ -123,10 +123,10 @@ TEST_F(RenderParts, AreRefusedIfTheyAreNotThoseOfOneRender) {
   const Options files = parts(3, panorama, "part");
   expect_one_line(merge({files[0], files[2]}, "m.exr"), 1, "part 2/3 is missing");
   expect_one_line(merge({files[0], files[1], files[1], files[2]}, "m.exr"), 1,
-                  "part 2/3 is there more than once");
+                  "part 2/3 is given more than once");
   const Options halves = parts(2, panorama, "half");
   expect_one_line(merge({files[0], halves[1], files[2]}, "m.exr"), 1,
-                  "half-2.film: is part 2/2 of a render that");
+                  "half-2.film: is part 2/2, but");
   Options other = panorama;
   other.back() = "6";
   parts(3, other, "other");
@@ -135,7 +135,7 @@ TEST_F(RenderParts, AreRefusedIfTheyAreNotThoseOfOneRender) {
   write_file(folder_ / "damaged.film", bytes(files[1]).replace(5000, 1, "x"));
   expect_one_line(merge({files[0], "damaged.film", files[2]}, "m.exr"), 1,
                   "damaged.film: is damaged");
-  expect_one_line(merge({"room.gltf"}, "m.exr"), 1, "room.gltf: is no film");
+  expect_one_line(merge({"room.gltf"}, "m.exr"), 1, "room.gltf: is not a film");
   const std::string before = bytes(files[1]);
   EXPECT_THAT(render(files[1], joined(other, {"--shard", "2/3", "--resume"})).errors,
               HasSubstr("part-2.film: is of another render"));

@@ -24,21 +24,21 @@ TEST(GazeFilterOption, SaysWhatIsWrongAndWhatToGive) {
                 ThrowsMessage<UsageError>(AllOf(StartsWith("--gaze-filter: "), HasSubstr(what))))
         << text;
   };
-  expect_refused("", "'' is no filter");
-  expect_refused("kalman", "'kalman' is no filter of a gaze; give none, or ");
-  expect_refused("hold,none", "'none' is no filter");
-  expect_refused("hold,", "'' is no filter");
-  expect_refused("hold=0.7",
-                 "'0.7' is no time in seconds to hold a gaze for; give a number from "
-                 "0.001 to 0.6");
-  expect_refused("hold=", "'' is no time");
+  expect_refused("", "'' is not a gaze filter");
+  expect_refused("kalman", "'kalman' is not a gaze filter; give none, or ");
+  expect_refused("hold,none", "'none' is not a gaze filter");
+  expect_refused("hold,", "'' is not a gaze filter");
+  expect_refused(
+      "hold=0.7",
+      "'0.7' is not a time in seconds to hold a gaze for; give a number from 0.001 to 0.6");
+  expect_refused("hold=", "'' is not a time");
   expect_refused("extrapolate", "'extrapolate' needs a time");
   expect_refused("extrapolate=0", "from 0.001 to 0.1");
   expect_refused("extrapolate=nan", "from 0.001 to 0.1");
-  expect_refused("one-euro=1:2", "'1:2' is no 1-Euro filter");
-  expect_refused("one-euro=0:0.3:10", "'0' is no cutoff frequency");
-  expect_refused("one-euro=1:-1:10", "'-1' is no beta");
-  expect_refused("hold,hold=0.3", "'hold' is there twice");
+  expect_refused("one-euro=1:2", "'1:2' is not a 1-Euro filter");
+  expect_refused("one-euro=0:0.3:10", "'0' is not a cutoff frequency");
+  expect_refused("one-euro=1:-1:10", "'-1' is not a beta");
+  expect_refused("hold,hold=0.3", "'hold' is given twice");
 }
 
 }  // namespace

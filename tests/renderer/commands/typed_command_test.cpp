@@ -89,13 +89,13 @@ TEST_F(TypedCommand, ListsTheCommandsWhereNoneIsNamed) {
 
 TEST_F(TypedCommand, SaysWhatIsNoNumber) {
   EXPECT_THAT(fault_of({"render", "--exposure", "abc"}),
-              HasSubstr("--exposure: 'abc' is no number"));
+              HasSubstr("--exposure: 'abc' is not a number"));
   EXPECT_THAT(fault_of({"render", "--exposure", "5s"}),
-              HasSubstr("--exposure: '5s' is no number; leave out 's'"));
-  EXPECT_THAT(fault_of({"render", "--samples", "many"}), HasSubstr("'many' is no number"));
-  EXPECT_THAT(fault_of({"render", "--samples", ""}), HasSubstr("'' is no number"));
-  EXPECT_THAT(fault_of({"render", "--samples", "1.5"}), HasSubstr("'1.5' is no whole number"));
-  EXPECT_THAT(fault_of({"render", "--samples", "1e40"}), HasSubstr("'1e40' is no whole number"));
+              HasSubstr("--exposure: '5s' is not a number; leave out 's'"));
+  EXPECT_THAT(fault_of({"render", "--samples", "many"}), HasSubstr("'many' is not a number"));
+  EXPECT_THAT(fault_of({"render", "--samples", ""}), HasSubstr("'' is not a number"));
+  EXPECT_THAT(fault_of({"render", "--samples", "1.5"}), HasSubstr("'1.5' is not a whole number"));
+  EXPECT_THAT(fault_of({"render", "--samples", "1e40"}), HasSubstr("'1e40' is not a whole number"));
   EXPECT_THAT(fault_of({"render", "--samples", "nan"}), HasSubstr("'nan' is not a whole number"));
 }
 
@@ -129,7 +129,7 @@ TEST_F(TypedCommand, OtherNumbersAreReadAsEver) {
 
 TEST_F(TypedCommand, SaysWhereWorkCannotBeSplit) {
   EXPECT_THAT(fault_of({"study", "run", "--shard", "1/2"}),
-              HasSubstr("what foveola study run finds in parts could not be put together"));
+              HasSubstr("parts of foveola study run could not be merged"));
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST_F(FilmFile, MustBeAFilmThatIsThere) {
   EXPECT_THAT([&] { FilmFileReader(folder_ / "pipe.film"); },
               ThrowsMessage<Error>(HasSubstr("cannot be read")));
   EXPECT_THAT([&] { FilmFileReader(folder_.write("b.film", "a text that is long enough")); },
-              ThrowsMessage<Error>(HasSubstr("is no film that this program knows")));
+              ThrowsMessage<Error>(HasSubstr("is not a film that this program reads")));
   EXPECT_THROW(write_film_file(folder_ / "none/a.film", {.size = {3, 2}}, {}), Error);
 }
 

@@ -47,7 +47,7 @@ TEST(HeadFile, MayHaveRoll) {
   EXPECT_THAT(head_error_of("time_ns,azimuth_rad,elevation_rad,roll_rad\n0,0,0\n"),
               HasSubstr("has 3 fields instead of 4"));
   EXPECT_THAT(head_error_of("time_ns,azimuth_rad,elevation_rad,roll_rad\n0,0,0,3.2\n"),
-              HasSubstr("\"3.2\" is no number from -3.14"));
+              HasSubstr("\"3.2\" is not a number from -3.14"));
 }
 
 TEST(HeadFile, BringsPosesBackBitForBit) {
@@ -84,8 +84,8 @@ TEST(HeadFile, ErrorsSayWhere) {
   EXPECT_THAT(head_error_of(head_header), HasSubstr("head.csv: has no samples"));
   // What a line of any recording can have wrong is tested in recordings_test.cpp.
   for (const auto& [line, what] : {std::pair("1,0", "head.csv:3: has 2 fields instead of 3"),
-                                   {"1,1001,0", "\"1001\" is no number from -1000 to 1000"},
-                                   {"1,0,1.571", "\"1.571\" is no number from -1.57"}}) {
+                                   {"1,1001,0", "\"1001\" is not a number from -1000 to 1000"},
+                                   {"1,0,1.571", "\"1.571\" is not a number from -1.57"}}) {
     EXPECT_THAT(head_error_of(head_header + "0,0,0\n" + line + "\n"), HasSubstr(what)) << line;
   }
   EXPECT_THROW(read_head_file("/nowhere/head.csv"), Error);

@@ -219,7 +219,7 @@ TEST(Standpoint, ComesNearToWhatStandsOnAFloor) {
   const Scene scene =
       scene_of({floor, outward_box({0, 0.5F, 0}, 0.5F), outward_box({2, 1, 0}, 1.0F)});
   const Standpoint stand = standpoint_in(scene);
-  EXPECT_THAT(stand.reason, HasSubstr("all that stands on the floor"));
+  EXPECT_THAT(stand.reason, HasSubstr("everything on the floor"));
   EXPECT_LT(glm::length(stand.position), 12.0F);
   EXPECT_GT(stand.position.y, 1.0F);
 }
@@ -278,7 +278,7 @@ std::vector<std::string> notes_on(const Scene& scene) {
 }
 
 TEST(FirstLook, TellsWhatIsMissingAndWhatMendsIt) {
-  EXPECT_THAT(lacks_of(Scene{}, false), ElementsAre(HasSubstr("export its objects as meshes"),
+  EXPECT_THAT(lacks_of(Scene{}, false), ElementsAre(HasSubstr("export all its objects as meshes"),
                                                     HasSubstr("--environment 1,1,1")));
   EXPECT_THAT(lacks_of(boxes_at({0}), false), ElementsAre(HasSubstr("--environment 1,1,1 of")));
   Scene lit = boxes_at({0});

@@ -272,8 +272,8 @@ TEST_F(LoadScene, LightsOfFarScenesAreMovedWithThem) {
 TEST_F(LoadScene, RefusesLightsThatMakeNoSense) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(error_with({.normal = {0, 0.6F, 0.8F}}),
-              HasSubstr("room: lights[1]: the normal of a light is none of the axes"));
-  EXPECT_THAT(error_with({.normal = {0, nan, 0}}), HasSubstr("none of the axes"));
+              HasSubstr("room: lights[1]: the normal of a light is not an axis"));
+  EXPECT_THAT(error_with({.normal = {0, nan, 0}}), HasSubstr("not an axis"));
   EXPECT_THAT(error_with({.size = {0, 1}}), HasSubstr("size of a light is not positive"));
   EXPECT_THAT(error_with({.size = {1, nan}}), HasSubstr("size of a light is not positive"));
   EXPECT_THAT(error_with({.center = {nan, 0, 0}}), HasSubstr("center of a light"));

@@ -97,7 +97,7 @@ TEST_F(ProtocolWithProfiles, ThatAreBadAreRefusedWithTheirPlace) {
   refused("../goggles.toml", "leads out of the folder");
   refused((elsewhere / "goggles.toml").string(), "an absolute path");
   refused("torn.toml", "torn.toml:1:");
-  refused("", "is none of the displays");
+  refused("", "is not one of the displays");
 }
 
 }  // namespace

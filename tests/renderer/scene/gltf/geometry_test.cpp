@@ -125,9 +125,8 @@ TEST_F(Geometry, UnusableNormalsBecomeTheSurfacesOwn) {
   expect_vec_near(mesh.normals[1], {0, 0, 1});
   expect_vec_near(mesh.normals[2], {0, 0.6F, 0.8F});
   EXPECT_THAT(scene.warnings,
-              ElementsAre(HasSubstr("normals of no use are replaced by those of the "
-                                    "surface (2 times, first at "
-                                    "meshes[0].primitives[0])")));
+              ElementsAre(HasSubstr("invalid normals are replaced by the surface's (2 times, first "
+                                    "at meshes[0].primitives[0])")));
 }
 
 TEST_F(Geometry, NormalsHaveUnitLength) {
@@ -187,7 +186,7 @@ TEST_F(Geometry, WarnsOfFurtherColours) {
   GlbBuilder glb = one_triangle();
   glb.primitive()["attributes"]["COLOR_1"] = 0;
   EXPECT_THAT(load(glb).warnings,
-              ElementsAre(HasSubstr("vertex colours but the first are ignored")));
+              ElementsAre(HasSubstr("vertex colours other than the first are ignored")));
 }
 
 TEST_F(Geometry, ReadsColoursOfAllTypes) {
@@ -219,8 +218,8 @@ TEST_F(Geometry, LimitsColoursWithAWarning) {
   const Scene scene = load(glb);
   EXPECT_THAT(scene.meshes.at(0).colors,
               ElementsAre(Vec4(1, 0, 0.5F, 1), Vec4(1, 0, 0, 1), Vec4(0.5F, 0.5F, 0.5F, 1)));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("vertex colours are limited to the range they "
-                                                    "may have (2 times")));
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("vertex colours are clamped to their range (2 times")));
 }
 
 TEST_F(Geometry, WhiteVerticesKeepNoColours) {
@@ -260,7 +259,7 @@ TEST_F(Geometry, ZeroTangentsAreComputedAnew) {
       glb.add_accessor<float>({0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, float32, "VEC4", 4);
   const Scene scene = load(glb);
   EXPECT_THAT(scene.meshes.at(0).tangents, Each(::testing::Eq(Vec4(1, 0, 0, 1))));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("tangents of no use")));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("invalid tangents")));
 }
 
 /// In a mirror the picture of the texture is mirrored too: sign * cross(normal, tangent) must stay
@@ -321,8 +320,8 @@ TEST_F(Geometry, RefusesPrimitivesBeyondAllMeasure) {
   for (int i = 0; i < 2000; ++i) {
     primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"mode", strip_mode}});
   }
-  EXPECT_THAT(error_of(glb), HasSubstr("brings the scene to more memory than a file of its size "
-                                       "may ask for"));
+  EXPECT_THAT(error_of(glb),
+              HasSubstr("the scene needs more memory than a file of its size may request"));
 }
 
 }  // namespace

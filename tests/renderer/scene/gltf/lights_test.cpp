@@ -183,7 +183,7 @@ TEST_F(GltfLights, ConesAreLimitedWithAWarning) {
   const PunctualLight& light = scene.lights.at(0);
   EXPECT_FLOAT_EQ(light.outer_cone_rad, std::numbers::pi_v<float> / 2.0F);
   EXPECT_LE(light.inner_cone_rad, light.outer_cone_rad);
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the cone of a spot light is limited")));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the cone of a spot light is clamped")));
 }
 
 TEST_F(GltfLights, WhatIsLeftOutOrIgnoredIsWarnedOf) {
@@ -209,7 +209,7 @@ TEST_F(GltfLights, WhatIsLeftOutOrIgnoredIsWarnedOf) {
 TEST_F(GltfLights, IntensitiesAreLimitedWithAWarning) {
   const Scene scene = load(lit({{"type", "point"}, {"color", {1, -1, 1}}, {"intensity", 2}}));
   EXPECT_EQ(scene.lights.at(0).intensity, Rgb(2, 0, 2));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the intensity of a light is limited")));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("the intensity of a light is clamped")));
 }
 
 Json with_own_extras(Json light, const Json& own) {
@@ -243,7 +243,7 @@ TEST_F(GltfLights, HaveNoSizesByOtherExtras) {
 }
 
 TEST_F(GltfLights, SizesAreLimitedWithAWarning) {
-  const auto says_so = ElementsAre(HasSubstr("the size of a light is limited"));
+  const auto says_so = ElementsAre(HasSubstr("the size of a light is clamped"));
   for (const Json& wrong : {Json(-1), Json("wide"), Json::array({1})}) {
     const Scene scene = load(lit(with_own_extras({{"type", "point"}}, {{"radius_m", wrong}})));
     EXPECT_EQ(scene.lights.at(0).radius_m, 0.0F) << wrong;

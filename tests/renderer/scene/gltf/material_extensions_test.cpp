@@ -89,8 +89,9 @@ TEST_F(MaterialExtensions, Ior) {
   EXPECT_EQ(read({{"KHR_materials_ior", {{"ior", 1.33}}}}).ior, 1.33F);
   const Scene below = scene_with({{"KHR_materials_ior", {{"ior", 0.5}}}});
   EXPECT_EQ(below.materials.at(0).ior, 1.0F);
-  EXPECT_THAT(below.warnings, ElementsAre("ior is limited to the range it may have "
-                                          "(materials[0].extensions.KHR_materials_ior.ior)"));
+  EXPECT_THAT(
+      below.warnings,
+      ElementsAre("ior is clamped to its range (materials[0].extensions.KHR_materials_ior.ior)"));
 }
 
 /// The extension: at 0 the Fresnel term is 1. At normal incidence it is ((n - 1) / (n + 1))^2.
@@ -186,7 +187,7 @@ TEST_F(MaterialExtensions, EmissiveStrengthIsLimited) {
   const Scene scene = scene_with({{"KHR_materials_emissive_strength", {{"emissiveStrength", -1}}}},
                                  {{"emissiveFactor", {1, 1, 1}}});
   EXPECT_EQ(scene.materials.at(0).emission, Rgb(0.0F));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("emissiveStrength is limited to the range")));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("emissiveStrength is clamped to its range")));
 }
 
 TEST_F(MaterialExtensions, FactorsAreLimitedWithAWarning) {
@@ -199,10 +200,10 @@ TEST_F(MaterialExtensions, FactorsAreLimitedWithAWarning) {
   EXPECT_EQ(material.clearcoat, 0.0F);
   EXPECT_EQ(material.sheen_color, Rgb(1.0F, 1.0F, 0.0F));
   EXPECT_EQ(material.specular, 1.0F);
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("transmissionFactor is limited"),
-                                          HasSubstr("specularFactor is limited"),
-                                          HasSubstr("clearcoatFactor is limited"),
-                                          HasSubstr("sheenColorFactor is limited")));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("transmissionFactor is clamped"),
+                                          HasSubstr("specularFactor is clamped"),
+                                          HasSubstr("clearcoatFactor is clamped"),
+                                          HasSubstr("sheenColorFactor is clamped")));
 }
 
 /// What a factor of 0 multiplies need not be loaded.

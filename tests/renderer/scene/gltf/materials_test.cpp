@@ -68,7 +68,7 @@ TEST_F(GltfMaterials, LimitsFactorsWithAWarning) {
   EXPECT_EQ(material.metallic, 1.0F);
   EXPECT_EQ(material.roughness, 0.0F);
   EXPECT_THAT(warnings,
-              ElementsAre("baseColorFactor is limited to the range it may have "
+              ElementsAre("baseColorFactor is clamped to its range "
                           "(materials[0].pbrMetallicRoughness.baseColorFactor)",
                           HasSubstr("metallicFactor is"), HasSubstr("roughnessFactor is")));
 }

@@ -174,7 +174,7 @@ TEST_F(Nodes, CamerasThatLookStraightDownHaveTheirTopAhead) {
 
 TEST_F(Nodes, WarnsOfCamerasThatRoll) {
   const std::string warning =
-      "a camera is rolled: only pictures of render show that, elsewhere its horizon stays level "
+      "camera roll is used by 'foveola render' only; previews and panoramas keep the horizon level "
       "(nodes[1])";
   for (const Json& rolled : {turn(1, {0, 0, 1}), turn(-30, {0, 0, 1}), turn(180, {0, 0, 1})}) {
     const Scene scene = load(with_turned_camera(rolled));
@@ -260,7 +260,7 @@ TEST_F(Nodes, InstancesStandWhereTheirAttributesSay) {
   expect_vec_near(world_position(scene, 1, 1), {2, 10, 0});
   expect_vec_near(world_position(scene, 2, 1), {1, 11, 5});  // (1, 0, 0) turned to (0, 1, 0)
   attributes["SCALE"] = glb.add_vectors({{1, 1, 1}});
-  EXPECT_THAT(error_of(glb), HasSubstr("attributes.SCALE: is of another number of instances"));
+  EXPECT_THAT(error_of(glb), HasSubstr("attributes.SCALE: has another number of instances"));
 }
 
 /// KHR_node_visibility: and all that is below it; a light as well, whose node is one of these.

@@ -93,8 +93,9 @@ TEST_F(Placing, RefusesCopiesBeyondAllMeasure) {
   for (int i = 0; i < 4096; ++i) {
     glb.add_root({{"mesh", 0}, {"scale", {1, 1, 0}}});
   }
-  EXPECT_THAT(error_of(glb), HasSubstr("meshes[0]: brings the scene to more memory than a file of "
-                                       "its size may ask for"));
+  EXPECT_THAT(
+      error_of(glb),
+      HasSubstr("meshes[0]: the scene needs more memory than a file of its size may request"));
 }
 
 /// 2000 nodes that show 10 000 primitives each.
@@ -108,7 +109,7 @@ TEST_F(Placing, RefusesInstancesBeyondAllMeasure) {
   for (int i = 0; i < 2000; ++i) {
     glb.add_root({{"mesh", 0}});
   }
-  EXPECT_THAT(error_of(glb), HasSubstr("meshes[0]: brings the scene to more memory"));
+  EXPECT_THAT(error_of(glb), HasSubstr("meshes[0]: the scene needs more memory"));
 }
 
 /// In floats 1e7 + 0.25 is 1e7; seen from the new origin nothing is lost.

@@ -37,7 +37,7 @@ TEST_F(GltfTextures, TexturesThatCannotBeHadAreLeftOut) {
       scene.warnings,
       ElementsAre("a texture is left out: images[0].uri refers to \"gone.png\", a file that does "
                   "not exist",
-                  "a texture is left out: images[1] (text.png) is no PNG, JPEG or WebP image"));
+                  "a texture is left out: images[1] (text.png) is not a PNG, JPEG or WebP image"));
   EXPECT_TRUE(scene.files.contains(folder() / "gone.png")) << "it may come yet";
 }
 

@@ -91,7 +91,7 @@ TEST_F(LoadObj, UselessNormalsAreReplaced) {
   for (const std::string normal : {"0 0 0", "0 nan 1"}) {
     const Scene scene = load(three_corners + "vn " + normal + "\nf 1//1 2//1 3//1\n");
     EXPECT_THAT(scene.meshes.at(0).normals, Each(Vec3(0, 0, 1)));
-    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
+    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("invalid normals are replaced")));
   }
 }
 
@@ -127,7 +127,7 @@ TEST_F(LoadObj, DropsWhatCannotBeSeen) {
   EXPECT_EQ(scene.triangle_count(), 1U);
   EXPECT_EQ(scene.meshes.at(0).positions.size(), 3U);
   EXPECT_THAT(scene.warnings,
-              ElementsAre(HasSubstr("faces of less than three corners are not shown (face 5)"),
+              ElementsAre(HasSubstr("faces of fewer than three corners are not shown (face 5)"),
                           HasSubstr("not finite are dropped (4 times")));
 }
 

@@ -282,7 +282,7 @@ TEST_F(MtlMaterials, HaloIsReadWithoutItsHalo) {
 TEST_F(MtlMaterials, SaysWhatItIgnoresAndLimits) {
   grey("bump.png", 9);
   EXPECT_THAT(read("Kd 2 0.5 -1\nmap_Bump bump.png\nmap_Ns bump.png\n").second,
-              ElementsAre("Kd is limited to the range it may have (2 times, first at m.mtl: m)",
+              ElementsAre("Kd is clamped to its range (2 times, first at m.mtl: m)",
                           "bump maps in greys are ignored (m.mtl: m)",
                           "maps of the highlight's exponent are ignored (m.mtl: m)"));
   EXPECT_EQ(read("Kd 2 0.5 -1\n").first.base_color, Rgb(1, 0.5F, 0));

@@ -68,8 +68,8 @@ TEST_F(LoadEnvironment, WhatIsNotLightIsDarkAndCounted) {
   const Environment environment = load_environment(
       write_floats("sky.exr", 3, 1, 3, {nan, 1, -5, 7, 2, -infinity, -0.0F, 0, 3}), warnings);
   EXPECT_THAT(environment.map, ElementsAre(Rgb(0, 1, 0), Rgb(7, 2, 0), Rgb(0, 0, 3)));
-  EXPECT_THAT(warnings.lines(), ElementsAre("pixels of the environment that are negative or no "
-                                            "number are black (2 in sky.exr)"));
+  EXPECT_THAT(warnings.lines(),
+              ElementsAre("negative or NaN pixels of the environment are black (2 in sky.exr)"));
 }
 
 /// Half floats end at 65504: a sun in such a file is often infinite.
@@ -200,7 +200,7 @@ TEST_F(LoadEnvironment, WhatIsNoPanoramaIsNamed) {
   Warnings warnings;
   load_environment(write_floats("cube.exr", 4, 24, 3, std::vector<float>(4 * 24 * 3, 1)), warnings);
   EXPECT_THAT(warnings.lines(),
-              ElementsAre("the environment has 4 x 24 pixels, no panorama of 2 to 1: it is "
+              ElementsAre("the environment has 4 x 24 pixels, not a panorama of 2 to 1: it is "
                           "stretched over the whole sphere (cube.exr)"));
 }
 
@@ -208,7 +208,7 @@ TEST_F(LoadEnvironment, RefusesWhatIsNoImage) {
   EXPECT_THAT(error_of(folder() / "gone.exr"), HasSubstr("gone.exr: no such file"));
   EXPECT_THAT(error_of(folder()), HasSubstr("not a file"));
   EXPECT_THAT(error_of(write("text.exr", "this is no image")),
-              HasSubstr("text.exr: is no EXR, HDR, PNG or JPEG image"));
+              HasSubstr("text.exr: is not an EXR, HDR, PNG or JPEG image"));
   EXPECT_THAT(error_of(write("empty.png", "")), HasSubstr("empty.png: "));
   const std::string whole =
       read_file(write_floats("whole.exr", 4, 4, 3, std::vector<float>(48, 1)));

@@ -73,10 +73,10 @@ TEST(ImageDecoder, KnowsTheSizeBeforehand) {
 
 TEST(ImageDecoder, RefusesOtherFormats) {
   for (const char* encoded : {"GIF89a......", "", "\x89PN", "BM......"}) {
-    EXPECT_EQ(image_fault(encoded), "is no PNG, JPEG or WebP image") << encoded;
+    EXPECT_EQ(image_fault(encoded), "is not a PNG, JPEG or WebP image") << encoded;
   }
   EXPECT_EQ(image_fault("this is no image", ImageFormats::any_texture),
-            "is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image");
+            "is not a PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image");
   EXPECT_THAT(image_fault("\xABKTX 20\xBB\r\n\x1A\n"), HasSubstr("export it as PNG or JPEG"));
 }
 
@@ -88,7 +88,7 @@ TEST(ImageDecoder, ReadsOtherFormatsWhereTheyAreAllowed) {
     const DecodedImage image = decode_image(bytes_of(encoded), ImageFormats::any_texture);
     EXPECT_EQ(image.width, 2) << format;
     EXPECT_THAT(image.texels, ElementsAre(1, 2, 3, 200, 100, 50)) << format;
-    EXPECT_THAT(image_fault(encoded), HasSubstr("is no PNG")) << format;
+    EXPECT_THAT(image_fault(encoded), HasSubstr("is not a PNG")) << format;
     for (std::size_t size = 0; size < encoded.size(); ++size) {
       try {
         decode_image(bytes_of(encoded.substr(0, size)), ImageFormats::any_texture);
