@@ -89,7 +89,6 @@ void list_as_json(const std::vector<ListedScene>& scenes) {
   print_text("{}\n", list.dump(2));
 }
 
-/// Describes the source of a missing file.
 std::string origin_of(const Descriptor& descriptor) {
   return is_programs_own(descriptor) ? descriptor.origin
                                      : "belongs into " + descriptor.path.parent_path().string();
@@ -106,7 +105,6 @@ std::string place_of(const Descriptor& descriptor, const State& state) {
   return place;
 }
 
-/// Describes author and licence, as far as the descriptor has them.
 std::string terms_of(const Descriptor& descriptor) {
   std::string terms;
   if (!descriptor.author.empty()) {

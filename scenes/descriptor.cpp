@@ -218,7 +218,6 @@ void read_lights_and_objects(TomlReader& table, SceneSource& source) {
   }
 }
 
-/// Reads the facts of a real scene's file.
 void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   table.read("file", descriptor.file_name);
   table.read("origin", descriptor.origin);

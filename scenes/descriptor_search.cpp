@@ -16,7 +16,6 @@ namespace {
 
 fs::path programs_folder() { return resource_folder() / "scenes"; }
 
-/// Returns the folder of the program's descriptor `name`.
 fs::path folder_of(const std::string& name) {
   return is_builtin_name(name) ? builtin_folder(name) : programs_folder();
 }
@@ -56,7 +55,6 @@ DescriptorList read_descriptors(const std::vector<std::string>& names, const Fol
   return list;
 }
 
-/// Returns the names of the readable TOML files.
 std::vector<std::string> readable_names_in(const fs::path& folder) {
   try {
     return toml_names_in(folder);

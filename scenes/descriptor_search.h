@@ -39,13 +39,11 @@ struct DescriptorList {
   std::vector<std::string> faults;      ///< faults of those that cannot be read
 };
 
-/// Returns all descriptors of the program's own.
 DescriptorList all_descriptors();
 
 /// Returns the user's descriptors; none if there is no such folder.
 DescriptorList users_descriptors();
 
-/// Returns the names of both, for messages.
 std::vector<std::string> known_scene_names();
 
 }  // namespace foveola::scenes

@@ -55,7 +55,6 @@ struct CurlLibrary {
   CurlLibrary& operator=(const CurlLibrary&) = delete;
 };
 
-/// One request, from the end of the file's content on.
 class Transfer {
  public:
   Transfer(const std::string& address, const fs::path& file, std::uint64_t size_bytes,
@@ -159,7 +158,6 @@ bool cannot_continue(CURLcode code, const Transfer& transfer) {
   return code == CURLE_RANGE_ERROR || transfer.http_status() == range_not_satisfiable;
 }
 
-/// Throws Error unless the file is complete.
 void require_complete(const std::string& address, const fs::path& file, const Transfer& transfer,
                       CURLcode code) {
   if (transfer.is_too_long()) {

@@ -44,7 +44,6 @@ fs::path prepare_target(const Descriptor& descriptor) {
   return target;
 }
 
-/// Returns whether the descriptor's own file is at `target` already.
 bool is_there(const Descriptor& descriptor, const fs::path& target) {
   std::error_code ignored;
   return fs::is_regular_file(target, ignored) && is_described_file(descriptor, target);
@@ -96,7 +95,6 @@ class LockedPart {
     return false;
   }
 
-  /// Returns whether the open file still has its name.
   bool is_named() const {
     struct stat open{};
     struct stat named{};

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-/// Returns the folders of $FOVEOLA_SCENE_PATH.
 std::vector<fs::path> scene_path() {
   std::vector<fs::path> folders;
   const char* value = std::getenv("FOVEOLA_SCENE_PATH");

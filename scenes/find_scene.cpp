@@ -98,7 +98,6 @@ SceneSource source_of_file(const fs::path& file) {
   return source;
 }
 
-/// Throws Error unless there is a regular file.
 void require_scene_file(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -126,7 +125,6 @@ void require_scene_file(const fs::path& path) {
   }
 }
 
-/// Reads the file of a scene, or a descriptor.
 SceneSource source_at(const fs::path& path) {
   require_scene_file(path);
   return lower_case_extension(path) == ".toml" ? source_of(read_descriptor(path))

@@ -132,7 +132,6 @@ std::string undrawn_marks(const StudyTables& tables, const std::vector<std::size
   return undrawn.empty() ? "" : fmt::format("Not drawn, as {}: {}.", reason, listed(undrawn));
 }
 
-/// Explains relative_times or times_in_seconds, which differ by their axis.
 std::string methods_explained(const StudyTables& tables, std::size_t methods,
                               const std::string& axis) {
   return fmt::format("{} {} {} {}", participants_explained(tables, methods),
@@ -189,7 +188,6 @@ std::string curve_explained(const StudyTables& tables, const Measure& mark) {
                 has_crosses ? "Crosses are right-censored trials." : "");
 }
 
-/// The times with trials in which a mark was not reached.
 std::string unreached_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
   std::string html;

@@ -27,7 +27,6 @@ std::string curve_data(const SurvivalCurve& curve, std::size_t method, double st
   return data + "END\n";
 }
 
-/// Returns the points of the curve at which trials were right-censored.
 std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
   std::string data = fmt::format("$censored{} << END\n", method);
   for (const SurvivalStep& step : curve.steps) {

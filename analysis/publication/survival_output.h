@@ -15,7 +15,6 @@ namespace foveola::analysis {
 /// time_to_mark: for every mark and method.
 Table time_to_mark_table(const StudyTables& tables);
 
-/// That table, formatted for readers.
 PrintedTable printed_time_to_mark(const Table& time_to_mark);
 
 /// time_to_MARK: Kaplan-Meier curves, the share of trials without the mark by time for each method.

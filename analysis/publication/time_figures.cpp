@@ -76,7 +76,6 @@ std::string estimate_data(const MethodRows& drawn) {
   return data;
 }
 
-/// Plots the lines below the points, and these below the estimates.
 std::string method_rows_plot(const MethodRows& drawn) {
   std::vector<std::string> layers;
   if (drawn.has_points) {

@@ -141,7 +141,6 @@ void run_status(const RecordArguments& arguments) {
   }
 }
 
-/// Compares the study with a head printed earlier.
 void add_head_comparison(const RecordArguments& arguments, Verification& found) {
   constexpr std::size_t max_bytes = 16 << 20;
   constexpr const char* remedy = "name a file with the output of foveola study status";

@@ -40,7 +40,6 @@ std::string newest_participant(const StudyRecords& records, const std::string& d
   return records.sessions.back().participant;
 }
 
-/// Prints a session's events as they are recorded.
 class Watch {
  public:
   Watch(const WatchArguments& arguments, const Protocol& protocol, std::string participant)

@@ -69,7 +69,6 @@ class SessionDriver {
   AttemptKey attempt_key() const { return {.trial = trial_index(), .attempt = seen_.attempt}; }
   /// Time from which the participant may rate the trial.
   Nanoseconds look_around_until() const { return look_around_until_; }
-  /// The correction of the gaze.
   const std::optional<GazeCorrection>& correction() const { return correction_; }
 
  private:

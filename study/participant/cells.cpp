@@ -26,7 +26,6 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-/// Gathers cells in blocks and patches.
 class Gathering {
  public:
   /// Adds a cell. Returns the number of its block.

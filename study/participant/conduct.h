@@ -40,7 +40,6 @@ class ParticipantActions {
   virtual void begin_attempt(const Attempt& attempt) = 0;
   virtual void choose_object() = 0;
   virtual void start_trial() = 0;
-  /// Asks for the trial to be retimed.
   virtual void ask_for_retime() = 0;
   /// Called once for a task of an attempt, before the participant looks.
   virtual void begin_task(Task task) = 0;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr Vec3 forward{0.0F, 0.0F, -1.0F};
 
-/// Crops a picture of the whole window to a part of it.
 RgbImage cut(RgbImage window, const WindowPart& part) {
   if (part.size == IVec2(window.width, window.height)) {
     return window;

@@ -82,7 +82,6 @@ int first_row_of(const StudyStore& store) {
   return 0;
 }
 
-/// The state in which the session resumes.
 SessionState once_resumed(SessionState state) {
   if (state.phase == Phase::interrupted || state.phase == Phase::paused || state.is_over()) {
     state.phase = state.resumes_at;

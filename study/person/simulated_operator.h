@@ -16,13 +16,11 @@
 
 namespace foveola::study {
 
-/// The pixels of a frame.
 struct ShownPixels {
   RgbImage image;     ///< one eye's view, as Stimulus::image
   Viewport viewport;  ///< the viewport that they were shown through
 };
 
-/// A frame that has been shown.
 struct SeenFrame {
   const PromptState& prompt;
   SessionContext context;

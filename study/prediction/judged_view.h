@@ -13,7 +13,6 @@
 
 namespace foveola::study {
 
-/// Cells and their pixels.
 struct JudgedCells {
   Cells cells;
   CellPixels pixels;

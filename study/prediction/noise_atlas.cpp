@@ -36,7 +36,6 @@ constexpr int margin_px = 2;
 /// Incremented whenever the same settings give different tables.
 constexpr int tables_version = 7;
 
-/// A cone of directions.
 struct Cone {
   Vec3 middle{0.0F};
   double radius_rad = 0.0;
@@ -65,7 +64,6 @@ void require_predictable(const Protocol& protocol) {
   }
 }
 
-/// An object with its judged views.
 struct JudgedObject {
   const OfferedObject* object = nullptr;
   JudgedView view;
@@ -74,7 +72,6 @@ struct JudgedObject {
   std::map<std::string, ConvergedMeans> expected;
 };
 
-/// Returns the objects of a scene that any trial looks at.
 std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
                                                  const std::string& scene) {
   std::vector<const OfferedObject*> wanted;
@@ -95,7 +92,6 @@ std::int64_t item_count(const AtlasSetting& setting, const std::string& scene) {
   return 1 + std::ssize(wanted_objects(setting, scene));
 }
 
-/// Makes the tables of one scene.
 class SceneAtlas {
  public:
   SceneAtlas(const AtlasSetting& setting, const std::string& scene, const std::stop_token& stop)

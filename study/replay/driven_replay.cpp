@@ -104,7 +104,6 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
   SessionDriver driver_;
 };
 
-/// Returns the protocol of the run that begins with `notes`.
 Protocol protocol_of_run(const DrivenRecord& record, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     if (const std::optional<Amendment> amendment = amendment_in(note)) {

@@ -100,10 +100,9 @@ TEST_F(Cautions, ScenesWithoutAnExposure) {
   std::vector<SceneSource> scenes = {{.name = "s", .file = "s.glb"},
                                      {.name = "t", .file = "t.glb"}};
   scenes[0].exposure_stops = -3.0;
-  EXPECT_THAT(
-      cautions(protocol, scenes),
-      ElementsAre(AllOf(StartsWith(path_.string() + ":3:16: the scene 'hall' has no exposure"),
-                        HasSubstr("exposure_stops"))));
+  EXPECT_THAT(cautions(protocol, scenes),
+              ElementsAre(AllOf(StartsWith(path_.string() + ":3:16: the scene 't' has no exposure"),
+                                HasSubstr("exposure_stops"))));
 }
 
 TEST_F(Cautions, TextsThatStayEnglish) {
