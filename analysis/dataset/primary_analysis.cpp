@@ -8,7 +8,7 @@ namespace foveola::analysis {
 namespace {
 
 /// Joins two reasons, either of which may be empty.
-std::string both(const std::string& a, const std::string& b) {
+std::string join_reasons(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() ? a + b : a + "; " + b;
 }
 
@@ -65,7 +65,7 @@ std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& source
                         without_model(AnalysisKind::crossed_model, sources.crossed));
   return PrimaryResult{.kind = AnalysisKind::crossed_model,
                        .scale = scale,
-                       .instead = both(instead, of_whom),
+                       .instead = join_reasons(instead, of_whom),
                        .estimate = model->mean,
                        .interval = model->test->interval,
                        .standard_error = model->test->standard_error,
@@ -92,7 +92,7 @@ std::optional<PrimaryResult> of_measured_pairs(const PrimarySources& sources, Ef
                               ? "one scene"
                               : "too few participants have all scenes, and with gaps " +
                                     without_model(AnalysisKind::crossed_model, sources.crossed);
-  return over_participants(sources, scale, both(instead, why));
+  return over_participants(sources, scale, join_reasons(instead, why));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class SessionDriver {
 
   /// Records the event and takes the session's step; its effects follow once it is durable. Returns
   /// false, and does nothing, if it is not allowed in this state.
-  bool feed(const Event& event);
+  bool record_event(const Event& event);
   /// Handles a press of the awaited mark's key at `time`: a mark, or its time-out if it is too
   /// late. Returns whether it is a mark.
   bool mark(Nanoseconds time);
@@ -75,7 +75,7 @@ class SessionDriver {
   void begin();
   void write_notes();
   /// Returns whether anything happened.
-  bool act();
+  bool take_turn();
   void follow_time();
   void show();
   Nanoseconds shown_until() const;

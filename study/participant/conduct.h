@@ -68,7 +68,7 @@ class SimulatedConduct {
       : protocol_(protocol), plan_(plan), seed_(seed) {}
 
   /// Performs the action that the session waits for, if any.
-  void act(const SessionMoment& moment, ParticipantActions& actions);
+  void perform_action(const SessionMoment& moment, ParticipantActions& actions);
 
  private:
   /// Trial (index into the plan) and attempt.

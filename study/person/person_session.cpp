@@ -172,7 +172,7 @@ void PersonSession::wait_for_gaze() {
     return;
   }
   prompt_.awaits_gaze = true;
-  driver_.feed(NoteWritten{"the trial waits for a gaze"});
+  driver_.record_event(NoteWritten{"the trial waits for a gaze"});
 }
 
 }  // namespace foveola::study
