@@ -8,15 +8,15 @@
 
 namespace foveola::scenes {
 
-/// The names of the built-in scenes, in alphabetical order.
+/// Returns the names of the built-in scenes, in alphabetical order.
 std::vector<std::string> builtin_names();
 
 bool is_builtin_name(const std::string& name);
 
-/// The folder of the built-in scene `name`: NAME.glb and NAME.toml.
+/// Returns the folder of the built-in scene `name`: NAME.glb and NAME.toml.
 std::filesystem::path builtin_folder(const std::string& name);
 
-/// The .glb of the built-in scene `name`.
+/// Returns the .glb of the built-in scene `name`.
 std::filesystem::path builtin_file(const std::string& name);
 
 }  // namespace foveola::scenes

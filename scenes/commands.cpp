@@ -34,14 +34,15 @@ namespace {
 
 void warn(const std::string& text) { print_text(stderr, "foveola: warning: {}\n", text); }
 
-/// Where a scene stands: whether it can be used, and from which file.
+/// Availability of a scene, and its file.
 struct State {
   const char* word;  ///< "built-in", "real", "own", "another file", "unreadable" or "missing"
   std::string file;  ///< empty if there is none
-  std::vector<std::string> obstacles;  ///< to finding a missing one: see FileSearch
+  std::vector<std::string>
+      obstacles;  ///< reasons why a missing file may be unfindable: see FileSearch
 };
 
-/// The file of a user's descriptor, which lies in its folder.
+/// Finds the file of a user's descriptor, which is in its folder.
 FileSearch search_own_folder(const Descriptor& descriptor) {
   fs::path file = descriptor.path.parent_path() / descriptor.file_name;
   std::error_code missing;
@@ -88,13 +89,12 @@ void list_as_json(const std::vector<ListedScene>& scenes) {
   print_text("{}\n", list.dump(2));
 }
 
-/// Where a missing file comes from.
 std::string origin_of(const Descriptor& descriptor) {
   return is_programs_own(descriptor) ? descriptor.origin
                                      : "belongs into " + descriptor.path.parent_path().string();
 }
 
-/// What a person needs to know of the file, on one line; empty if there is nothing.
+/// Describes the file's place on one line; empty if there is nothing to say.
 std::string place_of(const Descriptor& descriptor, const State& state) {
   std::string place = state.file.empty()
                           ? fmt::format("{}: {}", descriptor.file_name, origin_of(descriptor))
@@ -105,7 +105,6 @@ std::string place_of(const Descriptor& descriptor, const State& state) {
   return place;
 }
 
-/// Who made it, and what may be done with it, as far as the descriptor says.
 std::string terms_of(const Descriptor& descriptor) {
   std::string terms;
   if (!descriptor.author.empty()) {
@@ -125,18 +124,19 @@ void list_as_text(const std::vector<ListedScene>& scenes) {
   }
 }
 
-/// Scenes that are missing may lie where nobody could look; one folder hides several.
+/// Missing scenes may be in unreadable folders; one folder can hide several.
 void warn_of_obstacles(const std::vector<ListedScene>& scenes) {
   std::set<std::string> obstacles;
   for (const ListedScene& scene : scenes) {
     obstacles.insert(scene.state.obstacles.begin(), scene.state.obstacles.end());
   }
   for (const std::string& obstacle : obstacles) {
-    warn(obstacle + "; mend it, or leave it out of FOVEOLA_SCENE_PATH");
+    warn(obstacle + "; mend it, or remove it from FOVEOLA_SCENE_PATH");
   }
 }
 
-/// The program's and the user's, by name; of two with the same name, the user's.
+/// Returns the program's and the user's descriptors, by name; of two with the same name, the
+/// user's.
 DescriptorList descriptors_in_force() {
   DescriptorList list = users_descriptors();
   const std::size_t users = list.descriptors.size();
@@ -171,20 +171,20 @@ void list_scenes(bool as_json) {
 void add_list(CLI::App& app) {
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
-      "list", "List the scenes known by name, and whether their files are there");
+      "list", "List the scenes known by name, and whether their files are available");
   command->add_flag("--json", *as_json, "Print the list as JSON");
   command->footer("Example: FOVEOLA_SCENE_PATH=~/scenes foveola scene list");
   command->callback([as_json] { list_scenes(*as_json); });
 }
 
-/// The descriptor of a file, or of a name, the user's before the program's. Throws Error if there
-/// is none that has a file.
+/// Returns the descriptor of a file, or of a name, the user's before the program's. Throws Error if
+/// there is none with a file.
 Descriptor real_scene(const std::string& name) {
   auto descriptor = lower_case_extension(name) == ".toml" ? std::optional(read_descriptor(name))
                                                           : find_users_descriptor(name);
   descriptor = descriptor ? std::move(descriptor) : find_descriptor(name);
   if (!descriptor) {
-    throw Error(name, "no such scene",
+    throw Error(name, "is not a known scene",
                 did_you_mean(name, known_scene_names(), "see 'foveola scene list'"));
   }
   if (descriptor->is_builtin) {
@@ -193,7 +193,7 @@ Descriptor real_scene(const std::string& name) {
   return *descriptor;
 }
 
-/// At once, also into a pipe: what follows may take long.
+/// Printed at once, also into a pipe: the download may take long.
 void print_terms(const Descriptor& descriptor) {
   print_text("{}, by {}\nLicence: {}\nFrom: {}\n", descriptor.source.title, descriptor.author,
              descriptor.licence, descriptor.origin);
@@ -210,7 +210,7 @@ struct FetchArguments {
 void warn_of_another_file(const Descriptor& descriptor, const fs::path& file) {
   if (!is_described_file(descriptor, file)) {
     warn(fmt::format(
-        "taken as {} without being the described file; whatever shows or records it will say so",
+        "used as {} although it is not the described file; displays and records of it say so",
         descriptor.name));
   }
 }
@@ -237,10 +237,10 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
                    "The scene, or its descriptor's file; see 'foveola scene list'")
       ->required();
   CLI::Option* from = command->add_option("--from", arguments->from,
-                                          "A file or folder to take it from, in place of the web");
+                                          "A file or folder to copy it from, in place of the web");
   command
       ->add_flag("--unverified", arguments->is_unverified,
-                 "Take a .glb that is not the described file, such as a conversion of your own")
+                 "Accept a .glb that is not the described file, such as a conversion of your own")
       ->needs(from);
   command->footer("Example: foveola scene fetch sponza --from my-sponza.glb --unverified");
   command->callback([arguments, stop] {
@@ -253,7 +253,7 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
 }  // namespace
 
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop) {
-  CLI::App* scene = app.add_subcommand("scene", "List or download scenes, and see what is in them");
+  CLI::App* scene = app.add_subcommand("scene", "List, download and inspect scenes");
   scene->require_subcommand(1);
   add_list(*scene);
   add_fetch(*scene, stop);

@@ -1,4 +1,4 @@
-// The scenes' part of the command line: scene list and scene fetch.
+// Adds the scenes' commands: scene list and scene fetch.
 #pragma once
 
 #include <stop_token>
@@ -9,8 +9,8 @@ class App;
 
 namespace foveola::scenes {
 
-/// Adds `scene list` and `scene fetch` to `app`; see add_render. Returns the
-/// command `scene`, for modules that have more to say of one.
+/// Adds `scene list` and `scene fetch` to `app`; see add_render. Returns the command `scene`, to
+/// which other modules add theirs.
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop);
 
 }  // namespace foveola::scenes

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-/// In the file's units, which are the descriptor's.
+/// In the file's units, like the descriptor's positions.
 constexpr double largest_coordinate = 1e6;
 constexpr double largest_radiance = 1e6;
 
@@ -35,10 +35,10 @@ bool is_digest(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Without any folder: nobody can be made to read or write elsewhere.
+/// A plain name, without a folder, cannot lead reads or writes elsewhere.
 bool is_plain_name(const fs::path& path) { return path.filename() == path; }
 
-/// In metres. Throws Error if the key is absent.
+/// Reads a position in metres. Throws Error if the key is absent.
 Vec3 read_position(TomlReader& table, std::string_view key, double metres_per_unit) {
   Vec3 position;
   table.read(required(key), position, -largest_coordinate, largest_coordinate);
@@ -53,13 +53,13 @@ RectangleLight read_light(TomlReader table, double metres_per_unit) {
   table.read(required("normal"), light.normal, -1.0, 1.0);
   table.read(required("radiance"), light.radiance, 0.0, largest_radiance);
   if (!is_axis(light.normal)) {
-    table.fail(table.source("normal"), "normal must be an axis", "for instance [0, -1, 0]");
+    table.fail(table.source("normal"), "normal must be an axis", "for example [0, -1, 0]");
   }
   table.reject_unknown_keys();
   return light;
 }
 
-/// The angles in degrees under these names, in radians.
+/// Reads the angles in degrees under these names; returns radians.
 AzimuthElevation read_angles(TomlReader& table, std::string_view azimuth,
                              std::string_view elevation) {
   double azimuth_deg = 0.0;
@@ -91,23 +91,23 @@ ObjectOfInterest read_object(TomlReader table, double metres_per_unit) {
   return object;
 }
 
-/// Throws Error if the last object cannot be distinguished from another, or lies in no direction.
+/// Throws Error if the last object cannot be distinguished from another, or is at the camera.
 void require_choosable(const TomlReader& table, const SceneSource& source) {
   constexpr double least_distance = 1e-3;  // in the file's units
   const ObjectOfInterest& object = source.objects.back();
   const auto same_name = [&](const ObjectOfInterest& other) { return other.name == object.name; };
   if (std::count_if(source.objects.begin(), source.objects.end(), same_name) > 1) {
-    table.fail(table.source("name"), "two objects are called \"" + object.name + "\"",
-               "give each a name of its own");
+    table.fail(table.source("name"), "two objects are named \"" + object.name + "\"",
+               "give each object a name of its own");
   }
   if (source.camera_position && glm::distance(object.position, *source.camera_position) <
                                     least_distance * source.metres_per_unit) {
     table.fail(table.source("position"), "the object is where the camera is",
-               "give a place to look at");
+               "give it another position");
   }
 }
 
-/// What only an ordinary picture of the camera has, and no head.
+/// Reads the keys that only still pictures of the camera use.
 void read_picture(TomlReader& table, SceneSource& source) {
   double roll_deg = 0.0;
   table.read("roll_deg", roll_deg, -180.0, 180.0);
@@ -145,7 +145,7 @@ void read_light_units(TomlReader& table, SceneSource& source) {
   }
 }
 
-/// An image in the descriptor's own folder, which may be anybody's.
+/// Reads an image in the descriptor's own folder, which may hold any files.
 void read_environment_file(TomlReader& table, const fs::path& folder, SceneSource& source) {
   std::string name;
   table.read("environment_file", name);
@@ -166,8 +166,8 @@ void require_one_environment(const TomlReader& table) {
   if (std::count_if(keys.begin(), keys.end(), is_given) > 1) {
     const auto* const first = std::find_if(keys.begin(), keys.end(), is_given);
     table.fail(table.source(*std::find_if(first + 1, keys.end(), is_given)),
-               "a scene has one environment",
-               "give one of environment_radiance, environment_file and [sky]");
+               "the scene has several environments",
+               "use only one of environment_radiance, environment_file and [sky]");
   }
 }
 
@@ -189,7 +189,7 @@ void read_light_from_outside(TomlReader& table, const fs::path& folder, SceneSou
   source.environment_rotation_rad = radians(rotation_deg);
 }
 
-/// The sizes that the file's own lights get in place of theirs.
+/// Reads sizes that replace those of the file's own lights.
 void read_light_sizes(TomlReader& table, SceneSource& source) {
   if (table.has("light_radius")) {
     double radius = 0.0;
@@ -218,7 +218,6 @@ void read_lights_and_objects(TomlReader& table, SceneSource& source) {
   }
 }
 
-/// What is known of a real scene's file.
 void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   table.read("file", descriptor.file_name);
   table.read("origin", descriptor.origin);
@@ -231,11 +230,11 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
       is_plain_name(descriptor.file_name) && is_called_like_scene(descriptor.file_name);
   if (table.has("file") && !is_name_of_scene) {
     table.fail(table.source("file"), "file must be the plain name of a .glb, .gltf or .obj",
-               "for instance file = \"NAME.glb\"");
+               "for example file = \"NAME.glb\"");
   }
   if (!descriptor.sha256.empty() && !is_digest(descriptor.sha256)) {
-    table.fail(table.source("sha256"), "sha256 must be 64 small hexadecimal digits",
-               "see what sha256sum prints");
+    table.fail(table.source("sha256"), "sha256 must be 64 lower-case hexadecimal digits",
+               "use the output of sha256sum");
   }
   if (!descriptor.address.empty() && (descriptor.sha256.empty() || size_bytes == 0)) {
     table.fail(table.source("address"), "a file from the web needs sha256 and size_bytes",
@@ -245,11 +244,11 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
 
 void require_known_builtins(const TomlReader& table, const Descriptor& descriptor) {
   if (descriptor.is_builtin && !is_builtin_name(descriptor.name)) {
-    table.fail(table.source("builtin"), "no built-in scene is called " + descriptor.name,
+    table.fail(table.source("builtin"), "no built-in scene is named " + descriptor.name,
                "see 'foveola scene list'");
   }
   if (!descriptor.counterpart.empty() && !is_builtin_name(descriptor.counterpart)) {
-    table.fail(table.source("counterpart"), "no built-in scene is called " + descriptor.counterpart,
+    table.fail(table.source("counterpart"), "no built-in scene is named " + descriptor.counterpart,
                "see 'foveola scene list'");
   }
 }
@@ -268,8 +267,8 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   read_file_facts(table, descriptor);
   descriptor.source.described_sha256 = descriptor.sha256;
   if (descriptor.is_builtin == !descriptor.file_name.empty()) {
-    table.fail(table.source(), "a scene is either built in or has a file",
-               "give one of builtin = true and file = \"NAME.glb\"");
+    table.fail(table.source(), "the scene must be either built in or have a file",
+               "use one of builtin = true and file = \"NAME.glb\"");
   }
   require_known_builtins(table, descriptor);
   table.read("metres_per_unit", descriptor.source.metres_per_unit, 1e-6, 1e6);
@@ -308,7 +307,7 @@ bool is_described_file(const Descriptor& descriptor, const fs::path& file) {
   if (failure || !std::ifstream(file)) {
     throw Error(file.string(), "cannot be read", "check its permissions");
   }
-  // Sizes first: they cost nothing.
+  // Sizes first, as they cost nothing.
   return (descriptor.size_bytes == 0 || size_bytes == descriptor.size_bytes) &&
          (descriptor.sha256.empty() || sha256_of_file(file) == descriptor.sha256);
 }

@@ -16,12 +16,11 @@ namespace {
 
 fs::path programs_folder() { return resource_folder() / "scenes"; }
 
-/// Where the program's descriptor `name` lies.
 fs::path folder_of(const std::string& name) {
   return is_builtin_name(name) ? builtin_folder(name) : programs_folder();
 }
 
-/// NAME.toml in `folder`, if there is one, or if nobody may look.
+/// Returns NAME.toml in `folder`, if it exists or the folder cannot be read.
 std::optional<fs::path> named_file(const fs::path& folder, const std::string& name) {
   if (!is_scene_name(name)) {
     return std::nullopt;
@@ -56,7 +55,6 @@ DescriptorList read_descriptors(const std::vector<std::string>& names, const Fol
   return list;
 }
 
-/// The names of the TOML files, as many as can be read.
 std::vector<std::string> readable_names_in(const fs::path& folder) {
   try {
     return toml_names_in(folder);

@@ -16,31 +16,31 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-/// JSON's escapes are TOML's too. What is no UTF-8 is replaced.
+/// JSON's escapes are TOML's too. Invalid UTF-8 is replaced.
 std::string quoted(const std::string& text) {
   constexpr int on_one_line = -1;
   return nlohmann::json(printable(text))
       .dump(on_one_line, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// The name of a file, by which it must be found again. Throws Error.
+/// Quotes the name of a file, which must be exact. Throws Error.
 std::string quoted_name(const fs::path& file) {
   const std::string name = file.filename().string();
   std::string text = quoted(name);
   if (nlohmann::json::parse(text).get<std::string>() != name) {
-    throw Error(file.string(), "has a name of other characters than a descriptor can hold",
+    throw Error(file.string(), "has a name with characters that a descriptor cannot contain",
                 "give it a name in UTF-8 without control characters");
   }
   return text;
 }
 
-/// To twelve digits, which hide the rounding of angles; adding 0 leaves no -0.
+/// Twelve digits hide the rounding of angles; adding 0 removes -0.
 std::string number(double value) { return fmt::format("{:.12g}", value + 0.0); }
 
-/// By as many digits as distinguish it from any other float.
+/// Enough digits to distinguish it from any other float.
 std::string number(float value) { return fmt::format("{}", value + 0.0F); }
 
-/// The azimuth of a direction, in degrees from -180 to 180.
+/// Returns the azimuth of a direction, in degrees from -180 to 180.
 std::string azimuth(double angle_rad) { return number(std::remainder(degrees(angle_rad), 360.0)); }
 
 std::string list_of(const Vec3& v) {
@@ -81,7 +81,7 @@ std::string light_sizes_of(const SceneSource& source) {
   return text;
 }
 
-/// But for the sky, which is a table and therefore comes last.
+/// Returns the environment without the sky, a table that must come last.
 std::string environment_of(const SceneSource& source) {
   std::string text;
   if (source.environment_radiance) {
@@ -144,8 +144,8 @@ std::string text_of(const SceneSource& source, const std::vector<std::string>& r
   return text;
 }
 
-/// Throws Error for what read_descriptor() refuses, but for an image that may yet be put beside the
-/// descriptor.
+/// Throws Error for everything that read_descriptor() refuses, except an image that may be put
+/// beside the descriptor later.
 void require_accepted(SceneSource source) {
   source.environment_file.reset();
   descriptor_of_text(source.file.filename().replace_extension(".toml"), text_of(source, {}));

@@ -1,4 +1,4 @@
-// Writing a scene's descriptor.
+// Writes a scene's descriptor.
 #pragma once
 
 #include <string>
@@ -8,13 +8,12 @@
 
 namespace foveola::scenes {
 
-/// The text of a descriptor of `source`, which comes from a file and was given no lights or suns of
-/// a descriptor's own: read_descriptor() reads the same from it, but for rounding. Angles have
-/// twelve digits, an object's radius three; the positions of a file in metres are the same to the
-/// bit.
-/// remarks: a comment for each of the source's objects, or none. The image of an environment is
-/// named without its folder, which must be the descriptor's. Throws Error for what no descriptor
-/// may say, such as a position too far away, and for files whose names it cannot hold.
+/// Returns the text of a descriptor of `source`, a scene from a file without lights or suns of a
+/// descriptor's own. read_descriptor() reads the same from it, except for rounding. Angles have
+/// twelve digits, an object's radius three; the positions of a file in metres are exact. remarks: a
+/// comment for each of the source's objects, or none. The image of an environment is named without
+/// its folder, which must be the descriptor's. Throws Error for values that a descriptor cannot
+/// have, such as a position too far away, and for files whose names it cannot contain.
 std::string descriptor_text(const SceneSource& source, const std::vector<std::string>& remarks);
 
 }  // namespace foveola::scenes

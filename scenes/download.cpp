@@ -27,7 +27,7 @@ std::uint64_t size_of(const fs::path& file) {
   return missing ? 0 : size;
 }
 
-/// Keeps the file itself, which may be locked.
+/// Empties the file in place, as it may be locked.
 void empty(const fs::path& file) {
   std::error_code is_no_file;
   fs::resize_file(file, 0, is_no_file);
@@ -42,12 +42,12 @@ std::unique_ptr<std::FILE, Close> open_to_append(const fs::path& file) {
   std::unique_ptr<std::FILE, Close> opened(std::fopen(file.c_str(), "ab"));
   if (!opened) {
     throw Error(file.string(), "cannot be written: " + std::generic_category().message(errno),
-                "check the folder and the space left");
+                "check the folder's permissions and the free space");
   }
   return opened;
 }
 
-/// libcurl's set-up of the whole process, which it counts.
+/// libcurl's initialisation of the whole process, which libcurl counts.
 struct CurlLibrary {
   CurlLibrary() { curl_global_init(CURL_GLOBAL_DEFAULT); }
   ~CurlLibrary() { curl_global_cleanup(); }
@@ -55,7 +55,6 @@ struct CurlLibrary {
   CurlLibrary& operator=(const CurlLibrary&) = delete;
 };
 
-/// One request, from what the file has to the end.
 class Transfer {
  public:
   Transfer(const std::string& address, const fs::path& file, std::uint64_t size_bytes,
@@ -96,7 +95,7 @@ class Transfer {
     return code;
   }
 
-  /// Of the server's answer; 0 if there was none.
+  /// Status of the server's answer; 0 if there was none.
   long http_status() const {
     long status = 0;
     curl_easy_getinfo(curl_.get(), CURLINFO_RESPONSE_CODE, &status);
@@ -153,24 +152,23 @@ class Transfer {
 
 constexpr long range_not_satisfiable = 416;
 
-/// Whether what the file has is no beginning of the server's: the server cannot continue, or has
-/// fewer bytes than are here. libcurl takes the latter for success.
+/// Returns whether the file's content is not a beginning of the server's: the server cannot
+/// continue, or has fewer bytes. libcurl reports the latter as success.
 bool cannot_continue(CURLcode code, const Transfer& transfer) {
   return code == CURLE_RANGE_ERROR || transfer.http_status() == range_not_satisfiable;
 }
 
-/// Throws Error unless the file is there from its first to its last byte.
 void require_complete(const std::string& address, const fs::path& file, const Transfer& transfer,
                       CURLcode code) {
   if (transfer.is_too_long()) {
     empty(file);
     throw Error(address, "is larger than the descriptor says",
-                "it is another file: get it by hand");
+                "it is another file; download it by hand");
   }
   if (transfer.write_error() != 0) {
     throw Error(file.string(),
                 "cannot be written: " + std::generic_category().message(transfer.write_error()),
-                fmt::format("make room and {}", continue_later));
+                fmt::format("free space and {}", continue_later));
   }
   if (code == CURLE_ABORTED_BY_CALLBACK) {
     throw Error(address, fmt::format("stopped after {} bytes", transfer.received()),
@@ -178,7 +176,7 @@ void require_complete(const std::string& address, const fs::path& file, const Tr
   }
   if (code == CURLE_HTTP_RETURNED_ERROR) {
     throw Error(address, fmt::format("the server answers {}", transfer.http_status()),
-                "see where the scene comes from with 'foveola scene list'");
+                "see the scene's origin in 'foveola scene list'");
   }
   if (code != CURLE_OK) {
     throw Error(address,
@@ -188,7 +186,7 @@ void require_complete(const std::string& address, const fs::path& file, const Tr
   if (transfer.received() < transfer.size_bytes()) {
     empty(file);
     throw Error(address, "is smaller than the descriptor says",
-                "it is another file: get it by hand");
+                "it is another file; download it by hand");
   }
 }
 

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-/// The file's place, in a folder that is there now.
+/// Returns the file's place, after making its folder.
 fs::path prepare_target(const Descriptor& descriptor) {
   const fs::path folder =
       is_programs_own(descriptor) ? fetched_folder() : fs::absolute(descriptor.path).parent_path();
@@ -44,24 +44,23 @@ fs::path prepare_target(const Descriptor& descriptor) {
   return target;
 }
 
-/// Whether the descriptor's own file lies at `target` already.
 bool is_there(const Descriptor& descriptor, const fs::path& target) {
   std::error_code ignored;
   return fs::is_regular_file(target, ignored) && is_described_file(descriptor, target);
 }
 
-/// The beginning of a download, which one program at a time has. What it is called may become the
-/// scene's file, or go, as long as somebody has it, and nothing else.
+/// A partial download, locked by one program at a time. During the lock its name may become the
+/// scene's file, or be removed, and nothing else.
 class LockedPart {
  public:
-  /// Makes the file if need be. Waits while another program has it. Throws Error if it cannot be
-  /// opened or `stop` is requested.
+  /// Makes the file if it is missing. Waits while another program has it. Throws Error if it cannot
+  /// be opened or `stop` is requested.
   LockedPart(fs::path path, const std::stop_token& stop) : path_(std::move(path)) {
     constexpr std::chrono::milliseconds pause(100);
     bool is_told = false;
     while (!try_to_lock()) {
       if (stop.stop_requested()) {
-        throw Error(path_.string(), "another program is downloading it", "let that end");
+        throw Error(path_.string(), "another program is downloading it", "wait for its end");
       }
       if (!std::exchange(is_told, true)) {
         print_text(stderr, "Another program is downloading {}; waiting for it.\n",
@@ -87,7 +86,7 @@ class LockedPart {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
       throw Error(path_.string(), "cannot be written: " + std::generic_category().message(errno),
-                  "check the folder and the space left");
+                  "check the folder's permissions and the free space");
     }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && is_named()) {
       return true;
@@ -96,7 +95,6 @@ class LockedPart {
     return false;
   }
 
-  /// Whether the file that is open still has its name.
   bool is_named() const {
     struct stat open{};
     struct stat named{};
@@ -108,7 +106,7 @@ class LockedPart {
   int descriptor_ = -1;
 };
 
-/// The file that --from means. Throws Error if there is none.
+/// Returns the file of --from. Throws Error if there is none.
 fs::path named_file(const Descriptor& descriptor, const fs::path& file_or_folder) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file_or_folder, ignored);
@@ -128,7 +126,7 @@ fs::path named_file(const Descriptor& descriptor, const fs::path& file_or_folder
   return file_or_folder;
 }
 
-/// Whether `content` is a .glb that is as long as its header says: not cut off.
+/// Returns whether `content` is a complete .glb, as long as its header says.
 bool is_whole_glb(std::string_view content) {
   constexpr std::size_t header_bytes = 12;
   constexpr std::size_t length_offset = 8;
@@ -144,13 +142,13 @@ void require_accepted(const Descriptor& descriptor, const fs::path& file,
                       const std::string& content, Accept accept) {
   if (accept == Accept::any_glb) {
     if (!is_whole_glb(content)) {
-      throw Error(file.string(), "is no glTF binary, or is cut off", "export it as .glb");
+      throw Error(file.string(), "is not a glTF binary, or is truncated", "export it as .glb");
     }
   } else if (!descriptor.sha256.empty() && sha256(std::string_view(content)) != descriptor.sha256) {
     throw Error(file.string(),
                 fmt::format("is not the {} that the descriptor means: its SHA-256 differs",
                             descriptor.file_name),
-                "to take a conversion of your own in its place, add --unverified");
+                "to use a conversion of your own in its place, add --unverified");
   }
 }
 
@@ -159,8 +157,8 @@ void require_accepted(const Descriptor& descriptor, const fs::path& file,
 fs::path fetch_from_web(const Descriptor& descriptor, const std::function<void(double)>& progress,
                         const std::stop_token& stop) {
   if (descriptor.address.empty()) {
-    throw Error(descriptor.name, "its file has no address that it could be downloaded from",
-                fmt::format("get the scene from {}, convert it to .glb and give it with --from "
+    throw Error(descriptor.name, "its file has no download address",
+                fmt::format("get the scene from {}, convert it to .glb and add --from "
                             "FILE.glb --unverified",
                             descriptor.origin));
   }
@@ -170,14 +168,14 @@ fs::path fetch_from_web(const Descriptor& descriptor, const std::function<void(d
   }
   const LockedPart part(target.string() + ".part", stop);
   if (is_there(descriptor, target)) {
-    return target;  // by the program that had the part
+    return target;  // written by the program that had the part
   }
   download(descriptor.address, part.path(), descriptor.size_bytes, progress, stop);
   if (sha256_of_file(part.path()) != descriptor.sha256) {
     fs::remove(part.path());
     throw Error(descriptor.address,
                 "is not the file that the descriptor means: its SHA-256 differs",
-                "it was changed or damaged on its way; try again, or get it by hand");
+                "it was changed or damaged on its way; try again, or download it by hand");
   }
   fs::rename(part.path(), target);
   return target;

@@ -1,4 +1,4 @@
-// Putting a real scene's file where Foveola finds it.
+// Fetches a real scene's file to the place where Foveola finds it.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,21 @@
 namespace foveola::scenes {
 
 /// Downloads the descriptor's file into fetched_folder(), or a user's own descriptor's into the
-/// descriptor's folder, unless it is there, and returns its path. An interrupted download is
-/// continued, by one program at a time; others wait. Nothing takes the file's name before its size
-/// and SHA-256 are right. Throws Error if the descriptor has no address, and for whatever goes
-/// wrong.
+/// descriptor's folder, unless it exists. Returns its path. An interrupted download is continued,
+/// by one program at a time; others wait. The file gets its name only once its size and SHA-256 are
+/// right. Throws Error if the descriptor has no address, or if a step fails.
 std::filesystem::path fetch_from_web(const Descriptor& descriptor,
                                      const std::function<void(double fraction)>& progress,
                                      const std::stop_token& stop);
 
-/// What fetch_from_disk takes.
+/// Files that fetch_from_disk accepts.
 enum class Accept {
-  described_file,  ///< nothing but the file that the descriptor was written for
-  any_glb,         ///< a person's own conversion too, in its place and under its name
+  described_file,  ///< only the file that the descriptor was written for
+  any_glb,         ///< also a user's conversion, in its place and under its name
 };
 
-/// Copies the descriptor's file to where fetch_from_web puts it from a file, or from a folder that
-/// holds one of that name, there or one folder below.
+/// Copies the descriptor's file to the place of fetch_from_web, from a file, or from a folder with
+/// a file of that name, in it or one folder below.
 std::filesystem::path fetch_from_disk(const Descriptor& descriptor,
                                       const std::filesystem::path& file_or_folder, Accept accept);
 

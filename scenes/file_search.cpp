@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-/// The folders of $FOVEOLA_SCENE_PATH.
 std::vector<fs::path> scene_path() {
   std::vector<fs::path> folders;
   const char* value = std::getenv("FOVEOLA_SCENE_PATH");
@@ -33,8 +32,8 @@ class Searcher {
  public:
   explicit Searcher(std::string file_name) : file_name_(std::move(file_name)) {}
 
-  /// Looks into `folder`, then into its subfolders in order of their names, unless the file is
-  /// found already.
+  /// Searches `folder`, then its subfolders in order of their names, unless the file is found
+  /// already.
   void search(const fs::path& folder) {
     look_into(folder);
     if (found_.file) {
@@ -53,7 +52,7 @@ class Searcher {
   }
 
  private:
-  /// A folder that keeps its content to itself is met twice: when listed and when looked into.
+  /// An unreadable folder is met twice: when listed and when searched.
   void note(std::string obstacle) {
     std::vector<std::string>& noted = found_.obstacles;
     if (std::find(noted.begin(), noted.end(), obstacle) == noted.end()) {
@@ -99,7 +98,7 @@ class Searcher {
     } else if (fs::exists(status)) {
       note(file.string() + " is not a regular file");
     } else if (fs::is_symlink(fs::symlink_status(file, ignored))) {
-      note(file.string() + " is a link that leads nowhere");
+      note(file.string() + " is a broken link");
     }
   }
 

@@ -1,4 +1,4 @@
-// Where the files of real scenes are looked for.
+// Finds the files of real scenes.
 #pragma once
 
 #include <array>
@@ -9,30 +9,31 @@
 
 namespace foveola::scenes {
 
-/// The extensions of scenes' files, in the order in which a name is tried with them.
+/// Extensions of scenes' files, in the order in which a name is tried with them.
 inline constexpr std::array scene_extensions{".glb", ".gltf", ".obj"};
 
-/// Whether the file is called like one of a scene, in whatever case its extension is.
+/// Returns whether the file has a scene's extension, in any letter case.
 bool is_called_like_scene(const std::filesystem::path& file);
 
 struct FileSearch {
   std::optional<std::filesystem::path> file;
-  /// One line for each folder that could not be searched, and for what bears the name without being
-  /// a file. Empty where the file was found.
+  /// A line per folder that could not be searched, and per match that is not a file. Empty if the
+  /// file was found.
   std::vector<std::string> obstacles;
 };
 
-/// The file of that name in `folder` or one folder below.
+/// Finds the file of that name in `folder` or one folder below.
 FileSearch search_folder(const std::filesystem::path& folder, const std::string& file_name);
 
-/// The file of that name in the folders of $FOVEOLA_SCENE_PATH, their subfolders, or among what was
-/// fetched.
+/// Finds the file of that name in the folders of $FOVEOLA_SCENE_PATH, their subfolders, or among
+/// fetched files.
 FileSearch search_scene_path(const std::string& file_name);
 
-/// Where fetched scenes are kept: scenes/ in the user's data folder.
+/// Returns the folder of fetched scenes: scenes/ in the user's data folder.
 std::filesystem::path fetched_folder();
 
-/// " (OBSTACLE; OBSTACLE)", to follow what says that a file was not found; empty if there are none.
+/// Returns " (OBSTACLE; OBSTACLE)", to follow the report of a missing file; empty if there are
+/// none.
 std::string in_brackets(const std::vector<std::string>& obstacles);
 
 }  // namespace foveola::scenes

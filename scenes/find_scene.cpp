@@ -41,7 +41,7 @@ SceneSource source_of_programs_own(const Descriptor& descriptor) {
   return source;
 }
 
-/// Anybody's descriptor: its file lies in its own folder, and it cannot name another.
+/// A descriptor from anywhere: its file is in its own folder, and it cannot name another.
 SceneSource source_in_own_folder(const Descriptor& descriptor) {
   SceneSource source = descriptor.source;
   const fs::path folder = fs::absolute(descriptor.path).parent_path();
@@ -65,15 +65,15 @@ SceneSource source_of(const Descriptor& descriptor) {
                                      : source_in_own_folder(descriptor);
 }
 
-/// Whether `file` takes the descriptor's viewpoint: a conversion of a real scene under its name, or
-/// a copy of a built-in one. Anybody's church.glb is no copy of ours.
+/// Returns whether `file` has the descriptor's viewpoint: a conversion of a real scene under its
+/// name, or a copy of a built-in one. Another church.glb is not a copy of ours.
 bool is_meant_by(const Descriptor& descriptor, const fs::path& file) {
   return descriptor.is_builtin ? file.filename() == builtin_file(descriptor.name).filename() &&
                                      is_described_file(descriptor, file)
                                : file.filename() == descriptor.file_name;
 }
 
-/// What the program's own descriptors say of the file, if they mean it.
+/// Returns the facts of the program's own descriptors about the file, if one means it.
 SceneSource source_by_name_of_file(const fs::path& file) {
   SceneSource source;
   source.title = file.stem().string();
@@ -98,7 +98,6 @@ SceneSource source_of_file(const fs::path& file) {
   return source;
 }
 
-/// Throws Error that says what is wrong, unless there is a regular file.
 void require_scene_file(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -111,11 +110,11 @@ void require_scene_file(const fs::path& path) {
   }
   std::error_code ignored;
   if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(path, ignored))) {
-    throw Error(path.string(), "is a link that leads nowhere", "mend the link");
+    throw Error(path.string(), "is a broken link", "correct the link");
   }
   if (!fs::exists(status)) {
     throw Error(
-        path.string(), "no such scene or file",
+        path.string(), "is not a known scene or file",
         did_you_mean(path.string(), known_scene_names(),
                      fmt::format("the built-in scenes are {}; for the published study's own see "
                                  "'foveola scene list' and set FOVEOLA_SCENE_PATH",
@@ -126,14 +125,13 @@ void require_scene_file(const fs::path& path) {
   }
 }
 
-/// The file of a scene, or a descriptor.
 SceneSource source_at(const fs::path& path) {
   require_scene_file(path);
   return lower_case_extension(path) == ".toml" ? source_of(read_descriptor(path))
                                                : source_of_file(path);
 }
 
-/// NAME.glb, NAME.gltf or NAME.obj in `folder`, the first of them that is there.
+/// Returns NAME.glb, NAME.gltf or NAME.obj in `folder`, the first that exists.
 std::optional<fs::path> named_scene_file(const fs::path& folder, const std::string& name) {
   if (!is_scene_name(name)) {
     return std::nullopt;
@@ -148,7 +146,7 @@ std::optional<fs::path> named_scene_file(const fs::path& folder, const std::stri
   return std::nullopt;
 }
 
-/// The scene `name` of `folder`, described or not.
+/// Finds the scene `name` in `folder`, with or without a descriptor.
 std::optional<SceneSource> find_in(const fs::path& folder, const std::string& name) {
   if (const std::optional<Descriptor> descriptor = find_descriptor_in(folder, name)) {
     return source_of(*descriptor);
@@ -187,7 +185,7 @@ SceneSource find_scene(const std::string& name_or_path) {
 
 SceneSource find_scene_beside(const std::string& name_or_path, const fs::path& folder) {
   if (is_path(name_or_path)) {
-    return source_at(folder / name_or_path);  // An absolute path stays what it is.
+    return source_at(folder / name_or_path);  // An absolute path stays unchanged.
   }
   if (is_programs_protocols(folder)) {
     if (const std::optional<Descriptor> descriptor = find_descriptor(name_or_path)) {

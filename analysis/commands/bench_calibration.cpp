@@ -95,7 +95,6 @@ class TriedSpeeds {
   std::map<double, TriedSpeed> tried_;
 };
 
-/// A speed, and the cells that it was fitted to.
 struct NamedSpeed {
   std::string cells;
   MachineSpeed speed;

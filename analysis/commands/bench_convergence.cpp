@@ -205,7 +205,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   command
       ->add_option(
           "--methods", arguments->methods,
-          "Methods as render's --method, separated by commas; the others are compared with "
+          "Methods as of render --method, separated by commas; the others are compared with "
           "the first, the baseline")
       ->capture_default_str();
   command

@@ -19,7 +19,6 @@ namespace {
 
 std::filesystem::path reference_cache() { return cache_folder() / "references"; }
 
-/// A loaded scene to be measured.
 struct LoadedSubject {
   LoadedScene loaded;
   Subject subject;

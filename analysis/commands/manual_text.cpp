@@ -30,8 +30,8 @@ ManualSection environment() {
           {"FOVEOLA_SCENE_PATH",
            "Folders, separated by colons, that are searched for the files of real scenes, with "
            "one level of folders below them."},
-          {"XDG_CACHE_HOME", "/.cache.~/.cache."},
-          {"XDG_DATA_HOME", "/.local/share.~/.local/share."},
+          {"XDG_CACHE_HOME", "The folder of files that can be recreated, in place of ~/.cache."},
+          {"XDG_DATA_HOME", "The folder of the user's own files, in place of ~/.local/share."},
           {"HOME", "The folder of both, if these two are not set."},
           {"TMPDIR", "The folder of temporary files, in place of /tmp."},
           {"PATH", "The folders that are searched for gnuplot, Rscript and cmake."},

@@ -98,7 +98,6 @@ std::size_t participants_for_r(const PowerArguments& arguments, const StudyPower
       static_cast<std::size_t>(planned.value_or(0)));
 }
 
-/// Returns R's expected time in seconds for some studies.
 double seconds_by_r(const StudyPowerReport& report, std::size_t participants, std::size_t studies) {
   std::vector<study::StudyRecords> drawn;
   for (std::size_t i = 0; i < studies; ++i) {

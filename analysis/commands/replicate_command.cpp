@@ -52,7 +52,6 @@ struct ReplicateArguments {
   bool json = false;
 };
 
-/// The results of stages, each in a folder of its own.
 struct StageResults {
   fs::path folder;
   const Claims& claims;
@@ -229,7 +228,6 @@ std::string page_html(const ResultJson& page) {
   return html + "</main>\n</body>\n</html>\n";
 }
 
-/// Returns the stages to run, by --quick and --only.
 std::vector<const ClaimStage*> chosen_stages(const ReplicateArguments& arguments,
                                              const Claims& claims) {
   std::set<std::string> wanted(arguments.only.begin(), arguments.only.end());

@@ -16,7 +16,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// Adds the columns of an estimate and of its confidence limits.
 template <typename Item>
 void add_estimate(const std::string& name, const std::string& description,
                   std::optional<Estimate> Item::* estimate, ColumnsOf<Item>& columns) {

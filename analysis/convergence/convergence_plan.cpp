@@ -140,7 +140,7 @@ std::vector<Configuration> make_configurations(const std::vector<std::string>& m
     configurations.push_back({.name = method, .method = method});
   }
   if (configurations.empty()) {
-    throw UsageError("--methods", "is empty", "name at least the baseline, for instance od");
+    throw UsageError("--methods", "is empty", "name at least the baseline, for example od");
   }
   for (const std::string& option : options) {
     const OptionRow& row = find_option(option);

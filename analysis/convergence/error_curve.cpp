@@ -8,7 +8,6 @@
 namespace foveola::analysis {
 namespace {
 
-/// Returns half of the interval's width.
 std::optional<double> half_width(const std::vector<std::size_t>& all,
                                  const RepetitionStatistic& statistic) {
   const auto n = static_cast<double>(all.size());

@@ -25,7 +25,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// Returns the facts that all runs share.
 json facts_of(const json& run) {
   json facts = json::object();
   for (const auto& [key, value] : run.items()) {
@@ -124,7 +123,6 @@ bool is_of(const json& row, const GazeMeasurement& measurement) {
   return row.at("scene") == measurement.scene && row.at("gaze") == measurement.gaze;
 }
 
-/// Adds facts that points.csv lacks.
 void add_facts(const json& run, GazeMeasurement& measurement) {
   for (const json& row : run.at("measured")) {
     if (is_of(row, measurement)) {

@@ -24,7 +24,6 @@ struct NumericQuestion {
   std::string scale;
 };
 
-/// Returns the questions with numeric answers.
 std::vector<NumericQuestion> numeric_questions(const StudyRecords& records) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> in_numbers;
   for (const study::AnswerRow& row : records.answers) {

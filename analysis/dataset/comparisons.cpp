@@ -35,7 +35,6 @@ std::optional<Interval> bca_of_ratio(const std::vector<double>& log_ratios) {
   return bca_geometric_mean(ratios, {.resamples = resamples_for(ratios.size())});
 }
 
-/// Returns a comparison without results.
 MethodComparison start_comparison(const Dataset& set, const study::AnalysisPlan& plan,
                                   std::size_t measure, std::size_t method, std::size_t reference) {
   MethodComparison comparison;
@@ -59,7 +58,6 @@ std::string why_no_p(const MethodComparison& comparison) {
                           : "the differences do not vary";
 }
 
-/// Compares participants' values that are complete in all methods.
 CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair& pair,
                              bool is_time) {
   const std::vector<double> differences = paired_differences(means, pair.method, pair.reference);
@@ -189,7 +187,6 @@ void measure_influence(const Dataset& set, const PairedTrials& trials,
                 set.participants[analysed.who[range.without_high]]};
 }
 
-/// Returns the comparison with its primary analysis only.
 MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan& plan,
                                    const ComparedPair& pair, const PairedTrials& trials,
                                    const FittedModels& models) {
@@ -229,7 +226,6 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
   return comparison;
 }
 
-/// Compares the pairs, several at a time.
 std::vector<MethodComparison> compare_all(const Dataset& set, const study::AnalysisPlan& plan,
                                           const std::vector<ParticipantValues>& means,
                                           const FittedModels& models) {
@@ -325,7 +321,6 @@ std::vector<OrderTest> carry_over_tests(const Dataset& set, std::size_t measure)
   return tests;
 }
 
-/// Returns the means of each measure that is compared; empty for the others.
 std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
   std::vector<ParticipantValues> means(set.measures.size());
   for (std::size_t measure = 0; measure < means.size(); ++measure) {

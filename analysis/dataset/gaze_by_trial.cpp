@@ -26,7 +26,6 @@ class KnownValues {
   std::vector<double> values_;
 };
 
-/// Averages the figures of one method's trials.
 struct MethodValues {
   std::size_t trials = 0;
   KnownValues on_object;

@@ -8,11 +8,10 @@ namespace foveola::analysis {
 namespace {
 
 /// Joins two reasons, either of which may be empty.
-std::string both(const std::string& a, const std::string& b) {
+std::string join_reasons(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() ? a + b : a + "; " + b;
 }
 
-/// Returns why a model by R is not reported.
 std::string without_model(AnalysisKind kind, const FittedModel* tried) {
   return tried == nullptr ? fmt::format("the {} needs R (analyze --r)", name_of(kind))
                           : fmt::format("R could not fit the {}: {}", name_of(kind), tried->note);
@@ -50,7 +49,6 @@ std::optional<PrimaryResult> over_participants(const PrimarySources& sources, Ef
                        .scenes = sources.pairs.scenes()};
 }
 
-/// Fits the model in closed form, to the participants with all scenes.
 std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& sources,
                                                     EffectScale scale, const std::string& instead) {
   const RepeatedMeasures complete = complete_participants(sources.pairs.differences);
@@ -67,7 +65,7 @@ std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& source
                         without_model(AnalysisKind::crossed_model, sources.crossed));
   return PrimaryResult{.kind = AnalysisKind::crossed_model,
                        .scale = scale,
-                       .instead = both(instead, of_whom),
+                       .instead = join_reasons(instead, of_whom),
                        .estimate = model->mean,
                        .interval = model->test->interval,
                        .standard_error = model->test->standard_error,
@@ -76,7 +74,6 @@ std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& source
                        .scenes = model->scenes};
 }
 
-/// Analyses the measured pairs by the planned analysis.
 std::optional<PrimaryResult> of_measured_pairs(const PrimarySources& sources, EffectScale scale,
                                                const study::AnalysisPlan& plan,
                                                const std::string& instead) {
@@ -95,7 +92,7 @@ std::optional<PrimaryResult> of_measured_pairs(const PrimarySources& sources, Ef
                               ? "one scene"
                               : "too few participants have all scenes, and with gaps " +
                                     without_model(AnalysisKind::crossed_model, sources.crossed);
-  return over_participants(sources, scale, both(instead, why));
+  return over_participants(sources, scale, join_reasons(instead, why));
 }
 
 }  // namespace

@@ -39,7 +39,6 @@ OfBaselineMean over_baseline_mean(const Description& seconds, const Description&
   return {percent(seconds.mean), percent(seconds.standard_deviation)};
 }
 
-/// Returns a participant's geometric mean over complete scenes, in seconds; empty without any.
 std::optional<double> geometric_mean_over_scenes(const Dataset& set, std::size_t participant,
                                                  std::size_t mark, std::size_t method) {
   std::vector<double> seconds;

@@ -16,7 +16,6 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-/// Returns the labels of each rating in a protocol's text, by its id.
 std::map<std::string, Labels> labels_in(const std::string& protocol_text) {
   const std::string where = "an amended protocol in the study's file";
   const toml::table toml = parse_toml(where, protocol_text, "restore the study's file");

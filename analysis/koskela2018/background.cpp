@@ -52,7 +52,6 @@ double speed_up(TimeSaved quantity, double baseline_s, double method_s) {
                                           : baseline_s - method_s;
 }
 
-/// Returns the mean over complete scenes.
 std::optional<double> mean_speed_up(const Dataset& set, std::size_t participant,
                                     const BackgroundCorrelation& row, std::size_t mark,
                                     std::size_t method) {

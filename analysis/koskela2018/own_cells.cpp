@@ -13,7 +13,6 @@ namespace {
 
 bool is_near(double times) { return times <= near_factor && times >= 1.0 / near_factor; }
 
-/// Counts numbers of one reading and of the methods for which `is_counted`.
 template <typename Condition>
 MetMeans count_met(const std::vector<ComparedNumber>& numbers, const std::string& means,
                    const Condition& is_counted) {

@@ -13,7 +13,6 @@
 namespace foveola::analysis {
 namespace {
 
-/// [method]
 std::map<std::string, double> mean_artifacts(const StudyTables& tables) {
   std::map<std::string, double> means;
   for (const MethodRatings& row : tables.ratings) {

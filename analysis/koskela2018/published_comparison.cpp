@@ -17,13 +17,11 @@ constexpr std::array marks = {"outline", "material"};
 constexpr const char* all_scenes = "all scenes";
 constexpr const char* over_scenes = "Table 2, all scenes";
 
-/// Describes the analysed participants' answers to a question of Table 1.
 Description answers_to(const std::vector<QuestionAnswers>& own, const std::string& question) {
   const auto found = std::ranges::find(own, question, &QuestionAnswers::question);
   return found == own.end() ? Description{} : found->answers;
 }
 
-/// Returns the analysed participants' answers to a question.
 std::vector<double> answers_to(const StudyTables& tables,
                                const std::vector<BackgroundAnswer>& answers,
                                const std::string& question) {
@@ -139,7 +137,6 @@ void compare_over_scenes(const StudyTables& tables, const PublishedStudy& publis
   }
 }
 
-/// Returns a number of the text, to be filled in.
 ComparedNumber number_of_text(const PublishedStudy& published, const std::string& id,
                               const std::string& words) {
   const PublishedFigure& figure = published_figure(published, id);

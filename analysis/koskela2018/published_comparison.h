@@ -43,7 +43,6 @@ std::vector<ComparedNumber> compare_with_published(const study::StudyRecords& re
 /// Returns the study's number less the published one; empty if the study has none.
 std::optional<double> difference_of(const ComparedNumber& number);
 
-/// Returns the study's standard deviation less the published one.
 std::optional<double> difference_of_deviations(const ComparedNumber& number);
 
 /// Returns the study's time, percentage or speed-up over the published one; empty for other

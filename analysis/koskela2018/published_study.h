@@ -71,7 +71,6 @@ Estimate published_mean(const PublishedStudy& published, double mean, double sta
 std::optional<double> geometric_mean_of_table_2(const PublishedStudy& published,
                                                 const std::string& mark, const std::string& method);
 
-/// The published scene that a study's scene represents.
 struct PublishedScene {
   std::string name;
   bool is_counterpart = false;  ///< Whether the study's scene is Foveola's own counterpart.

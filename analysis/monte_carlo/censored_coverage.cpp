@@ -29,7 +29,6 @@ ExpectedStudy two_methods() {
   return expected;
 }
 
-/// Returns the variance of the logarithm of one time.
 double log_time_variance(const ExpectedSpread& spread) {
   const auto square = [](double x) { return x * x; };
   return square(spread.participants) + square(spread.scenes) + square(spread.trials) +

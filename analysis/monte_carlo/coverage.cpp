@@ -46,7 +46,6 @@ std::vector<double> log_ratios(const Dataset& set) {
   return paired_differences(participant_means(set, outline), set.methods.size() - 1, baseline);
 }
 
-/// Returns all participants' differences in comfort between the last method and the baseline.
 std::vector<double> comfort_differences(const Dataset& set) {
   return paired_differences(participant_means(set, comfort), set.methods.size() - 1, baseline);
 }
@@ -166,7 +165,6 @@ std::vector<Criterion> criteria_of_equivalence() {
   return criteria;
 }
 
-/// Criteria of marks and ratings beyond the published ones.
 std::vector<Criterion> criteria_of_other_measures() {
   constexpr double shift_points = 5.0;
   const ExpectedStudy effects = example_study();

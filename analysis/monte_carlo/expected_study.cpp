@@ -53,7 +53,6 @@ struct Place {
 
 Value measured(double number) { return {.state = Value::State::measured, .number = number}; }
 
-/// Returns the nearest answer of the scale.
 double nearest_answer(const study::Measure& rating, double value) {
   const std::vector<double> points = rating.points();
   if (points.empty()) {
@@ -69,7 +68,6 @@ struct DrawnScenes {
   std::vector<std::vector<DrawnEffects>> ratings;  ///< [rating][scene]
 };
 
-/// Draws the values of one participant's trials.
 class DrawnParticipant {
  public:
   DrawnParticipant(const ExpectedStudy& expected, const std::vector<study::Measure>& measures,
@@ -176,7 +174,6 @@ void add_trials(const ExpectedStudy& expected, const study::Plan& plan, std::uin
   }
 }
 
-/// Returns records without sessions.
 study::StudyRecords records_of(const study::Protocol& protocol) {
   study::StudyRecords records;
   records.protocol.name = protocol.name;

@@ -132,7 +132,6 @@ study::StudyRecords draw(const ModelCell& cell, std::uint64_t seed) {
   return records;
 }
 
-/// The true result of the planned comparison.
 struct Truth {
   double in_these_scenes = 0.0;
   double in_all_scenes = 0.0;

@@ -16,7 +16,6 @@ namespace {
 /// [mark][method]
 using Counts = std::vector<std::vector<std::size_t>>;
 
-/// Sums over a part of the studies.
 struct Tally {
   StudyPower power;
   std::size_t analysed = 0;
@@ -137,7 +136,6 @@ double share_of_hits(const StudyPower& power, std::optional<std::size_t> compari
   return static_cast<double>(hits_of(power, comparison)) / static_cast<double>(power.studies);
 }
 
-/// Returns the planned comparisons, and all of them together.
 std::vector<std::optional<std::size_t>> criteria_of(const ExpectedStudy& expected) {
   std::vector<std::optional<std::size_t>> criteria = {std::nullopt};
   for (std::size_t i = 0; i < expected.protocol.analysis.primary.size(); ++i) {
@@ -146,7 +144,6 @@ std::vector<std::optional<std::size_t>> criteria_of(const ExpectedStudy& expecte
   return criteria;
 }
 
-/// Results by number of participants.
 using Sizes = std::map<std::size_t, StudyPower>;
 
 /// Returns the number halfway between the minimum that reaches the target and the next lower one

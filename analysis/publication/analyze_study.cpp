@@ -203,7 +203,6 @@ void write_gaze(const study::StudyRecords& records, const ColumnsOf<std::size_t>
   output.files.push_back(path);
 }
 
-/// Fits the models in the folder that has the data.
 FittedModels fit_models_of(const Dataset& set, const study::AnalysisPlan& plan,
                            const fs::path& folder) {
   const Table models = models_plan(set, compared_pairs(set, plan), plan.scenes);

@@ -24,7 +24,6 @@ struct SceneForPython {
   Workers workers;
   LoadedScene loaded;
 
-  /// settings: of scene and threads.
   SceneForPython(const std::string& name_or_path, const RenderSettings& settings);
 };
 
@@ -49,7 +48,6 @@ struct RenderArguments {
   int max_depth = 8;
 };
 
-/// Result of render() in Python.
 struct RenderForPython {
   pybind11::array_t<float> radiance;         ///< [height][width][3], linear Rec. 709
   pybind11::array_t<std::uint32_t> samples;  ///< [height][width]

@@ -23,7 +23,6 @@ namespace py = pybind11;
 namespace foveola::analysis {
 namespace {
 
-/// Data read without Python.
 struct StudyData {
   study::Verification record;
   study::StudyRecords records;
@@ -73,7 +72,6 @@ py::object python_of(const Field& field) {
       field);
 }
 
-/// Returns a frame of the rows of these items.
 template <typename Item>
 py::object frame_of(const ColumnsOf<Item>& columns_of_items, const std::vector<Item>& items,
                     const Dataset& set) {

@@ -27,7 +27,6 @@ constexpr const char* versions_file = "r_versions.csv";
   throw Error(where, what, "report this fault: models.R writes this file for foveola");
 }
 
-/// A row of a table with a heading, accessed by column names.
 class NamedRow {
  public:
   NamedRow(const CsvRow& heading, const CsvRow& row, const std::string& where) : where_(where) {

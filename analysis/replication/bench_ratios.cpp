@@ -17,7 +17,6 @@ namespace {
 
 using BenchJson = nlohmann::ordered_json;
 
-/// Keys that distinguish the elements of an array.
 constexpr std::array<std::string_view, 14> identities = {
     "name",  "kind", "scene",  "gaze",   "configuration", "region", "metric",
     "level", "unit", "method", "option", "threads",       "what",   "claim"};
@@ -151,7 +150,6 @@ bool is_outside(double value, const Interval& interval) {
   return value < interval.low || value > interval.high;
 }
 
-/// Returns whether the figures differ by more than their widened intervals allow.
 bool is_beyond(const BenchFigure& before, const BenchFigure& after, double widening) {
   const std::optional<Interval> ratio = ratio_interval(before, after, widening);
   return ratio ? is_outside(1.0, *ratio)
@@ -201,7 +199,6 @@ BenchRatio judged(const BenchPair& pair, double widening) {
   return row;
 }
 
-/// Pairs the figures of two outputs.
 void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<BenchPair>& pairs,
                   std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);

@@ -42,7 +42,6 @@ enum class BenchMove {
   without_interval,  ///< it differs, by an amount of unknown significance
 };
 
-/// A figure of both runs.
 struct BenchRatio {
   std::string figure;  ///< its place: "runs[threads=2].seconds"
   double before = 0.0;

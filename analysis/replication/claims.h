@@ -73,7 +73,6 @@ std::string shown_like(const std::string& shown, const ClaimValue& value);
 /// unit of the last shown digit. Without an interval, `made` has a standard error of 0.
 bool is_within(const Tolerance& tolerance, const ClaimedNumber& number, const ClaimValue& made);
 
-/// The reproduced value of a claimed number.
 struct JudgedNumber {
   std::optional<ClaimValue> value{};  ///< empty if the results lack the claim's figure
   std::string remark;  ///< the value with more digits, or the reason why there is none

@@ -62,7 +62,6 @@ double normal_scale_quantile(const std::vector<double>& sorted, double probabili
   return sorted[below - 1] + part * (sorted[below] - sorted[below - 1]);
 }
 
-/// Returns the means without each value, from one sum.
 std::vector<double> means_without_each(std::span<const double> values) {
   const auto others = static_cast<long double>(values.size() - 1);
   const long double sum = extended_mean(values) * (others + 1.0L);

@@ -90,7 +90,6 @@ double f_tail(double f, double numerator_degrees, double denominator_degrees) {
   return boost::math::cdf(boost::math::complement(distribution, f));
 }
 
-/// Returns whether the residual is only the values' rounding.
 bool is_rounding(const RepeatedMeasures& data, long double residual) {
   long double largest = 0.0L;
   for (const double value : data.values) {

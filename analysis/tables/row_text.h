@@ -33,7 +33,6 @@ std::optional<double> number_of(const Field& field);
 /// before the first "|" is missing. An empty text counts as missing.
 std::optional<std::string> fill(std::string_view pattern, const Table& table, const Row& row);
 
-/// A column of a printed table.
 struct PrintedColumn {
   std::string heading;
   std::vector<std::string> patterns;  ///< Of fill(); the first that can be filled is used.

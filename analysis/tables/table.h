@@ -74,7 +74,6 @@ Field field(const Value& value) {
   }
 }
 
-/// Type of a column of such values.
 template <typename Value>
 constexpr ColumnType column_type() {
   if constexpr (is_optional<Value>) {

@@ -44,7 +44,7 @@ MODES_WITH_DATA = {"OBJECT", "POSE", "PAINT_VERTEX", "PAINT_WEIGHT", "PAINT_TEXT
 
 
 class ExportError(Exception):
-    """What went wrong, in one line for the panel."""
+    """A failure, in one line for the panel."""
 
 
 # ---- Nodes -------------------------------------------------------------------------------------
@@ -114,7 +114,7 @@ def cross(a, b):
 def unit(vector):
     length = math.sqrt(dot(vector, vector))
     if length == 0.0:
-        raise ExportError("an object that is scaled to nothing has no direction; give it a size")
+        raise ExportError("the object has a scale of zero and thus no direction; give it a size")
     return [value / length for value in vector]
 
 
@@ -831,7 +831,7 @@ def missing_of_light(light):
     if not power_of(light)[1]:
         lines.append("its nodes are translated as far as their constant values")
     if light.type == "AREA" and light.spread < math.pi - 1e-3:
-        lines.append("its spread is not sent: it shines to its whole front")
+        lines.append("its spread is not sent: it emits to its whole front")
     if light.type == "SUN" and light.angle > math.pi / 2.0:
         lines.append("its angle is limited to 90 degrees")
     if not casts_shadows(light):
@@ -1295,7 +1295,7 @@ def find_program(context):
     program = shutil.which(bpy.path.abspath(chosen) if chosen else "foveola")
     if program is None:
         raise ExportError(
-            f"{chosen or 'foveola'} is no program here; name it in the add-on's preferences"
+            f"{chosen or 'foveola'} is not a program here; name it in the add-on's preferences"
         )
     return program
 
@@ -1342,7 +1342,7 @@ class FOVEOLA_OT_preview(bpy.types.Operator):
 class FOVEOLA_OT_update(bpy.types.Operator):
     bl_idname = "foveola.update"
     bl_label = "Update Now"
-    bl_description = "Show what has changed since the last update"
+    bl_description = "Show the changes since the last update"
 
     @classmethod
     def poll(cls, context):
@@ -1360,7 +1360,7 @@ class FOVEOLA_OT_update(bpy.types.Operator):
 class FOVEOLA_OT_copy_report(bpy.types.Operator):
     bl_idname = "foveola.copy_report"
     bl_label = "Copy"
-    bl_description = "Copy all lines of what does not come across"
+    bl_description = "Copy all lines of this list"
 
     def execute(self, context):
         context.window_manager.clipboard = report_text()

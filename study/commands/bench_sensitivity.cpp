@@ -30,7 +30,6 @@ struct SensitivityArguments : SimulatedBenchArguments {
   std::vector<std::string> numbers;
 };
 
-/// A simulated population and its results.
 struct Outcome {
   std::string number;  ///< empty: the unchanged population
   double value = 0.0;

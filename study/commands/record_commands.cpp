@@ -141,7 +141,6 @@ void run_status(const RecordArguments& arguments) {
   }
 }
 
-/// Compares the study with a head printed earlier.
 void add_head_comparison(const RecordArguments& arguments, Verification& found) {
   constexpr std::size_t max_bytes = 16 << 20;
   constexpr const char* remedy = "name a file with the output of foveola study status";
@@ -350,7 +349,7 @@ void add_forget(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = add_command(
       study, "forget",
-      "Erase a participant, for instance one who withdrew, from a study's file and its backups",
+      "Erase a participant, for example one who withdrew, from a study's file and its backups",
       "forget study.sqlite P007 --yes");
   add_database(command, arguments->database);
   command->add_option("CODE", arguments->participant, "The participant's code")->required();

@@ -40,14 +40,13 @@ std::string newest_participant(const StudyRecords& records, const std::string& d
   return records.sessions.back().participant;
 }
 
-/// Prints a session's events as they are recorded.
 class Watch {
  public:
   Watch(const WatchArguments& arguments, const Protocol& protocol, std::string participant)
       : arguments_(arguments), protocol_(protocol), participant_(std::move(participant)) {}
 
   /// Prints new events. Returns whether the session can still continue.
-  bool tell() {
+  bool print_new_events() {
     const RecordedSession session = read_session(arguments_.database, participant_);
     const Plan told_plan =
         is_experimenter_blind(session.known.devices) ? without_methods(session.plan) : session.plan;
@@ -101,7 +100,7 @@ void run_watch(const WatchArguments& arguments, const std::stop_token& stop) {
   Watch watch(arguments, records.protocol,
               arguments.participant.empty() ? newest_participant(records, arguments.database)
                                             : arguments.participant);
-  while (watch.tell() && !stop.stop_requested()) {
+  while (watch.print_new_events() && !stop.stop_requested()) {
     std::this_thread::sleep_for(poll_interval);
   }
 }

@@ -28,7 +28,7 @@ class Console {
   /// Shows the session's status. Call several times a second.
   virtual void show(const SessionStatus& status) = 0;
   /// Returns the commands since the last call, in order, as lines of parse_console_line().
-  virtual std::vector<std::string> take() = 0;
+  virtual std::vector<std::string> take_commands() = 0;
 };
 
 /// A console without an experimenter.
@@ -37,7 +37,7 @@ class SilentConsole final : public Console {
   void say(const std::string& /*text*/) override {}
   void tell(const ToldEvent& /*event*/) override {}
   void show(const SessionStatus& /*status*/) override {}
-  std::vector<std::string> take() override { return {}; }
+  std::vector<std::string> take_commands() override { return {}; }
 };
 
 }  // namespace foveola::study

@@ -41,14 +41,12 @@ std::string console_words();
 /// Returns a line per command.
 std::string console_help();
 
-/// A reply, an event or neither.
 struct ConsoleAnswer {
   std::string reply;           ///< text for the experimenter; may be several lines
   std::optional<Event> event;  ///< event for the session, which may refuse it
   bool quits = false;
 };
 
-/// State of the session that a command is about.
 struct AskedSession {
   const std::string& participant;  ///< the code that commands which end the session must name
   const SessionState& state;       ///< including events that are not durable yet

@@ -7,12 +7,10 @@
 namespace foveola::study {
 namespace {
 
-/// Describes each event, with the state after it.
 struct Happened {
   const SessionState& after;
   const Protocol& protocol;
 
-  /// Returns the id of the last awaited mark.
   const std::string& last_mark() const { return protocol.marks[after.mark - 1].id; }
 
   std::string operator()(const SessionStarted& /*event*/) const { return "The session begins."; }

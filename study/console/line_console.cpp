@@ -10,7 +10,7 @@ namespace foveola::study {
 void LineConsole::tell(const ToldEvent& event) { writer_.write(line_of(event)); }
 
 void LineConsole::show(const SessionStatus& status) {
-  for (const StatusWarning& warning : arisen(warnings_, status.warnings)) {
+  for (const StatusWarning& warning : new_warnings(warnings_, status.warnings)) {
     writer_.write(warning.text);
   }
   warnings_ = status.warnings;
@@ -30,7 +30,8 @@ void JsonConsole::tell(const ToldEvent& event) {
 
 void JsonConsole::show(const SessionStatus& status) {
   constexpr Nanoseconds interval = std::chrono::seconds(1);
-  if (shown_ && status.time - *shown_ < interval && arisen(warnings_, status.warnings).empty()) {
+  if (shown_ && status.time - *shown_ < interval &&
+      new_warnings(warnings_, status.warnings).empty()) {
     return;
   }
   shown_ = status.time;

@@ -18,7 +18,7 @@ class LineConsole final : public Console {
   void say(const std::string& text) override { writer_.write(text); }
   void tell(const ToldEvent& event) override;
   void show(const SessionStatus& status) override;
-  std::vector<std::string> take() override { return reader_.take(); }
+  std::vector<std::string> take_commands() override { return reader_.take_lines(); }
 
  private:
   LineWriter& writer_;
@@ -39,7 +39,7 @@ class JsonConsole final : public Console {
   void say(const std::string& text) override;
   void tell(const ToldEvent& event) override;
   void show(const SessionStatus& status) override;
-  std::vector<std::string> take() override { return reader_.take(); }
+  std::vector<std::string> take_commands() override { return reader_.take_lines(); }
 
  private:
   LineWriter& writer_;

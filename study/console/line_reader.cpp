@@ -11,7 +11,7 @@ namespace foveola::study {
 LineReader::LineReader(int descriptor)
     : thread_([this, descriptor](const std::stop_token& stop) { read(descriptor, stop); }) {}
 
-std::vector<std::string> LineReader::take() {
+std::vector<std::string> LineReader::take_lines() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(lines_, {});
 }

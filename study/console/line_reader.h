@@ -16,7 +16,7 @@ class LineReader {
   explicit LineReader(int descriptor);
 
   /// Returns all complete lines since the last call, in order.
-  std::vector<std::string> take();
+  std::vector<std::string> take_lines();
 
  private:
   void read(int descriptor, const std::stop_token& stop);

@@ -14,9 +14,7 @@ namespace foveola::study {
 /// All times are of one clock.
 class LiveFigures {
  public:
-  /// Resets the counts of the attempt.
   void begin_attempt();
-  /// Counts a frame of the attempt. is_late: it missed its refresh.
   void add_attempt_frame(bool is_late);
   /// Call after each frame, inside or outside of attempts. arrived: the gaze samples of this frame.
   void add_frame(Nanoseconds shown, std::span<const GazeSample> arrived);

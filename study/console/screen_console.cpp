@@ -71,7 +71,7 @@ void ScreenConsole::show(const SessionStatus& status) {
   is_to_paint_ = true;
 }
 
-std::vector<std::string> ScreenConsole::take() {
+std::vector<std::string> ScreenConsole::take_commands() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(asked_for_, {});
 }

@@ -30,7 +30,7 @@ class ScreenConsole final : public Console {
   void say(const std::string& text) override;
   void tell(const ToldEvent& event) override;
   void show(const SessionStatus& status) override;
-  std::vector<std::string> take() override;
+  std::vector<std::string> take_commands() override;
 
  private:
   explicit ScreenConsole(LineWriter& afterwards);

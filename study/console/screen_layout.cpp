@@ -23,7 +23,6 @@ std::string clipped(const std::string& text, std::size_t columns) {
   return text.substr(0, bytes_of_first(text, columns));
 }
 
-/// Returns count - 1, at least 0.
 std::size_t less_one(std::size_t count) { return count - std::min<std::size_t>(count, 1); }
 
 /// The beginning of a text, and its style.

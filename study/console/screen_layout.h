@@ -39,7 +39,6 @@ std::vector<ScreenLine> screen_lines(const ScreenContent& content, const ScreenS
 /// Wraps a text into lines of at most `columns` characters, at spaces if possible.
 std::vector<std::string> wrapped(std::string_view text, std::size_t columns);
 
-/// A key typed in a terminal.
 struct TypedKey {
   enum class Kind { character, enter, escape, erase };
   Kind kind = Kind::character;

@@ -111,8 +111,8 @@ std::optional<StatusWarning> warning_of(Nanoseconds since_last_key) {
                   std::chrono::duration_cast<std::chrono::minutes>(since_last_key).count())};
 }
 
-std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,
-                                  const std::vector<StatusWarning>& now) {
+std::vector<StatusWarning> new_warnings(const std::vector<StatusWarning>& before,
+                                        const std::vector<StatusWarning>& now) {
   std::vector<StatusWarning> all;
   std::copy_if(now.begin(), now.end(), std::back_inserter(all), [&](const StatusWarning& one) {
     return std::none_of(before.begin(), before.end(),

@@ -70,8 +70,8 @@ std::optional<StatusWarning> warning_of(const FrameStatus& frames);
 std::optional<StatusWarning> warning_of(Nanoseconds since_last_key);
 
 /// Returns warnings of kinds that `before` does not have.
-std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,
-                                  const std::vector<StatusWarning>& now);
+std::vector<StatusWarning> new_warnings(const std::vector<StatusWarning>& before,
+                                        const std::vector<StatusWarning>& now);
 
 nlohmann::ordered_json json_of(const SessionStatus& status);
 

@@ -38,7 +38,6 @@ Duration answering(const std::vector<Question>& questions) {
   return sum;
 }
 
-/// Returns the time from the first frame to the last mark.
 Duration marking(const Protocol& protocol, const TrialSettings& settings) {
   const double marks = static_cast<double>(protocol.marks.size());
   const double timeout_s = settings.timing.mark_timeout_s;

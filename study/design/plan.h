@@ -29,7 +29,6 @@ struct PlannedTrial {
   TrialKind kind = TrialKind::test;
 };
 
-/// A session's trials in their order.
 using Plan = std::vector<PlannedTrial>;
 
 // The kinds of a session's steps.

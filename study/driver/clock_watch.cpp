@@ -56,10 +56,10 @@ std::vector<std::string> ClockWatch::notes_until(const ClockReadings& now) {
 void follow_clocks(ClockWatch& watch, const ClockReadings& now, SessionDriver& driver) {
   const std::vector<std::string> notes = watch.notes_until(now);
   for (const std::string& note : notes) {
-    driver.feed(NoteWritten{note});
+    driver.record_event(NoteWritten{note});
   }
   if (!notes.empty()) {
-    driver.feed(RetimeRequested{});
+    driver.record_event(RetimeRequested{});
   }
 }
 

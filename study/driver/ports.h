@@ -62,7 +62,7 @@ class InputPort {
   virtual ~InputPort() = default;
   /// Feeds the answers, keys and commands since the last call to the driver. Called before each
   /// frame, also while effects are pending.
-  virtual void act(SessionDriver& driver) = 0;
+  virtual void pass_input(SessionDriver& driver) = 0;
   /// Returns the time of the mark's key press if it is known in advance: frames need not be shown
   /// beyond it.
   virtual std::optional<Nanoseconds> next_press() const { return std::nullopt; }

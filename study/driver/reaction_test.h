@@ -17,9 +17,7 @@ class ReactionTest {
   /// limits.
   ReactionTest(const ReactionSettings& settings, Nanoseconds start, Pcg32& random);
 
-  /// Returns the due time of the stimulus.
   Nanoseconds due() const { return due_; }
-  /// Returns whether the stimulus is due.
   bool appears_at(Nanoseconds now) const { return now >= due_; }
   /// Records that the stimulus is visible since `time`; only the first call counts.
   void was_shown(Nanoseconds time);

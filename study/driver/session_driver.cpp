@@ -32,7 +32,7 @@ SessionOutcome SessionDriver::run(const std::stop_token& stop) {
   while (!is_left_) {
     if (stop.stop_requested()) {
       interrupt();
-    } else if (!act()) {
+    } else if (!take_turn()) {
       show();
     }
     carry_out_durable();
@@ -45,32 +45,32 @@ SessionOutcome SessionDriver::run(const std::stop_token& stop) {
 void SessionDriver::begin() {
   if (state().phase != Phase::created) {
     if (state().is_over()) {
-      feed(EndUndone{});
+      record_event(EndUndone{});
     } else if (state().phase != Phase::interrupted) {
-      feed(Interrupted{});  // the last program died without recording it
+      record_event(Interrupted{});  // the last program died without recording it
     }
     write_notes();
     const std::string& agreed_to = session_.position.consent_sha256;
     if (!agreed_to.empty() && agreed_to != consent_to(session_.protocol).text_sha256) {
-      feed(ConsentAsked{});
+      record_event(ConsentAsked{});
     }
-    feed(Resumed{});
+    record_event(Resumed{});
   }
   if (state().phase == Phase::created) {
-    feed(SessionStarted{});
+    record_event(SessionStarted{});
     write_notes();
   }
 }
 
 void SessionDriver::write_notes() {
   for (const std::string& note : std::exchange(session_.notes, {})) {
-    feed(NoteWritten{note});
+    record_event(NoteWritten{note});
   }
 }
 
-bool SessionDriver::act() {
+bool SessionDriver::take_turn() {
   const std::uint64_t before = events_fed_;
-  input_.act(*this);
+  input_.pass_input(*this);
   if (events_fed_ == before) {
     follow_time();
   }
@@ -79,7 +79,7 @@ bool SessionDriver::act() {
 
 void SessionDriver::follow_time() {
   if (waits_in(Phase::marking) && clock_.now() >= deadline()) {
-    feed(TimedOut{deadline()});
+    record_event(TimedOut{deadline()});
   }
 }
 
@@ -91,7 +91,7 @@ void SessionDriver::show() {
   const Nanoseconds shown = attempt_ ? attempt_->show(shown_until()) : display_.show();
   display_.end_frame(shown);
   if (attempt_ && waits_in(Phase::armed)) {
-    feed(FirstFramePresented{shown});
+    record_event(FirstFramePresented{shown});
   }
 }
 
@@ -106,12 +106,12 @@ Nanoseconds SessionDriver::shown_until() const {
   }
 }
 
-bool SessionDriver::feed(const Event& event) {
+bool SessionDriver::record_event(const Event& event) {
   const Nanoseconds now = clock_.now();
   if (attempt_ && ends_attempt(event)) {
     attempt_->complete_record();
   }
-  if (!log_.feed(now, event)) {
+  if (!log_.record_event(now, event)) {
     return false;
   }
   ++events_fed_;
@@ -129,16 +129,16 @@ bool SessionDriver::mark(Nanoseconds time) {
     return false;
   }
   if (time > deadline()) {
-    feed(TimedOut{deadline()});
+    record_event(TimedOut{deadline()});
     return false;
   }
-  return feed(Marked{time});
+  return record_event(Marked{time});
 }
 
 void SessionDriver::interrupt() {
   leave();
   carry_out(log_.wait_for_all());
-  feed(Interrupted{});
+  record_event(Interrupted{});
   carry_out(log_.wait_for_all());
 }
 

@@ -44,7 +44,7 @@ class SessionDriver {
 
   /// Records the event and takes the session's step; its effects follow once it is durable. Returns
   /// false, and does nothing, if it is not allowed in this state.
-  bool feed(const Event& event);
+  bool record_event(const Event& event);
   /// Handles a press of the awaited mark's key at `time`: a mark, or its time-out if it is too
   /// late. Returns whether it is a mark.
   bool mark(Nanoseconds time);
@@ -69,14 +69,13 @@ class SessionDriver {
   AttemptKey attempt_key() const { return {.trial = trial_index(), .attempt = seen_.attempt}; }
   /// Time from which the participant may rate the trial.
   Nanoseconds look_around_until() const { return look_around_until_; }
-  /// The correction of the gaze.
   const std::optional<GazeCorrection>& correction() const { return correction_; }
 
  private:
   void begin();
   void write_notes();
   /// Returns whether anything happened.
-  bool act();
+  bool take_turn();
   void follow_time();
   void show();
   Nanoseconds shown_until() const;

@@ -10,7 +10,7 @@ namespace foveola::study {
 SessionLog::SessionLog(Procedure procedure, SessionState state, SessionRecorder& recorder)
     : procedure_(std::move(procedure)), state_(std::move(state)), recorder_(recorder) {}
 
-bool SessionLog::feed(Nanoseconds now, const Event& event) {
+bool SessionLog::record_event(Nanoseconds now, const Event& event) {
   std::optional<Transition> next = step(procedure_, state_, event);
   if (!next) {
     return false;

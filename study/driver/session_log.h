@@ -31,7 +31,7 @@ class SessionLog {
 
   /// Records an event, at its own time if it carries one, else at `now`. Returns false, and does
   /// nothing, if it is not allowed in this state.
-  bool feed(Nanoseconds now, const Event& event);
+  bool record_event(Nanoseconds now, const Event& event);
 
   /// Whether effects are pending: until then the participant has not seen the question of an
   /// answer.

@@ -17,7 +17,7 @@ const Questionnaire& form_in(const Protocol& protocol, const SessionMoment& mome
 
 }  // namespace
 
-void SimulatedConduct::act(const SessionMoment& moment, ParticipantActions& actions) {
+void SimulatedConduct::perform_action(const SessionMoment& moment, ParticipantActions& actions) {
   const SessionState& state = moment.state;
   switch (state.phase) {
     case Phase::consent:

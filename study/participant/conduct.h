@@ -40,7 +40,6 @@ class ParticipantActions {
   virtual void begin_attempt(const Attempt& attempt) = 0;
   virtual void choose_object() = 0;
   virtual void start_trial() = 0;
-  /// Asks for the trial to be retimed.
   virtual void ask_for_retime() = 0;
   /// Called once for a task of an attempt, before the participant looks.
   virtual void begin_task(Task task) = 0;
@@ -69,7 +68,7 @@ class SimulatedConduct {
       : protocol_(protocol), plan_(plan), seed_(seed) {}
 
   /// Performs the action that the session waits for, if any.
-  void act(const SessionMoment& moment, ParticipantActions& actions);
+  void perform_action(const SessionMoment& moment, ParticipantActions& actions);
 
  private:
   /// Trial (index into the plan) and attempt.

@@ -24,7 +24,6 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-// Returns a reference to the number of a Population.
 double& number_in(Population& people, double GazeHabits::* number) { return people.gaze.*number; }
 double& number_in(Population& people, double DecisionHabits::* number) {
   return people.decision.*number;

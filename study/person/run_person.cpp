@@ -41,8 +41,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// The state in which the session resumes.
-SessionState once_resumed(SessionState state) {
+SessionState resumed_state(SessionState state) {
   if (state.phase == Phase::interrupted || state.phase == Phase::paused || state.is_over()) {
     state.phase = state.resumes_at;
   }
@@ -269,7 +268,7 @@ class PersonRun {
     plan_ = so_far_->plan;
     const KnownSession& known = so_far_->session;
     const Procedure procedure = procedure_of(protocol_, plan_);
-    const SessionState state = once_resumed(so_far_->position.state);
+    const SessionState state = resumed_state(so_far_->position.state);
     console_->say(fmt::format("Participant {} resumes after {:.0f} s.", known.participant,
                               seconds(so_far_->position.time)));
     const Plan told = is_blind() ? without_methods(plan_) : plan_;
@@ -322,7 +321,7 @@ class PersonRun {
 };
 
 /// Everything acknowledged to the participant is durable.
-std::string how_to_go_on(const RunSettings& settings, const StudyStore& store) {
+std::string remedy_by_resuming(const RunSettings& settings, const StudyStore& store) {
   const bool is_lost = store.record_file() != fs::weakly_canonical(settings.database);
   return is_lost ? fmt::format(
                        "what {} did up to then is in {}: repeat the command with that "
@@ -354,7 +353,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
   WindowEvents events;
   Window window({.size = settings.window,
                  .monitor = settings.monitor,
-                 .remedy_of_lost_display = how_to_go_on(settings, store)},
+                 .remedy_of_lost_display = remedy_by_resuming(settings, store)},
                 events, clock);
   std::fflush(stdout);
   LineWriter output(STDOUT_FILENO);
@@ -370,7 +369,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
         throw;
       }
       throw Error(fmt::format("the session of {} was interrupted", settings.participant),
-                  fault.what(), how_to_go_on(settings, store));
+                  fault.what(), remedy_by_resuming(settings, store));
     }
     report.is_blind = run.is_blind();
     write_receipt(settings, store);

@@ -39,7 +39,7 @@ ShownProtocol shown_protocol(const std::string& text) {
 
 /// shown: the study's protocol and the amendments up to the consent. Older records do not name the
 /// text that was agreed to; the last one is taken for them.
-std::string part_of(const std::vector<ShownProtocol>& shown, const ConsentGiven& consent) {
+std::string consent_part(const std::vector<ShownProtocol>& shown, const ConsentGiven& consent) {
   const auto agreed_to =
       std::find_if(shown.rbegin(), shown.rend(), [&](const ShownProtocol& protocol) {
         return consent.text_sha256.empty() || sha256(protocol.consent) == consent.text_sha256;
@@ -66,7 +66,7 @@ std::optional<std::string> consent_receipt(const std::string& begun_with,
       }
     } else if (const auto* consent = std::get_if<ConsentGiven>(&logged.event)) {
       consents += fmt::format("{}Agreed to by participant {} at {} (UTC).\n\n",
-                              part_of(shown, *consent), participant, logged.utc);
+                              consent_part(shown, *consent), participant, logged.utc);
     }
   }
   if (consents.empty()) {

@@ -78,7 +78,7 @@ void wait_for_confirmation(SessionDisplay& display, const Texts& texts, Console&
   const auto is_confirmed = [](const std::vector<std::string>& lines) {
     return std::ranges::find(lines, "") != lines.end();
   };
-  for (LineReader reader(STDIN_FILENO); !is_confirmed(reader.take());) {
+  for (LineReader reader(STDIN_FILENO); !is_confirmed(reader.take_lines());) {
     if (stop.stop_requested()) {
       throw Error("preflight", "was stopped", "nothing was begun or recorded");
     }

@@ -32,7 +32,6 @@ void judge(Cells cells, bool with_contrast, JudgedView& view) {
       {.cells = std::move(cells), .pixels = std::move(pixels), .with_contrast = with_contrast});
 }
 
-/// Returns the angle of a pixel at the display's centre.
 double display_pixel_rad(const DisplaySettings& display) {
   const Viewport view(head_orientation({}), radians(display.horizontal_fov_deg),
                       radians(display.vertical_fov_deg), display.lens);

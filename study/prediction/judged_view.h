@@ -14,7 +14,6 @@
 
 namespace foveola::study {
 
-/// Cells and their pixels.
 struct JudgedCells {
   Cells cells;
   CellPixels pixels;
@@ -28,7 +27,6 @@ struct JudgedView {
   std::vector<JudgedCells> judged;  ///< the cells on each scale
 };
 
-/// A cone of directions.
 struct Cone {
   Vec3 middle{0.0F};  ///< unit length, world
   double radius_rad = 0.0;

@@ -47,7 +47,6 @@ void require_predictable(const Protocol& protocol) {
   }
 }
 
-/// An object with its judged views.
 struct JudgedObject {
   const OfferedObject* object = nullptr;
   JudgedView view;
@@ -56,7 +55,6 @@ struct JudgedObject {
   std::map<std::string, ConvergedMeans> expected;
 };
 
-/// Returns the objects of a scene that any trial looks at.
 std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
                                                  const std::string& scene) {
   std::vector<const OfferedObject*> wanted;
@@ -77,7 +75,6 @@ std::int64_t item_count(const AtlasSetting& setting, const std::string& scene) {
   return 1 + std::ssize(wanted_objects(setting, scene));
 }
 
-/// Makes the tables of one scene.
 class SceneAtlas {
  public:
   SceneAtlas(const AtlasSetting& setting, const std::string& scene, const std::stop_token& stop)

@@ -78,7 +78,6 @@ class Display {
   int height_ = 0;
 };
 
-/// Returns the expected means of one view on one scale.
 ExpectedMeans expected_of(const ConvergedMeans& expected, std::size_t view, std::size_t scale) {
   return {expected.first[view][scale], expected.second[view][scale]};
 }
@@ -135,7 +134,6 @@ double geometric_mean_density(const ViewSampler& sampler, const ScaleTables& tab
 
 using ScaleEnergies = std::vector<PatchEnergies>;
 
-/// Returns the energies in the view on each scale.
 std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
                                 const ConvergedMeans& expected, std::size_t index) {
   const auto presented = display.means(view);
@@ -148,7 +146,6 @@ std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
   return seen;
 }
 
-/// Stores the noise of a picture after `samples` as a level.
 void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t level,
                const ScaleEnergies& seen, NoiseTable& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -179,7 +176,6 @@ std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
   return sample_counts;
 }
 
-/// Allocates the levels of the patches that the method samples.
 void begin_levels(const ViewSampler& sampler, const std::vector<std::uint64_t>& sample_counts,
                   ScaleTables& tables) {
   for (NoiseTable& table : tables) {

@@ -241,7 +241,6 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-/// Returns the lines within a frame.
 std::string framed(const std::vector<std::string>& lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) {

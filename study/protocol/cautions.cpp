@@ -125,9 +125,7 @@ void add_unsaid_exposures(const Protocol& protocol, const std::vector<SceneSourc
     if (!scenes[i].exposure_stops) {
       warnings.emplace_back(
           Error(fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column),
-                fmt::format("the scene '{}' has no exposure: it is shown at "
-                            "0 stops",
-                            entry.name),
+                fmt::format("the scene '{}' has no exposure: it is shown at 0 stops", entry.name),
                 "write exposure_stops into its descriptor, as foveola scene describe does")
               .what());
     }

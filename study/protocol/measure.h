@@ -53,7 +53,6 @@ std::vector<Measure> trial_measures(const std::vector<MarkEntry>& marks,
 /// of looking around if "" is named. Ids of other measures are skipped.
 void add_response_measures(const std::vector<std::string>& rated, std::vector<Measure>& measures);
 
-/// Returns the measures of a questionnaire: its questions.
 std::vector<Measure> measures_of(const Questionnaire& questionnaire);
 
 /// Describes the scale for captions: "1 none to 5 all over", "1 (none), 2 (some), 3 (much)", "a

@@ -124,7 +124,6 @@ struct MarkEntry {
 /// The scope of a chosen object.
 enum class ObjectChoice { per_scene, per_method };
 
-/// The settings of one trial.
 struct TrialSettings {
   FilmSettings film;
   Timing timing;
@@ -330,7 +329,6 @@ std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::s
 /// it cannot be found, has no viewpoint, or has no objects to choose.
 SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
                           const SceneFinderBeside& find_scene);
-/// Finds all scenes, in the protocol's order.
 std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinderBeside& find_scene);
 
 }  // namespace foveola::study

@@ -19,7 +19,6 @@ bool is_option(const Question& question, const std::variant<double, std::string>
   });
 }
 
-/// Returns the id of the text of an answer's fault; empty if it is valid.
 std::string_view fault_id(const Question& question,
                           const std::variant<double, std::string>& answer) {
   const auto* const words = std::get_if<std::string>(&answer);

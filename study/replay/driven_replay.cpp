@@ -54,7 +54,7 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
   Nanoseconds show() override { return now(); }
   void end_frame(Nanoseconds shown) override { shown_ = shown; }
 
-  void act(SessionDriver& driver) override {
+  void pass_input(SessionDriver& driver) override {
     if (stop_.stop_requested()) {
       driver.leave();
     } else if (compared_.is_at_end()) {
@@ -84,7 +84,7 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
     } else if (const auto* marked = std::get_if<Marked>(&event)) {
       driver_.mark(marked->time);
     } else {
-      driver_.feed(event);
+      driver_.record_event(event);
     }
     return compared_.made() != before;
   }
@@ -104,7 +104,6 @@ class ReplayedRun final : private ClockPort, private DisplayPort, private InputP
   SessionDriver driver_;
 };
 
-/// Returns the protocol of the run that begins with `notes`.
 Protocol protocol_of_run(const DrivenRecord& record, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     if (const std::optional<Amendment> amendment = amendment_in(note)) {

@@ -78,7 +78,6 @@ std::string why_approximate(const RecordedSession& session, const Protocol& prot
   return {};
 }
 
-/// Replays the attempts of one session.
 class Replay {
  public:
   Replay(const ReplaySettings& settings, const SceneFinderBeside& find_scene)
@@ -156,7 +155,6 @@ class Replay {
                                                   attempt.attempt);
   }
 
-  /// Returns the stage, loaded at the first call.
   const SceneStage& stage_of(const std::string& scene) {
     if (!stages_.contains(scene)) {
       SceneStages loaded;

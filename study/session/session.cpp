@@ -21,7 +21,6 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 using Result = std::optional<Transition>;
 
-/// Returns whether an attempt at a trial is running.
 bool is_rendering(Phase phase) {
   return phase == Phase::armed || phase == Phase::marking || phase == Phase::rating;
 }
@@ -61,7 +60,6 @@ const std::string& questionnaire_at(const Procedure& procedure, const SessionSta
   return std::get<QuestionnaireStep>(procedure.agenda[state.step]).questionnaire;
 }
 
-/// Returns the effects that ask for the answer which the state awaits.
 std::vector<Effect> asking(const Procedure& procedure, const SessionState& state) {
   switch (state.phase) {
     case Phase::consent:
@@ -92,7 +90,6 @@ Transition next_step(const Procedure& procedure, const SessionState& state) {
   return ask(procedure, at_step(procedure, state.step + 1, state.object));
 }
 
-/// Returns the state of the same trial before its next attempt.
 SessionState before_next_attempt(const Procedure& procedure, const SessionState& state) {
   SessionState again = at_step(procedure, state.step, state.object);
   again.phase = Phase::ready;
@@ -282,7 +279,6 @@ class Step {
   }
 
  private:
-  /// Runs `work` if the event belongs to this phase.
   template <typename Work>
   Result in(Phase phase, const Work& work) const {
     return state_.phase == phase ? Result(work()) : std::nullopt;

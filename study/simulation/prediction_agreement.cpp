@@ -48,7 +48,6 @@ MethodMean mean_of(const Times& baseline, const Times& times) {
 using TimeKey = std::tuple<std::string, std::string, std::string, std::string>;
 using TimesByTrial = std::map<TimeKey, double>;
 
-/// Returns all measured times of test trials.
 TimesByTrial measured_times(const StudyRecords& records) {
   TimesByTrial times;
   for (std::size_t row = 0; row < records.trials.size(); ++row) {

@@ -34,7 +34,6 @@ KnownSession session_in(const StudyStore& store, std::int64_t id) {
                        [&](const KnownSession& session) { return session.id == id; });
 }
 
-/// The window that the sessions of a study share.
 struct SharedWindow {
   const SimulatedStudy& study;
   const Clock& clock;

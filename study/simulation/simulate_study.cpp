@@ -97,7 +97,6 @@ void require_options(const SimulateSettings& settings) {
   }
 }
 
-/// Renders the converged image of each scene, until it is stopped.
 void render_references(const SceneStages& stages, const Protocol& protocol, const Workers& workers,
                        const std::stop_token& stop) {
   Progress progress("Reference images");

@@ -62,16 +62,16 @@ std::unique_ptr<AttemptPort> VirtualSession::begin_attempt() {
            .key = driver_.attempt_key()}));
 }
 
-void VirtualSession::act(SessionDriver& /*driver*/) {
-  conduct_.act({.procedure = driver_.procedure(),
-                .state = state(),
-                .now = now(),
-                .look_around_until = driver_.look_around_until()},
-               *this);
+void VirtualSession::pass_input(SessionDriver& /*driver*/) {
+  conduct_.perform_action({.procedure = driver_.procedure(),
+                           .state = state(),
+                           .now = now(),
+                           .look_around_until = driver_.look_around_until()},
+                          *this);
 }
 
 void VirtualSession::hand_in(const Questionnaire& form, const std::vector<Answer>& answers) {
-  driver_.feed(QuestionnaireAnswered{.questionnaire = form.id, .answers = answers});
+  driver_.record_event(QuestionnaireAnswered{.questionnaire = form.id, .answers = answers});
 }
 
 void VirtualSession::validate_gaze(const Attempt& attempt) {
@@ -80,7 +80,7 @@ void VirtualSession::validate_gaze(const Attempt& attempt) {
       setting_.protocol, participant_, step_seed(setting_.seed, SeedPurpose::tracker, state()),
       clock_, setting_.stop);
   if (validated) {
-    driver_.feed(*validated);
+    driver_.record_event(*validated);
   }
 }
 
@@ -91,7 +91,7 @@ void VirtualSession::react(std::uint32_t conduct) {
   test.was_shown(now());
   clock_.advance(participant_.react(conduct));
   test.was_pressed(now());
-  driver_.feed(test.result().value());
+  driver_.record_event(test.result().value());
 }
 
 void VirtualSession::begin_attempt(const Attempt& attempt) {
@@ -102,7 +102,7 @@ void VirtualSession::begin_attempt(const Attempt& attempt) {
 
 void VirtualSession::choose_object() {
   const std::vector<OfferedObject>& objects = stage().objects();
-  driver_.feed(
+  driver_.record_event(
       ObjectChosen{objects[participant_.choose_object(driver_.trial().scene, objects)].name});
 }
 
@@ -111,7 +111,7 @@ void VirtualSession::start_trial() {
   participant_.turn_to(driver_.trial().scene, object_named(stage().objects(), state().object),
                        clock_.now());
   clock_.advance(nanoseconds_from_seconds(settling_s));
-  driver_.feed(TrialStarted{});
+  driver_.record_event(TrialStarted{});
 }
 
 void VirtualSession::begin_task(Task task) {

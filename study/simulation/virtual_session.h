@@ -57,25 +57,27 @@ class VirtualSession final : private ClockPort,
   std::unique_ptr<AttemptPort> begin_attempt() override;
   Nanoseconds show() override { return now(); }
 
-  void act(SessionDriver& driver) override;
+  void pass_input(SessionDriver& driver) override;
   std::optional<Nanoseconds> next_press() const override { return pressed_; }
 
   Participant& participant() override { return participant_; }
-  void consent() override { driver_.feed(consent_to(setting_.protocol)); }
+  void consent() override { driver_.record_event(consent_to(setting_.protocol)); }
   void hand_in(const Questionnaire& form, const std::vector<Answer>& answers) override;
   void validate_gaze(const Attempt& attempt) override;
   void react(std::uint32_t conduct) override;
-  void withdraw() override { driver_.feed(Withdrawn{}); }
+  void withdraw() override { driver_.record_event(Withdrawn{}); }
   /// Resets the attempt's clock.
   void begin_attempt(const Attempt& attempt) override;
   void choose_object() override;
   void start_trial() override;
-  void ask_for_retime() override { driver_.feed(RetimeRequested{}); }
+  void ask_for_retime() override { driver_.record_event(RetimeRequested{}); }
   void begin_task(Task task) override;
   void look_for_mark() override;
   void look_around() override {}
-  void rate() override { driver_.feed(Rated{participant_.rate(setting_.protocol.ratings)}); }
-  void resume() override { driver_.feed(Resumed{}); }
+  void rate() override {
+    driver_.record_event(Rated{participant_.rate(setting_.protocol.ratings)});
+  }
+  void resume() override { driver_.record_event(Resumed{}); }
   void leave() override { driver_.leave(); }
 
   const SessionState& state() const { return driver_.state(); }

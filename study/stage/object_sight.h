@@ -9,7 +9,6 @@
 
 namespace foveola::study {
 
-/// Position of an object in a view.
 struct ObjectSight {
   double from_middle_deg = 0.0;  ///< Angle between the centres of the object and the view.
   bool is_in_view = false;       ///< Whether the view shows the object's centre.
@@ -23,7 +22,6 @@ struct LookingTimes {
   Nanoseconds elsewhere{0};
   Nanoseconds unknown{0};  ///< Without a valid gaze.
 
-  /// Adds a frame with its duration.
   void add(const FrameRow& frame, Nanoseconds shown, const OfferedObject& object);
 
   /// Return fractions of the whole, in [0, 1]; 0 if it is empty.

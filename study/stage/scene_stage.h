@@ -63,7 +63,6 @@ class SceneStage {
   RgbImage reference_;
 };
 
-/// A protocol's scenes by name.
 using SceneStages = std::map<std::string, std::unique_ptr<SceneStage>>;
 
 /// sources: the protocol's scenes, in its order (see find_scenes). Throws Error for a bad file.

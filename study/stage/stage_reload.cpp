@@ -34,7 +34,7 @@ StageReloader::StageReloader(const SceneStages& stages, const FindScene& find_sc
   }
 }
 
-std::optional<ReloadedStage> StageReloader::take() {
+std::optional<ReloadedStage> StageReloader::take_reloaded() {
   for (const Watched& watched : watched_) {
     if (const std::optional<ReloadedScene> reloaded = watched.reloader->take()) {
       return staged(watched, *reloaded);

@@ -31,7 +31,7 @@ class StageReloader {
   /// Returns the result of a scene's last change, once; several scenes come one by one. A scene
   /// with other objects' names than at first is refused, because trials refer to them. Does not
   /// wait.
-  std::optional<ReloadedStage> take();
+  std::optional<ReloadedStage> take_reloaded();
 
   /// Returns whether a change is being loaded.
   bool is_loading() const;

@@ -22,7 +22,6 @@ Json json_profiles(const Protocol& protocol) {
   return names;
 }
 
-/// Returns the projections of all things.
 template <typename Things, typename Projection>
 Json list_of(const Things& things, const Projection& projection) {
   Json list = Json::array();

@@ -130,7 +130,6 @@ std::string text_of(const Question& question) {
   return fmt::format("{} (words)", question.id);
 }
 
-/// Returns the texts of all things, separated by commas.
 template <typename Things>
 std::string texts_of(const Things& things) {
   const auto text = [](const auto& thing) { return text_of(thing); };
@@ -228,7 +227,6 @@ void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
   }
 }
 
-/// Returns the size of the largest film of all trials, in megabytes.
 double film_megabytes(const Protocol& protocol) {
   double most = memory_of(protocol.film);
   for (const auto& [cell, settings] : protocol.cells) {

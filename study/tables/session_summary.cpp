@@ -106,7 +106,6 @@ std::string percent(const std::optional<double>& part_s, double all_s) {
   return part_s && all_s > 0.0 ? fmt::format("{:.0f} %", 100.0 * *part_s / all_s) : "-";
 }
 
-/// Returns the figures of an attempt, or null if the record has none.
 const AttemptGazeFigures* figures_of(const DataQualityRecords& quality,
                                      const std::string& participant, const TrialRow& row) {
   const auto found =

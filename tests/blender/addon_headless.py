@@ -128,7 +128,7 @@ def test_instanced_collection(module, foveola, file):
         place.instance_type, place.instance_collection = "COLLECTION", collection
     settle(module.session)
     require(info_of(foveola, file)["emissive_triangles"] == 6, "area lights of a collection")
-    require(module.session.missing == ["lamp: its spread is not sent: it shines to its whole front"],
+    require(module.session.missing == ["lamp: its spread is not sent: it emits to its whole front"],
             module.session.missing)
     for place in places:
         bpy.data.objects.remove(place)
@@ -273,7 +273,7 @@ def test_bad_end(module, folder):
     try:
         bpy.ops.foveola.preview()
     except RuntimeError as failure:
-        require("/nowhere/foveola is no program here" in str(failure), failure)
+        require("/nowhere/foveola is not a program here" in str(failure), failure)
     else:
         require(False, "a program that is not there was started")
 

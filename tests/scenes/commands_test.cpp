@@ -100,7 +100,7 @@ TEST_F(SceneCommands, ListWarnsOnceOfWhatHidesScenes) {
   EXPECT_THAT(output_of("scene list"), HasSubstr("sponza         missing "));
   const std::string warnings = testing::internal::GetCapturedStderr();
   EXPECT_EQ(warnings, "foveola: warning: " + (folder / "real").string() +
-                          ": Not a directory; mend it, or leave it out of FOVEOLA_SCENE_PATH\n");
+                          ": Not a directory; mend it, or remove it from FOVEOLA_SCENE_PATH\n");
 }
 
 TEST_F(SceneCommands, ListKnowsFilesThatMayNotBeRead) {

@@ -154,7 +154,7 @@ TEST(Descriptor, AnImageOfTheEnvironmentLiesInItsFolder) {
               AllOf(HasSubstr("hall.toml:8:20"), HasSubstr("leads out of the folder")));
   EXPECT_THAT(error_of(text("studio.hdr")), HasSubstr("does not exist"));
   EXPECT_THAT(error_of("environment_file = \"a.hdr\"\n" + std::string(good)),
-              HasSubstr("a scene has one environment"));
+              HasSubstr("the scene has several environments"));
 }
 
 TEST(Descriptor, IsToldFromOtherFiles) {
@@ -200,7 +200,7 @@ TEST(Descriptor, DaylightIsAnEnvironmentOfItsOwn) {
   EXPECT_NEAR(source.sky->sun.azimuth_rad, 1.5707963267948966, 1e-15);
   EXPECT_NEAR(source.sky->sun.elevation_rad, 0.5235987755982988, 1e-15);
   EXPECT_EQ(source.sky->turbidity, 4.0);
-  EXPECT_THAT(error_of(good + sky), HasSubstr("one environment"));
+  EXPECT_THAT(error_of(good + sky), HasSubstr("several environments"));
   EXPECT_THAT(error_of(with(good, constant, "") + with(sky, "turbidity = 4", "turbidity = 11")),
               HasSubstr("sky.turbidity is out of range"));
 }
@@ -302,9 +302,9 @@ TEST(Descriptor, MissingKeysAreNamed) {
 
 TEST(Descriptor, IsEitherBuiltInOrHasAFile) {
   EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", "builtin = true\nfile = \"hall.glb\"")),
-              HasSubstr("either built in or has a file"));
+              HasSubstr("either built in or have a file"));
   EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"\n", "")),
-              HasSubstr("either built in or has a file"));
+              HasSubstr("either built in or have a file"));
 }
 
 TEST(Descriptor, EveryBuiltinSceneHasOneAndEveryBuiltinOneHasAScene) {

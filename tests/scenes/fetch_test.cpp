@@ -296,9 +296,9 @@ TEST_F(FetchTest, OnesOwnConversionIsTakenWhenAskedFor) {
 
 TEST_F(FetchTest, WhatIsNoWholeGlbIsNoConversion) {
   EXPECT_THAT(fetch_from(hall_at(""), folder_.write("a.glb", "another"), Accept::any_glb),
-              HasSubstr("is no glTF binary"));
+              HasSubstr("is not a glTF binary"));
   EXPECT_THAT(fetch_from(hall_at(""), folder_.write("b.glb", small_glb("more")), Accept::any_glb),
-              HasSubstr("is no glTF binary"));
+              HasSubstr("is not a glTF binary"));
   EXPECT_FALSE(fs::exists(target()));
 }
 

@@ -95,7 +95,7 @@ TEST_F(FindScene, UnknownNameListsTheBuiltinScenes) {
 }
 
 TEST_F(FindScene, AsksWhetherASimilarSceneWasMeant) {
-  EXPECT_THAT(error_of("arcad"), HasSubstr("no such scene or file; did you mean 'arcade'?"));
+  EXPECT_THAT(error_of("arcad"), HasSubstr("is not a known scene or file; did you mean 'arcade'?"));
   folder.write("data/foveola/scenes/kitchen.toml", "");
   EXPECT_THAT(error_of("kitchin"), HasSubstr("did you mean 'kitchen'?"));
 }
@@ -105,16 +105,16 @@ TEST_F(FindScene, WhatIsNoFileIsRefused) {
   const std::string pipe = (folder.path() / "pipe.glb").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THAT(error_of(pipe), HasSubstr("is not a regular file"));
-  EXPECT_THAT(error_of(std::string(300, 'x')), HasSubstr("no such scene or file"));
+  EXPECT_THAT(error_of(std::string(300, 'x')), HasSubstr("is not a known scene or file"));
 }
 
 TEST_F(FindScene, LinksThatLeadNowhereAreNamedAsSuch) {
   const std::filesystem::path loop = folder / "loop.glb";
   std::filesystem::create_symlink(loop, loop);
-  EXPECT_THAT(error_of(loop.string()), HasSubstr("leads nowhere; mend the link"));
+  EXPECT_THAT(error_of(loop.string()), HasSubstr("is a broken link; correct the link"));
   const std::filesystem::path dangling = folder / "dangling.glb";
   std::filesystem::create_symlink("/nowhere/at/all", dangling);
-  EXPECT_THAT(error_of(dangling.string()), HasSubstr("leads nowhere; mend the link"));
+  EXPECT_THAT(error_of(dangling.string()), HasSubstr("is a broken link; correct the link"));
 }
 
 TEST_F(FindScene, SaysWhatKeptItFromFindingARealScene) {

@@ -132,7 +132,7 @@ TEST_F(OwnScenes, AProtocolsPathsBeginInItsFolder) {
   folder.write("study/parts/night.toml", describing("kitchen.glb", "Night"));
   EXPECT_EQ(find_scene_beside("parts/night.toml", study).title, "Night");
   EXPECT_THAT(error_of([&] { find_scene_beside("kitchen.glb", study); }),
-              HasSubstr((study / "kitchen.glb").string() + ": no such scene or file"));
+              HasSubstr((study / "kitchen.glb").string() + ": is not a known scene or file"));
 }
 
 TEST_F(OwnScenes, ExtensionsAreKnownInAnyCase) {

@@ -85,7 +85,6 @@ DataQualityCheck check_kind(const StudyTables& tables) {
           "no simulated and no pilot sessions", within(warning.empty())};
 }
 
-/// Returns all times of the participant's trials, of every mark.
 std::vector<double> measured_times(const Dataset& set, std::size_t participant) {
   std::vector<double> times;
   for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {

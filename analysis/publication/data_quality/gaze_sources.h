@@ -11,7 +11,6 @@
 
 namespace foveola::analysis {
 
-/// Returns whether this tracker is the mouse pointer.
 bool is_mouse(const std::string& tracker);
 
 /// Returns "the mouse pointer in place of an eye", "the eye tracker of profile fove0" and so on.

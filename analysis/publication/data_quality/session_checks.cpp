@@ -142,7 +142,6 @@ Worst worst_of(const std::vector<study::FrameFigures>& frames, double limit, con
   return worst;
 }
 
-/// Checks each participant's own value against a limit.
 template <typename Value>
 DataQualityCheck check_figure(const std::vector<study::FrameFigures>& frames, std::string name,
                               const char* unit, double limit, const std::string& whose,
@@ -160,7 +159,6 @@ DataQualityCheck check_figure(const std::vector<study::FrameFigures>& frames, st
   return check;
 }
 
-/// Returns all participants with their findings, or "none".
 std::string all_in_words(const std::vector<std::string>& findings) {
   return findings.empty() ? "none" : fmt::format("{}", fmt::join(findings, "; "));
 }

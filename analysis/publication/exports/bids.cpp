@@ -94,7 +94,6 @@ std::string behaviour_json(const ColumnsOf<std::size_t>& behaviour) {
   return bids_json(json);
 }
 
-/// Returns the final timings of each analysed participant's trials, in the planned order.
 std::vector<std::string> behaviour_files(const Dataset& set, const study::StudyRecords& records,
                                          const ColumnsOf<std::size_t>& behaviour) {
   std::vector<std::string> files(set.participants.size(), tsv_heading(columns_in(behaviour)));

@@ -144,7 +144,6 @@ std::vector<fs::path> remove_former_files(const fs::path& folder, const FileMani
   return {staying.begin(), staying.end()};
 }
 
-/// Syncs the folder and its existing folders that hold files of the manifest.
 void sync_folders(const fs::path& folder, const FileManifest& manifest) {
   std::set<fs::path> folders = {folder};
   for (const WrittenFile& file : manifest) {
@@ -185,7 +184,6 @@ int lock(const fs::path& folder) {
   return descriptor;
 }
 
-/// Removes the staged files of killed programs. The folder must be locked.
 void remove_former_staging(const fs::path& folder) {
   const std::string_view beginning = staging_name.substr(0, staging_name.find('X'));
   std::vector<fs::path> left;

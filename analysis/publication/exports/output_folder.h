@@ -33,7 +33,6 @@ class StagedFolder {
   StagedFolder& operator=(const StagedFolder&) = delete;
   /// Removes unpublished files, and a new folder in which nothing was published.
   ~StagedFolder();
-  /// The folder to write the files into.
   const std::filesystem::path& path() const { return staging_; }
   /// Moves these files of path() into the output folder, in this order. Removes files of an earlier
   /// analysis that this one does not write, by the folder's manifest, which then names the new

@@ -59,7 +59,6 @@ struct GroupedRows {
   }
 };
 
-/// A line across the plot.
 std::string horizontal_rule(double y, const FigureColor& color);
 
 /// Returns gnuplot's y axis: the rows' names beside it, the headings in the plot, lines between

@@ -43,7 +43,6 @@ std::size_t shade_of(std::size_t answer, std::size_t answers) {
   return answer * palette::ratings.size() / answers;
 }
 
-/// Writes the counts inside the bars where their digits fit.
 std::string count_labels(const std::vector<BarSegment>& segments, std::size_t row) {
   constexpr double margin_percent = 1.0;
   constexpr double digit_percent = 2.0;
@@ -155,7 +154,6 @@ std::string labels_below_axis(const Measure& measure, const Interval& axis) {
                      ends.are_long() ? -2 : -1);
 }
 
-/// Draws the shares of the answers on a scale of few points.
 std::optional<Figure> bar_figure(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
   const std::vector<double> points = measure.points();
@@ -275,7 +273,6 @@ std::string mean_plot(const StudyTables& tables) {
   return fmt::format("plot {}\n", fmt::join(layers, ", \\\n"));
 }
 
-/// Draws participants' means on a scale whose points are not counted.
 std::optional<Figure> mean_figure(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
   const std::vector<MeanRow> rows = mean_rows(tables, rating);

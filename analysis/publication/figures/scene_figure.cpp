@@ -112,7 +112,6 @@ std::string method_data(const SceneRows& drawn, std::size_t method) {
                      filled, hollow, counts);
 }
 
-/// Draws the lines between the scenes and the row of all.
 std::string rules_above_all_scenes(const SceneRows& drawn) {
   std::string rules;
   const std::size_t scenes = drawn.tables.set.scenes.size();

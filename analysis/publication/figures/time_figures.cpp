@@ -76,7 +76,6 @@ std::string estimate_data(const MethodRows& drawn) {
   return data;
 }
 
-/// Plots the lines below the points, and these below the estimates.
 std::string method_rows_plot(const MethodRows& drawn) {
   std::vector<std::string> layers;
   if (drawn.has_points) {
@@ -142,7 +141,6 @@ std::string curve_data(const SurvivalCurve& curve, std::size_t method, double st
   return data + "END\n";
 }
 
-/// Returns the points of the curve at which trials were right-censored.
 std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
   std::string data = fmt::format("$censored{} << END\n", method);
   for (const SurvivalStep& step : curve.steps) {

@@ -18,7 +18,6 @@ namespace {
 
 using study::MeasureKind;
 
-/// The participants' marks and ratings, with the protocol's scales.
 std::string measures_in_words(const Dataset& set) {
   std::vector<std::string> marks;
   for (const std::size_t mark : set.marks()) {
@@ -85,7 +84,6 @@ std::string apparatus_in_words(const study::StudyRecords& records) {
                             records.protocol.timing.mark_timeout_s);
 }
 
-/// The sources of gaze, and whether they differed.
 std::string gaze_in_words(const Dataset& set, const study::DataQualityRecords& quality) {
   const std::vector<GazeSource> sources = gaze_sources(set, quality.gaze);
   if (sources.empty()) {
@@ -207,7 +205,6 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
   return text;
 }
 
-/// Counts sessions that are not analysed, by the reason.
 std::string exclusions_in_words(const StudyTables& tables) {
   std::map<std::string, std::size_t> sessions;
   std::size_t all = 0;
@@ -230,7 +227,6 @@ std::string exclusions_in_words(const StudyTables& tables) {
       fmt::join(reasons, "; "));
 }
 
-/// Counts missing ratings among those that were asked.
 std::string missing_ratings_in_words(const Dataset& set) {
   std::size_t ratings = 0;
   std::size_t missing = 0;
@@ -264,7 +260,6 @@ std::string gaps_in_words(const Dataset& set) {
                            censored == 1 ? "was" : "were", missing);
 }
 
-/// The analyses of the comparisons beside the primary ones.
 std::string other_analyses_in_words(const Comparisons& comparisons) {
   const auto any = [&](auto has) { return std::ranges::any_of(comparisons.methods, has); };
   const auto any_omnibus = [&](auto has) { return std::ranges::any_of(comparisons.omnibus, has); };

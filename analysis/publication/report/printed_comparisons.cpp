@@ -211,7 +211,6 @@ PrintedTable printed_order_effects(const Table& order, const Comparisons& compar
        {"d_z", "{d_z:.2}"}});
 }
 
-/// Returns the table with the degrees of freedom by Greenhouse and Geisser.
 Table with_corrected_df(Table omnibus) {
   for (const char* df : {"df", "residual_df"}) {
     omnibus.columns.push_back({std::string("corrected_") + df, ColumnType::number, "", ""});

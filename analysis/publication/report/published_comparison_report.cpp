@@ -68,7 +68,6 @@ std::vector<std::string> with_decimals(const std::string& pattern) {
   return patterns;
 }
 
-/// Formats the numbers of one source as a table without empty columns.
 std::string table_of(const StudyTables& tables, const Table& numbers, const std::string& source,
                      const std::string& title, const std::string& explanation) {
   PrintedColumn published = {
@@ -119,7 +118,6 @@ constexpr const char* introduction =
     "participant’s own ratio, and the ratio of means with the deviation over OD’s mean. Neither "
     "is claimed to be the published one.";
 
-/// The study's records and their comparison with the paper.
 struct Comparison {
   StudyTables tables;
   std::vector<ComparedNumber> numbers;

@@ -16,7 +16,6 @@
 
 namespace foveola::analysis {
 
-/// Everything that the report shows.
 struct ReportContent {
   const StudyTables& tables;
   const Background& background;

@@ -62,7 +62,6 @@ std::string rest_in_words(std::size_t rows, const char* file) {
              : "";
 }
 
-/// Cuts a table after this many rows.
 PrintedTable shortened(PrintedTable table) {
   table.rows.resize(std::min(max_listed, table.rows.size()));
   return table;
@@ -80,7 +79,6 @@ std::string checks_table(const ReportContent& content) {
                                 {"Limit", "{limit}"}}));
 }
 
-/// Tabulates the mean latency of each session's frames, from the eye to the display.
 std::string latency_html(const ReportContent& content) {
   PrintedTable table;
   table.title = "Latency from the eye to the display.";
@@ -119,7 +117,6 @@ std::string reactions_table(const ReportContent& content) {
                             {"marks within the median", "{marks_within_median}"}})));
 }
 
-/// Tabulates where the gaze was, in the mean over each method's trials.
 std::string gaze_html(const ReportContent& content) {
   if (content.checks.gaze.empty()) {
     return "<p>No frames were recorded: where gaze and object were is unknown.</p>\n";

@@ -11,7 +11,6 @@
 
 namespace foveola::analysis {
 
-/// Returns the baseline's label in tables.
 std::string baseline_label(const StudyTables& tables);
 
 /// Returns the plain text as a paragraph; empty if it is empty.

@@ -131,16 +131,15 @@ std::string undrawn_marks(const StudyTables& tables, const std::vector<std::size
   return undrawn.empty() ? "" : fmt::format("Not drawn, as {}: {}.", reason, listed(undrawn));
 }
 
-/// Explains relative_times or times_in_seconds, which differ by their axis.
 std::string methods_explained(const StudyTables& tables, std::size_t methods,
                               const std::string& axis) {
-  return fmt::format("{} {} {} {}", participants_explained(tables, methods),
-                     estimates_explained(tables), axis,
-                     joined(joined("An interval may exceed the axis; the table has its limits.",
-                                   censored_times_in_words(tables.set)),
-                            undrawn_marks(tables, marks_over_all_scenes(tables),
-                                          "nobody has a scene in which every method’s time was "
-                                          "measured")));
+  return fmt::format(
+      "{} {} {} {}", participants_explained(tables, methods), estimates_explained(tables), axis,
+      joined(joined("An interval may exceed the axis; the table has its limits.",
+                    censored_times_in_words(tables.set)),
+             undrawn_marks(tables, marks_over_all_scenes(tables),
+                           "no participant has a scene in which every method’s time was "
+                           "measured")));
 }
 
 std::string scenes_explained(const StudyTables& tables) {
@@ -164,7 +163,8 @@ std::string scenes_explained(const StudyTables& tables) {
   }
   return text + relative_axis_explained(tables) + " " +
          joined("An interval may exceed the axis; times_by_scene.csv has its limits.",
-                undrawn_marks(tables, marks_in_scenes(tables), "nobody has both times in a scene"));
+                undrawn_marks(tables, marks_in_scenes(tables),
+                              "no participant has both times in a scene"));
 }
 
 std::string meanings_of_marks(const StudyTables& tables) {
@@ -188,7 +188,6 @@ std::string curve_explained(const StudyTables& tables, const Measure& mark) {
                 has_crosses ? "Crosses are right-censored trials." : "");
 }
 
-/// The times with trials in which a mark was not reached.
 std::string unreached_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
   std::string html;

@@ -64,7 +64,7 @@ AdditiveFit::AdditiveFit(std::vector<TrialValue> values)
   fit();
 }
 
-void AdditiveFit::take_out(std::size_t index) {
+void AdditiveFit::remove_trial(std::size_t index) {
   assert(kept_[index]);
   kept_[index] = false;
   --size_;
@@ -153,12 +153,12 @@ std::vector<ResidualOutlier> residual_outliers(const std::vector<TrialValue>& va
     if (std::abs(candidate->studentized) > limit) {
       outliers = candidates.size();
     }
-    fit.take_out(candidate->index);
+    fit.remove_trial(candidate->index);
   }
   candidates.resize(outliers);
   AdditiveFit others(values);
   for (const ResidualOutlier& outlier : candidates) {
-    others.take_out(outlier.index);
+    others.remove_trial(outlier.index);
   }
   for (ResidualOutlier& outlier : candidates) {
     outlier.deviation = others.residual(outlier.index);

@@ -20,7 +20,7 @@ class AdditiveFit {
   explicit AdditiveFit(std::vector<TrialValue> values);
 
   /// Fits anew without a kept trial.
-  void take_out(std::size_t index);
+  void remove_trial(std::size_t index);
 
   std::size_t size() const { return size_; }  ///< Number of trials kept.
   bool keeps(std::size_t index) const { return kept_[index]; }

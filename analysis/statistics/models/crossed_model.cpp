@@ -11,7 +11,6 @@
 namespace foveola::analysis {
 namespace {
 
-/// A sum of squares and its degrees of freedom.
 struct Stratum {
   long double squares = 0.0L;
   long double degrees = 0.0L;

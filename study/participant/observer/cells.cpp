@@ -26,7 +26,6 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-/// Gathers cells in blocks and patches.
 class Gathering {
  public:
   /// Adds a cell. Returns the number of its block.
@@ -92,11 +91,11 @@ Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, doub
                         {.row = y / cells_per_patch, .column = x / cells_per_patch}, direction));
     }
   }
-  cells.take(std::move(gathering.patches), std::move(gathering.blocks));
+  cells.store_patches(std::move(gathering.patches), std::move(gathering.blocks));
   return cells;
 }
 
-void Cells::take(std::vector<Patch> patches, std::vector<Block> blocks) {
+void Cells::store_patches(std::vector<Patch> patches, std::vector<Block> blocks) {
   patches_ = std::move(patches);
   blocks_ = std::move(blocks);
   for (Patch& patch : patches_) {

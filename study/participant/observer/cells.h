@@ -54,7 +54,7 @@ class Cells {
  private:
   Cells() = default;
   /// Stores the blocks, and the patches, which come with the sums of their cells' directions.
-  void take(std::vector<Patch> patches, std::vector<Block> blocks);
+  void store_patches(std::vector<Patch> patches, std::vector<Block> blocks);
 
   double cell_deg_ = 0.0;
   int block_ = 1;

@@ -12,7 +12,6 @@ constexpr auto achromatic = static_cast<std::size_t>(Channel::achromatic);
 
 double square(double x) { return x * x; }
 
-/// Returns the mean achromatic value of all pixels in cells.
 double mean_lightness(const CellPixels& pixels, const std::vector<ChannelValues>& values) {
   double sum = 0.0;
   double count = 0.0;

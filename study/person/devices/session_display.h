@@ -69,7 +69,6 @@ class SessionDisplay {
   Nanoseconds show(SessionPicture picture);
 
   const ViewGeometry& geometry() const { return geometry_; }
-  /// Whether the display is an OpenXR headset.
   bool is_headset() const { return profile_.kind == DisplayKind::openxr; }
   const IVec2& framebuffer() const { return area_.framebuffer; }
   const RefreshEstimator& refresh() const { return refresh_; }

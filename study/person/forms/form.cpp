@@ -50,7 +50,7 @@ std::vector<QuestionEntry> entries_of(std::vector<Question> questions, const Tex
 
 }  // namespace
 
-std::vector<std::vector<std::string>> pages_of(const std::vector<std::string>& paragraphs) {
+std::vector<std::vector<std::string>> split_into_pages(const std::vector<std::string>& paragraphs) {
   std::vector<std::vector<std::string>> pages;
   std::size_t lines = 0;
   for (std::string& paragraph : short_paragraphs(paragraphs)) {
@@ -67,7 +67,7 @@ std::vector<std::vector<std::string>> pages_of(const std::vector<std::string>& p
 Form::Form(FormPages pages, Texts texts)
     : pages_(std::move(pages)),
       texts_(std::move(texts)),
-      intro_pages_(pages_of(pages_.intro)),
+      intro_pages_(split_into_pages(pages_.intro)),
       entries_(entries_of(pages_.questions, texts_)),
       shown_for_(entries_.size()) {}
 
@@ -90,7 +90,7 @@ bool Form::follow(const FormInput& input) {
     return is_submitted_;
   }
   if (input == FormInput(FormKey::enter) || input == FormInput(FormKey::tab)) {
-    return go_on();
+    return go_forward();
   }
   if (is_reading() || !entry().follow(input)) {
     return false;
@@ -99,7 +99,7 @@ bool Form::follow(const FormInput& input) {
   return true;
 }
 
-bool Form::go_on() {
+bool Form::go_forward() {
   if (!is_reading()) {
     fault_ = entry().fault(texts_);
     if (!fault_.empty()) {

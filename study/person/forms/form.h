@@ -54,7 +54,7 @@ class Form {
   QuestionEntry& entry() { return entries_[page_ - intro_pages_.size()]; }
   const QuestionEntry& entry() const { return entries_[page_ - intro_pages_.size()]; }
 
-  bool go_on();
+  bool go_forward();
   bool go_back();
   void turn_to(std::size_t page);
   FormKey back_key() const;
@@ -78,6 +78,6 @@ class Form {
 
 /// Splits paragraphs into pages that fit on a screen of any window (screen_lines). Long paragraphs
 /// are broken between words.
-std::vector<std::vector<std::string>> pages_of(const std::vector<std::string>& paragraphs);
+std::vector<std::vector<std::string>> split_into_pages(const std::vector<std::string>& paragraphs);
 
 }  // namespace foveola::study

@@ -62,7 +62,7 @@ std::optional<FormInput> form_input(const WindowEvent& event) {
   return std::nullopt;
 }
 
-WindowEvent press_of(const FormInput& input, Nanoseconds time) {
+WindowEvent make_press(const FormInput& input, Nanoseconds time) {
   if (const auto* typed = std::get_if<char32_t>(&input)) {
     return {.time = time, .what = CharacterTyped{*typed}};
   }

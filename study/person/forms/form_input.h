@@ -26,6 +26,6 @@ using FormInput = std::variant<FormKey, char32_t>;
 std::optional<FormInput> form_input(const WindowEvent& event);
 
 /// Returns an event that stands for `input`.
-WindowEvent press_of(const FormInput& input, Nanoseconds time);
+WindowEvent make_press(const FormInput& input, Nanoseconds time);
 
 }  // namespace foveola::study

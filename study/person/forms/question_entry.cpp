@@ -59,7 +59,6 @@ std::vector<std::string> point_labels(const Question& question) {
   return labels;
 }
 
-/// Returns the options' labels with their digits.
 std::vector<std::string> option_labels(const Question& question) {
   constexpr std::size_t max_digits = 9;
   std::vector<std::string> labels;

@@ -39,7 +39,7 @@ std::optional<PersonKey> person_key(const WindowEvent& event) {
                                                          : std::nullopt;
 }
 
-WindowEvent press_of(PersonKey key, Nanoseconds time) {
+WindowEvent make_press(PersonKey key, Nanoseconds time) {
   constexpr std::array places = {GLFW_KEY_SPACE, GLFW_KEY_ENTER, GLFW_KEY_TAB, GLFW_KEY_BACKSPACE,
                                  GLFW_KEY_ESCAPE};
   const int place = places.at(static_cast<std::size_t>(key));

@@ -19,6 +19,6 @@ enum class PersonKey {
 std::optional<PersonKey> person_key(const WindowEvent& event);
 
 /// Returns an event that stands for `key`.
-WindowEvent press_of(PersonKey key, Nanoseconds time);
+WindowEvent make_press(PersonKey key, Nanoseconds time);
 
 }  // namespace foveola::study

@@ -21,7 +21,6 @@ struct Following {
   void operator()(const Other& /*event*/) const {}
 };
 
-/// Prepares the prompt for each effect.
 struct Preparing {
   PromptState& prompt;
   const SessionContext& context;

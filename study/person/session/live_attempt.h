@@ -58,14 +58,12 @@ class LiveAttempt final : public AttemptPort {
   void show_scene(const SceneStage& stage);
   /// Begins the questions. picture: behaviour of the picture from the next frame on.
   void begin_rating(WhileRating picture);
-  /// As LiveFrames::give_way.
   void give_way(bool gives_way) { frames_.give_way(gives_way); }
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 
   /// Returns the measured drawing time if drawing is too slow for frames to be in time; else empty.
   std::optional<SlowDrawing> slow_drawing() const;
-  /// The last frame, as recorded.
   const FrameRow& newest_frame() const { return newest_frame_; }
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   /// The viewport of the last frame.

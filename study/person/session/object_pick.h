@@ -17,7 +17,6 @@ std::size_t object_ahead(const std::vector<OfferedObject>& offered, const Vec3& 
 /// Returns a ring for each object, that of the highlighted one on top.
 std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered, std::size_t highlighted);
 
-/// Returns the ring of the chosen object.
 OfferRing ring_of(const OfferedObject& chosen);
 
 }  // namespace foveola::study

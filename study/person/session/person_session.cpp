@@ -179,7 +179,7 @@ void PersonSession::wait_for_gaze() {
     return;
   }
   prompt_.awaits_gaze = true;
-  driver_.feed(NoteWritten{"the trial waits for a gaze"});
+  driver_.record_event(NoteWritten{"the trial waits for a gaze"});
 }
 
 // Checks of whether the participant looks at the trial's object, and their consequences.
@@ -237,10 +237,10 @@ void PersonSession::judge_gaze() {
 
 void PersonSession::follow_up(const std::string& finding, Remedy remedy, TimedAgain reason) {
   const bool is_timed_again = remedy == Remedy::retime && driver_.state().timing <= max_retimings;
-  driver_.feed(NoteWritten{finding + (is_timed_again ? "; the trial is retimed" : "")});
+  driver_.record_event(NoteWritten{finding + (is_timed_again ? "; the trial is retimed" : "")});
   if (is_timed_again) {
     prompt_.timed_again = reason;
-    driver_.feed(RetimeRequested{});
+    driver_.record_event(RetimeRequested{});
   }
 }
 

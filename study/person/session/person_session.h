@@ -102,13 +102,13 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void wait_for_gaze();
   void show_to_operator(Nanoseconds shown);
   std::optional<ShownPixels> take_pixels();
-  void go_on(Nanoseconds shown);
+  void continue_after_frame(Nanoseconds shown);
   void go_on_validating();
   void go_on_reacting(Nanoseconds shown);
   SessionPicture picture();
 
   // Input: the experimenter's commands, and the participant's keys.
-  void act(SessionDriver& driver) override;
+  void pass_input(SessionDriver& driver) override;
   void answer_console();
   void note_tracker();
   void answer_window();
@@ -123,7 +123,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void pause_or_leave();
   void answer_confirmation(const FormInput& input);
   void hand_in();
-  void act(KeyIntent intent, Nanoseconds time);
+  void carry_out_intent(KeyIntent intent, Nanoseconds time);
   void ask_to_confirm(Confirmed what);
   void end_confirmation();
   void turn_to_next_object();

@@ -14,7 +14,7 @@
 
 namespace foveola::study {
 
-void PersonSession::act(SessionDriver& driver) {
+void PersonSession::pass_input(SessionDriver& driver) {
   follow_clocks(clock_watch_, seat_.read_clocks(), driver);
   answer_window();
   pause_if_due();
@@ -26,7 +26,7 @@ void PersonSession::answer_console() {
   if (driver_.has_effects_to_come()) {
     return;
   }
-  for (const std::string& line : console_.take()) {
+  for (const std::string& line : console_.take_commands()) {
     const ConsoleAnswer answer = answer_to(line, {.participant = settings_.participant,
                                                   .state = driver_.state(),
                                                   .procedure = driver_.procedure(),
@@ -35,7 +35,7 @@ void PersonSession::answer_console() {
       driver_.interrupt();
     } else if (answer.event && std::holds_alternative<Resumed>(*answer.event) && !has_focus_) {
       console_.say(fmt::format("not possible now: {}", no_focus_line));
-    } else if (answer.event && !driver_.feed(*answer.event)) {
+    } else if (answer.event && !driver_.record_event(*answer.event)) {
       console_.say(fmt::format("not possible now: {}",
                                words_for(driver_.state(), driver_.procedure(), told_plan_)));
     } else if (!answer.reply.empty()) {
@@ -47,8 +47,8 @@ void PersonSession::answer_console() {
 void PersonSession::note_tracker() {
   const bool is_lost = eye_.is_lost();
   if (is_lost != std::exchange(was_lost_, is_lost)) {
-    driver_.feed(NoteWritten{is_lost ? "the eye tracker sends no gaze"
-                                     : "the eye tracker sends gaze again"});
+    driver_.record_event(NoteWritten{is_lost ? "the eye tracker sends no gaze"
+                                             : "the eye tracker sends gaze again"});
   }
 }
 
@@ -96,7 +96,7 @@ void PersonSession::answer(const WindowEvent& event) {
     return;
   }
   if (const auto intent = intent_of(*key, phase, !prompt_.notices.empty())) {
-    act(*intent, event.time);
+    carry_out_intent(*intent, event.time);
   }
 }
 
@@ -107,13 +107,13 @@ void PersonSession::answer_window_itself(const WindowEvent& event) {
     return;
   } else if (const auto* hidden = std::get_if<WindowHidden>(&event.what)) {
     seat_.display.hide(hidden->is_hidden);
-    driver_.feed(
+    driver_.record_event(
         NoteWritten{hidden->is_hidden ? "the window is hidden" : "the window is seen again"});
     is_pause_due_ = is_pause_due_ || hidden->is_hidden;
   } else if (const auto* focused = std::get_if<WindowFocused>(&event.what)) {
     follow_focus(focused->has_focus);
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
-    driver_.feed(NoteWritten{"lost the monitor " + lost->name});
+    driver_.record_event(NoteWritten{"lost the monitor " + lost->name});
     is_pause_due_ = true;
   } else if (const auto* headset = std::get_if<HeadsetChanged>(&event.what)) {
     follow_headset(headset->change);
@@ -127,14 +127,14 @@ void PersonSession::follow_focus(bool has_focus) {
   if (!needs_focus || has_focus == std::exchange(has_focus_, has_focus)) {
     return;
   }
-  driver_.feed(NoteWritten{has_focus ? "the window has the keyboard again"
-                                     : "the window lost the keyboard: keys go elsewhere"});
+  driver_.record_event(NoteWritten{has_focus ? "the window has the keyboard again"
+                                             : "the window lost the keyboard: keys go elsewhere"});
   is_pause_due_ = is_pause_due_ || !has_focus;
 }
 
 /// Times of frames that the headset did not show are not counted.
 void PersonSession::follow_headset(HeadsetChange change) {
-  driver_.feed(NoteWritten{words_for(change)});
+  driver_.record_event(NoteWritten{words_for(change)});
   switch (change) {
     case HeadsetChange::got_focus:
     case HeadsetChange::put_on:
@@ -153,7 +153,7 @@ void PersonSession::follow_headset(HeadsetChange change) {
 void PersonSession::pause_if_due() {
   if (is_pause_due_ && !driver_.has_effects_to_come()) {
     is_pause_due_ = false;
-    driver_.feed(PauseRequested{});
+    driver_.record_event(PauseRequested{});
   }
 }
 
@@ -164,7 +164,7 @@ void PersonSession::follow_size(const WindowResized& size) {
   seat_.display.resize(size.framebuffer);
   viewer_.show(seat_.display.geometry(), size.framebuffer,
                static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x));
-  driver_.feed(NoteWritten{note_of_window_size(size.framebuffer)});
+  driver_.record_event(NoteWritten{note_of_window_size(size.framebuffer)});
 }
 
 void PersonSession::pause_or_leave() {
@@ -176,7 +176,7 @@ void PersonSession::pause_or_leave() {
   } else if (prompt_.confirmation) {
     end_confirmation();
   } else {
-    driver_.feed(PauseRequested{});
+    driver_.record_event(PauseRequested{});
   }
 }
 
@@ -184,7 +184,7 @@ void PersonSession::answer_confirmation(const FormInput& input) {
   if (input != FormInput(FormKey::enter)) {
     prompt_.confirmation->follow(input);
   } else if (const std::optional<Event> event = prompt_.confirmation->chosen()) {
-    driver_.feed(*event);
+    driver_.record_event(*event);
   } else {
     end_confirmation();
   }
@@ -198,12 +198,12 @@ void PersonSession::hand_in() {
   if (!event) {
     prompt_.form.emplace(consent_form(study_.protocol.texts));
     ask_to_confirm(Confirmed::stopping);
-  } else if (!driver_.feed(*event)) {
+  } else if (!driver_.record_event(*event)) {
     throw std::logic_error("the session refuses the event of a completed form");
   }
 }
 
-void PersonSession::act(KeyIntent intent, Nanoseconds time) {
+void PersonSession::carry_out_intent(KeyIntent intent, Nanoseconds time) {
   if (intent == KeyIntent::mark) {
     if (driver_.mark(time - zero_)) {
       judge_mark();
@@ -211,7 +211,7 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
     return;
   }
   if (const std::optional<Event> event = event_of(intent)) {
-    driver_.feed(*event);
+    driver_.record_event(*event);
     return;
   }
   switch (intent) {
@@ -237,7 +237,7 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
       turn_to_next_object();
       break;
     case KeyIntent::choose_object:
-      driver_.feed(ObjectChosen{stage().objects()[object_ahead_now()].name});
+      driver_.record_event(ObjectChosen{stage().objects()[object_ahead_now()].name});
       break;
     case KeyIntent::rate:
       prompt_.wants_to_rate = true;

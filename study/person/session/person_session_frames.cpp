@@ -13,7 +13,6 @@ namespace {
 
 constexpr Vec3 forward{0.0F, 0.0F, -1.0F};
 
-/// Crops a picture of the whole window to a part of it.
 RgbImage cut(RgbImage window, const WindowPart& part) {
   if (part.size == IVec2(window.width, window.height)) {
     return window;
@@ -49,7 +48,7 @@ void PersonSession::follow_changes() {
   if (attempt_ != nullptr) {
     attempt_->give_way(study_.reloader->is_loading());
   }
-  std::optional<ReloadedStage> reloaded = study_.reloader->take();
+  std::optional<ReloadedStage> reloaded = study_.reloader->take_reloaded();
   if (!reloaded) {
     return;
   }
@@ -62,7 +61,7 @@ void PersonSession::follow_changes() {
                        reloaded->stage->scene().sha256);
     show_changed(reloaded->scene, std::move(reloaded->stage));
   }
-  driver_.feed(NoteWritten{note});
+  driver_.record_event(NoteWritten{note});
 }
 
 /// View, method and gaze stay; a running attempt continues.
@@ -110,7 +109,7 @@ void PersonSession::end_frame(Nanoseconds shown) {
   if (seat_.simulated_operator != nullptr) {
     show_to_operator(shown_by_clock);
   }
-  go_on(shown_by_clock);
+  continue_after_frame(shown_by_clock);
 }
 
 void PersonSession::show_to_operator(Nanoseconds shown) {
@@ -133,7 +132,7 @@ std::optional<ShownPixels> PersonSession::take_pixels() {
                      .viewport = attempt_->viewport()};
 }
 
-void PersonSession::go_on(Nanoseconds shown) {
+void PersonSession::continue_after_frame(Nanoseconds shown) {
   if (driver_.waits_in(Phase::validation)) {
     go_on_validating();
   } else if (driver_.waits_in(Phase::reaction)) {
@@ -154,7 +153,7 @@ void PersonSession::go_on_validating() {
   }
   prompt_.validation->update(seat_.clock.now(), arrived_);
   if (prompt_.validation->result()) {
-    driver_.feed(*prompt_.validation->result());
+    driver_.record_event(*prompt_.validation->result());
     prompt_.validation.reset();
   }
 }
@@ -164,7 +163,8 @@ void PersonSession::go_on_reacting(Nanoseconds shown) {
     return;
   }
   if (const auto pressed = prompt_.reaction.end_frame(*study_.protocol.reaction, shown)) {
-    driver_.feed(ReactionPressed{.shown = pressed->shown - zero_, .time = pressed->time - zero_});
+    driver_.record_event(
+        ReactionPressed{.shown = pressed->shown - zero_, .time = pressed->time - zero_});
   }
 }
 

@@ -36,7 +36,7 @@ bool SimulatedOperator::wants_to_look() const {
 
 void SimulatedOperator::follow(SeenFrame frame, bool may_answer) {
   pass_on_window_events();
-  take_thought();
+  finish_look();
   if (!may_answer) {
     return;
   }
@@ -47,17 +47,17 @@ void SimulatedOperator::follow(SeenFrame frame, bool may_answer) {
   } else if (!prompt.notices.empty()) {
     press(PersonKey::confirm);
   } else {
-    act(frame);
+    answer_frame(frame);
   }
 }
 
-void SimulatedOperator::act(SeenFrame& frame) {
+void SimulatedOperator::answer_frame(SeenFrame& frame) {
   frame_ = &frame;
-  conduct_.act({.procedure = frame.context.procedure,
-                .state = frame.context.seen,
-                .now = frame.session_time,
-                .look_around_until = frame.prompt.look_around_until},
-               *this);
+  conduct_.perform_action({.procedure = frame.context.procedure,
+                           .state = frame.context.seen,
+                           .now = frame.session_time,
+                           .look_around_until = frame.prompt.look_around_until},
+                          *this);
   frame_ = nullptr;
 }
 
@@ -65,7 +65,7 @@ void SimulatedOperator::fill_in(const std::vector<Answer>& answers) {
   const Form& form = *frame_->prompt.form;
   if (const Question* question = form.question()) {
     for (const FormInput& input : typed_answer(*question, answers)) {
-      events_.push(press_of(input, now()));
+      events_.push(make_press(input, now()));
     }
   }
   press(FormKey::enter);
@@ -186,7 +186,7 @@ void SimulatedOperator::look() {
   });
 }
 
-void SimulatedOperator::take_thought() {
+void SimulatedOperator::finish_look() {
   if (!thought_.valid() || thought_.wait_for(Nanoseconds(0)) != std::future_status::ready) {
     return;
   }
@@ -197,7 +197,7 @@ void SimulatedOperator::take_thought() {
 
 void SimulatedOperator::press_mark_when_due() {
   if (due_ && now() >= *due_) {
-    events_.push(press_of(PersonKey::mark, *due_));
+    events_.push(make_press(PersonKey::mark, *due_));
     due_.reset();
   }
 }

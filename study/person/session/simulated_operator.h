@@ -16,13 +16,11 @@
 
 namespace foveola::study {
 
-/// The pixels of a frame.
 struct ShownPixels {
   RgbImage image;     ///< one eye's view, as Stimulus::image
   Viewport viewport;  ///< the viewport that they were shown through
 };
 
-/// A frame that has been shown.
 struct SeenFrame {
   const PromptState& prompt;
   SessionContext context;
@@ -66,7 +64,7 @@ class SimulatedOperator final : private ParticipantActions {
   void follow(SeenFrame frame, bool may_answer);
 
  private:
-  void act(SeenFrame& frame);
+  void answer_frame(SeenFrame& frame);
 
   // Actions of the participant.
   Participant& participant() override {
@@ -99,12 +97,12 @@ class SimulatedOperator final : private ParticipantActions {
   /// Begins a look at the frame if its pixels are there.
   void look();
   /// Takes the result of a finished look.
-  void take_thought();
+  void finish_look();
 
   Nanoseconds now() const { return parts_.clock.now(); }
   bool is_settled() const;
-  void press(PersonKey key) { events_.push(press_of(key, now())); }
-  void press(FormKey key) { events_.push(press_of(FormInput(key), now())); }
+  void press(PersonKey key) { events_.push(make_press(key, now())); }
+  void press(FormKey key) { events_.push(make_press(FormInput(key), now())); }
   /// Presses the mark's key once it is due.
   void press_mark_when_due();
   void pass_on_window_events();

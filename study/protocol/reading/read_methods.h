@@ -12,7 +12,6 @@ namespace foveola::study {
 
 std::vector<SceneEntry> read_scenes(TomlReader& reader);
 
-/// Fills the protocol's methods and their files.
 void read_methods(TomlReader& reader, Protocol& protocol);
 
 /// Returns the loaded file of a method; null if the method reads no such file.

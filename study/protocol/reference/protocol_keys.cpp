@@ -11,7 +11,6 @@
 namespace foveola::study {
 namespace {
 
-/// Questions of every kind.
 constexpr const char* questions = R"([
   { id = "presence", text = "How present did you feel?" },
   { id = "years", text = "For how many years?", kind = "number", minimum = 0, maximum = 99 },
@@ -30,7 +29,6 @@ processing = { duration_ms = 2, provenance = "assumed" }
 )";
 }
 
-/// A kind of TOML file of a study.
 struct FileKind {
   std::string name;
   std::string meaning;
@@ -104,7 +102,6 @@ timing_patch = { corner = "bottom left" }
                         tracker_from("source = \"recorded\"\nrecording = \"gaze.csv\"")}}};
 }
 
-/// Walks the tables of one kind of file.
 class TableWalk {
  public:
   explicit TableWalk(const FileKind& kind) : kind_(kind) {

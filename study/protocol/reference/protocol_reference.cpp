@@ -123,7 +123,6 @@ std::string default_of(const TomlKey& key) {
   return code(is_text(key) ? quoted(*key.default_text) : *key.default_text);
 }
 
-/// Splits a long text after its first sentence.
 std::pair<std::string, std::string> first_sentence(const std::string& text) {
   constexpr std::size_t longest_cell = 120;
   const std::size_t end = text.size() > longest_cell ? text.find(". ") : std::string::npos;
@@ -157,7 +156,6 @@ std::string keys_in_markdown(const DescribedTable& table) {
                    rows + rest + "\n";
 }
 
-/// Returns the built-in texts of the participant's screens.
 std::string texts_in_markdown(const DescribedTable& table) {
   std::string rows = "| key | the built-in words |\n|---|---|\n";
   for (const TomlKey& key : table.keys) {
@@ -179,7 +177,6 @@ bool has_same_keys(const DescribedTable& one, const DescribedTable& other) {
                     });
 }
 
-/// Returns links to the tables directly in this one.
 std::string inner_tables(const DescribedTable& table, const std::vector<DescribedTable>& all) {
   std::vector<std::string> links;
   const std::string prefix = table.name.empty() ? "" : table.name + ".";

@@ -100,10 +100,10 @@ TEST_F(PooledRunsTest, AreWhole) {
        {points.substr(0, points.size() / 2), points.substr(0, points.rfind("aula")),
         points + "aula,\"10,0\"\r\n"}) {
     write_file(damaged / "points.csv", text);
-    expect_refused({damaged}, "damaged: does not hold a whole run");
+    expect_refused({damaged}, "damaged: does not contain a complete run");
   }
   write_file(damaged / "convergence.json", "{");
-  expect_refused({damaged}, "damaged: does not hold a whole run");
+  expect_refused({damaged}, "damaged: does not contain a complete run");
 }
 
 }  // namespace

@@ -136,7 +136,8 @@ TEST(Dataset, NothingCompletedIsAnErrorWithARemedy) {
 TEST(Dataset, AProtocolWithoutScenesOrMethodsIsAnError) {
   StudyRecords records = complete_study(1);
   records.scenes.clear();
-  EXPECT_THAT(selecting(records), ThrowsMessage<Error>(HasSubstr("no scene or no method")));
+  EXPECT_THAT(selecting(records),
+              ThrowsMessage<Error>(HasSubstr("protocol without scenes or methods")));
 }
 
 // As a key that is held down when a trial begins leaves it.

@@ -255,7 +255,7 @@ TEST(FitModels, WhatCannotBeFittedSaysWhy) {
   EXPECT_EQ(models.models.size(), 2U);
   for (const FittedModel& model : models.models) {
     EXPECT_FALSE(model.fit);
-    EXPECT_EQ(model.note, "it needs two participants");
+    EXPECT_EQ(model.note, "fewer than two participants");
   }
 }
 

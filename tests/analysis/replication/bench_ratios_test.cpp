@@ -156,9 +156,9 @@ TEST(BenchMoves, WithoutAnIntervalNobodyKnows) {
 
 TEST(BenchRatios, RefuseWhatCannotBeCompared) {
   EXPECT_THAT([] { (void)compare("nonsense", "{}"); },
-              ThrowsMessage<Error>(HasSubstr("before.json: is no JSON object")));
+              ThrowsMessage<Error>(HasSubstr("before.json: is not a JSON object")));
   EXPECT_THAT([] { (void)compare(R"({"runs": [{"a": 1}]})", "[1, 2]"); },
-              ThrowsMessage<Error>(HasSubstr("after.json: is no JSON object")));
+              ThrowsMessage<Error>(HasSubstr("after.json: is not a JSON object")));
   EXPECT_THAT([] { (void)compare(R"({"runs": [{"a": 1}]})", R"({"figures": [{"a": 1}]})"); },
               ThrowsMessage<Error>(HasSubstr("no figure in common")));
 }

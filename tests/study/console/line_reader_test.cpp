@@ -15,7 +15,7 @@ namespace {
 std::vector<std::string> wait_for_lines(LineReader& reader, std::size_t count) {
   std::vector<std::string> lines;
   foveola::test::wait_until("lines", [&] {
-    for (std::string& line : reader.take()) {
+    for (std::string& line : reader.take_lines()) {
       lines.push_back(std::move(line));
     }
     return lines.size() >= count;
@@ -42,11 +42,11 @@ TEST(LineReader, DoesWithoutAnInput) {
   const int nothing = ::open("/dev/null", O_RDONLY);
   {
     LineReader reader(nothing);
-    EXPECT_TRUE(reader.take().empty());
+    EXPECT_TRUE(reader.take_lines().empty());
   }
   ::close(nothing);
   LineReader closed(nothing);
-  EXPECT_TRUE(closed.take().empty());
+  EXPECT_TRUE(closed.take_lines().empty());
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ int run_until_quit() {
   }
   console->show({.participant = "P42", .now = "rating"});
   while (true) {
-    for (const std::string& line : console->take()) {
+    for (const std::string& line : console->take_commands()) {
       if (line == "quit") {
         return 0;
       }

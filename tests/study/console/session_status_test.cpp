@@ -44,9 +44,9 @@ TEST(SessionStatus, AWarningArisesOnceWhateverItsFigures) {
   const StatusWarning late{WarningKind::late_frames, "3"};
   const StatusWarning later{WarningKind::late_frames, "4"};
   const StatusWarning lost{WarningKind::no_gaze, "none"};
-  EXPECT_EQ(arisen({}, {late}).size(), 1U);
-  EXPECT_THAT(arisen({late}, {later}), IsEmpty());
-  const std::vector<StatusWarning> new_ones = arisen({late}, {later, lost});
+  EXPECT_EQ(new_warnings({}, {late}).size(), 1U);
+  EXPECT_THAT(new_warnings({late}, {later}), IsEmpty());
+  const std::vector<StatusWarning> new_ones = new_warnings({late}, {later, lost});
   ASSERT_EQ(new_ones.size(), 1U);
   EXPECT_EQ(new_ones.front().text, "none");
 }

@@ -59,7 +59,7 @@ class ScriptedWorld final : public ClockPort,
   }
   Nanoseconds show() override { return now_ += frame; }
 
-  void act(SessionDriver& driver) override { does(driver); }
+  void pass_input(SessionDriver& driver) override { does(driver); }
 
   std::function<void(SessionDriver& driver)> does;
   std::vector<std::string> log;
@@ -100,15 +100,15 @@ class SessionDriverTest : public ::testing::Test {
   void take_part(std::deque<Nanoseconds> marks) {
     world_.does = [this, marks](SessionDriver& driver) mutable {
       if (driver.waits_in(Phase::choosing_object)) {
-        driver.feed(ObjectChosen{"vase"});
+        driver.record_event(ObjectChosen{"vase"});
       } else if (driver.waits_in(Phase::ready)) {
-        driver.feed(TrialStarted{});
+        driver.record_event(TrialStarted{});
       } else if (driver.waits_in(Phase::marking) && !marks.empty() &&
                  world_.now() >= marks.front()) {
         driver.mark(marks.front());
         marks.pop_front();
       } else if (driver.waits_in(Phase::rating) && world_.now() >= driver.look_around_until()) {
-        driver.feed(Rated{});
+        driver.record_event(Rated{});
       } else if (driver.state().is_over()) {
         driver.leave();
       }

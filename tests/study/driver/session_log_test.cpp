@@ -28,7 +28,7 @@ Procedure one_trial() { return {.agenda = {ConsentStep{}, TrialStep{}}, .marks =
 TEST(SessionLog, EffectsComeOnceTheEventIsOnTheDisk) {
   SlowDisk disk;
   SessionLog log(one_trial(), {}, disk);
-  ASSERT_TRUE(log.feed(1s, SessionStarted{}));
+  ASSERT_TRUE(log.record_event(1s, SessionStarted{}));
   EXPECT_EQ(log.state().phase, Phase::consent);
   EXPECT_TRUE(log.has_effects_to_come());
   EXPECT_TRUE(log.take_durable().empty());
@@ -47,7 +47,7 @@ TEST(SessionLog, EffectsComeOnceTheEventIsOnTheDisk) {
 TEST(SessionLog, WhatIsNotAllowedIsNotWritten) {
   SlowDisk disk;
   SessionLog log(one_trial(), {}, disk);
-  EXPECT_FALSE(log.feed(1s, Marked{1s}));
+  EXPECT_FALSE(log.record_event(1s, Marked{1s}));
   EXPECT_TRUE(disk.commits.empty());
   EXPECT_EQ(log.state(), SessionState{});
 }
@@ -55,8 +55,8 @@ TEST(SessionLog, WhatIsNotAllowedIsNotWritten) {
 TEST(SessionLog, LaterEventsWaitForEarlierOnes) {
   SlowDisk disk;
   SessionLog log(one_trial(), {}, disk);
-  log.feed(1s, SessionStarted{});
-  log.feed(2s, NoteWritten{"late"});
+  log.record_event(1s, SessionStarted{});
+  log.record_event(2s, NoteWritten{"late"});
   disk.commits[1].set_value();
   EXPECT_TRUE(log.take_durable().empty());
   disk.commits[0].set_value();
@@ -67,24 +67,24 @@ TEST(SessionLog, LaterEventsWaitForEarlierOnes) {
 TEST(SessionLog, ANoteHoldsNobodyUp) {
   SlowDisk disk;
   SessionLog log(one_trial(), {}, disk);
-  log.feed(1s, SessionStarted{});
+  log.record_event(1s, SessionStarted{});
   disk.commits[0].set_value();
   log.take_durable();
-  log.feed(2s, NoteWritten{"the light flickered"});
+  log.record_event(2s, NoteWritten{"the light flickered"});
   EXPECT_FALSE(log.has_effects_to_come());
 }
 
 TEST(SessionLog, AMarkHasTheTimeOfItsKey) {
   SlowDisk disk;
   SessionLog log(one_trial(), {.phase = Phase::marking, .step = 1, .first_frame = 2s}, disk);
-  ASSERT_TRUE(log.feed(9s, Marked{5s}));
+  ASSERT_TRUE(log.record_event(9s, Marked{5s}));
   EXPECT_THAT(disk.times, ElementsAre(5s));
 }
 
 TEST(SessionLog, SaysWhatKeptAnEventFromTheDisk) {
   SlowDisk disk;
   SessionLog log(one_trial(), {}, disk);
-  log.feed(1s, SessionStarted{});
+  log.record_event(1s, SessionStarted{});
   disk.commits[0].set_exception(std::make_exception_ptr(std::runtime_error("disk full")));
   EXPECT_THROW(log.take_durable(), std::runtime_error);
 }

@@ -55,7 +55,7 @@ class SimulatedConductTest : public ::testing::Test {
   /// What is done in this phase since the last call.
   std::vector<std::string> done_in(Phase phase, Nanoseconds now = {}) {
     state_.phase = phase;
-    conduct_.act(
+    conduct_.perform_action(
         {.procedure = procedure_, .state = state_, .now = now, .look_around_until = ms(9000)},
         actions_);
     return std::exchange(actions_.done, {});

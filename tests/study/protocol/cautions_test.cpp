@@ -101,7 +101,7 @@ TEST_F(Cautions, ScenesWithoutAnExposure) {
                                      {.name = "t", .file = "t.glb"}};
   scenes[0].exposure_stops = -3.0;
   EXPECT_THAT(cautions(protocol, scenes),
-              ElementsAre(AllOf(StartsWith(path_.string() + ":3:16: nothing says how bright"),
+              ElementsAre(AllOf(StartsWith(path_.string() + ":3:16: the scene 't' has no exposure"),
                                 HasSubstr("exposure_stops"))));
 }
 

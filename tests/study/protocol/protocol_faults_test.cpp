@@ -279,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"mark_called_like_the_built_in_rating",
               minimal + "[[mark]]\nid = \"a\"\ninstruction = \"Now.\"\n"
                         "[[mark]]\nid = \"artifacts\"\ninstruction = \"Now.\"\n",
-              "9:6", "is that of the built-in rating; give the mark another id"},
+              "9:6", "is the id of the built-in rating; give the mark another id"},
         Fault{"rating_called_like_a_mark",
               minimal + "[[mark]]\nid = \"a\"\ninstruction = \"Now.\"\n"
                         "[[rating]]\nid = \"a\"\ntext = \"?\"\n",

@@ -60,8 +60,9 @@ TEST(Report, CaptionsSayWhatWasLeftOutOfTheFigures) {
               HasSubstr("Hollow points leave out pairs in which a time was right-censored"));
   EXPECT_THAT(report_of(records), HasSubstr("Crosses are right-censored trials."));
   change_values(records, "material", [](study::Value& value) { value = {}; });
-  EXPECT_THAT(report_of(records), HasSubstr("Not drawn, as nobody has both times in a scene: "
-                                            "material."));
+  EXPECT_THAT(report_of(records),
+              HasSubstr("Not drawn, as no participant has both times in a scene: "
+                        "material."));
   EXPECT_THAT(report_of(complete_study(static_cast<int>(max_dots) + 1)),
               HasSubstr("With more than 500 participants, the points of single participants are "
                         "left out. Filled points are"));

@@ -27,7 +27,7 @@ TEST(AdditiveFit, ResidualsAreFreeOfParticipantsAndConditions) {
 
 TEST(AdditiveFit, ATrialTakenOutIsPredictedByTheOthers) {
   AdditiveFit fit(small_study());
-  fit.take_out(1);
+  fit.remove_trial(1);
   EXPECT_EQ(fit.size(), 5U);
   EXPECT_FALSE(fit.keeps(1));
   EXPECT_EQ(fit.degrees_of_freedom(), 1.0);

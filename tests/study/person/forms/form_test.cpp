@@ -173,8 +173,8 @@ std::size_t lines_on(const std::vector<std::string>& page) {
 }
 
 TEST(PagesOfWords, ShortOnesAreOnePage) {
-  EXPECT_THAT(pages_of({"one", "two"}), ElementsAre(ElementsAre("one", "two")));
-  EXPECT_THAT(pages_of({}), IsEmpty());
+  EXPECT_THAT(split_into_pages({"one", "two"}), ElementsAre(ElementsAre("one", "two")));
+  EXPECT_THAT(split_into_pages({}), IsEmpty());
 }
 
 TEST(PagesOfWords, LongOnesAreBrokenAndLoseNothing) {
@@ -182,7 +182,7 @@ TEST(PagesOfWords, LongOnesAreBrokenAndLoseNothing) {
   for (int i = 0; i < 400; ++i) {
     paragraph += (i > 0 ? " " : "") + std::string("слово") + std::to_string(i);
   }
-  const auto pages = pages_of({"first", paragraph, "last"});
+  const auto pages = split_into_pages({"first", paragraph, "last"});
   EXPECT_GT(pages.size(), 3U);
   std::string all;
   for (const auto& page : pages) {
@@ -197,7 +197,7 @@ TEST(PagesOfWords, LongOnesAreBrokenAndLoseNothing) {
 TEST(PagesOfWords, AWordWithoutEndIsBrokenToo) {
   const std::string endless(2000, 'x');
   std::string all;
-  for (const auto& page : pages_of({endless})) {
+  for (const auto& page : split_into_pages({endless})) {
     EXPECT_LE(lines_on(page), screen_lines);
     all += page.front();
   }

@@ -39,7 +39,7 @@ TEST(PersonKeys, TheWindowsCrossOnlyPauses) {
 
 TEST(PersonKeys, APressOfEachMeansIt) {
   for (int key = 0; key <= static_cast<int>(PersonKey::pause); ++key) {
-    const WindowEvent press = press_of(static_cast<PersonKey>(key), std::chrono::seconds(3));
+    const WindowEvent press = make_press(static_cast<PersonKey>(key), std::chrono::seconds(3));
     EXPECT_EQ(person_key(press), static_cast<PersonKey>(key));
     EXPECT_EQ(press.time, std::chrono::seconds(3));
   }

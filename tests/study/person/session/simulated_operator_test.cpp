@@ -155,7 +155,7 @@ TEST_F(SimulatedOperatorTest, WhoWantsToStopPausesAndSaysSo) {
 }
 
 TEST_F(SimulatedOperatorTest, HandsAtTheMachineDoNothing) {
-  window_.push(press_of(PersonKey::pause, 0s));
+  window_.push(make_press(PersonKey::pause, 0s));
   window_.push({.what = CloseWanted{}});
   window_.push({.what = WindowHidden{.is_hidden = true}});
   show(0s);
