@@ -130,7 +130,7 @@ void ScreenConsole::paint(Terminal& terminal) {
     said.assign(said_.end() - newest, said_.end());
     typed = entry_.typed();
   }
-  terminal.paint(screen_lines({.status = status, .said = said, .typed = typed}, terminal.size()));
+  terminal.paint(lay_out_screen({.status = status, .said = said, .typed = typed}, terminal.size()));
 }
 
 std::unique_ptr<Console> open_console(bool is_json, LineWriter& output) {

@@ -106,7 +106,7 @@ std::vector<ScreenLine> said_lines(std::span<const std::string> said, const Scre
 
 }  // namespace
 
-std::vector<ScreenLine> screen_lines(const ScreenContent& content, const ScreenSize& size) {
+std::vector<ScreenLine> lay_out_screen(const ScreenContent& content, const ScreenSize& size) {
   std::vector<ScreenLine> lines = {title_line(content.status, size.columns)};
   const auto append = [&](const std::vector<ScreenLine>& more) {
     lines.insert(lines.end(), more.begin(), more.end());

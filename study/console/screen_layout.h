@@ -34,7 +34,7 @@ struct ScreenSize {
 /// Returns as many lines as the screen has rows, none longer than its columns: the title, the
 /// status, its warnings, the newest messages, and last the commands or the typed line. Few rows
 /// leave out messages first.
-std::vector<ScreenLine> screen_lines(const ScreenContent& content, const ScreenSize& size);
+std::vector<ScreenLine> lay_out_screen(const ScreenContent& content, const ScreenSize& size);
 
 /// Wraps a text into lines of at most `columns` characters, at spaces if possible.
 std::vector<std::string> wrapped(std::string_view text, std::size_t columns);

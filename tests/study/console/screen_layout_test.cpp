@@ -16,7 +16,7 @@ class ScreenLayout : public ::testing::Test {
  protected:
   std::vector<std::string> lines(const ScreenSize& size) const {
     std::vector<std::string> texts;
-    for (const ScreenLine& line : screen_lines(content_, size)) {
+    for (const ScreenLine& line : lay_out_screen(content_, size)) {
       texts.push_back(line.text);
     }
     return texts;
@@ -46,7 +46,7 @@ TEST_F(ScreenLayout, SaysHowTheSessionStands) {
 
 TEST_F(ScreenLayout, WarningsStandAboveWhatWasSaid) {
   content_.status.warnings = {{WarningKind::no_gaze, "The eye tracker sends no gaze at all."}};
-  const std::vector<ScreenLine> screen = screen_lines(content_, {.columns = 30, .rows = 24});
+  const std::vector<ScreenLine> screen = lay_out_screen(content_, {.columns = 30, .rows = 24});
   const auto warning = std::find_if(screen.begin(), screen.end(), [](const ScreenLine& line) {
     return line.look == LineLook::warning;
   });
@@ -59,7 +59,7 @@ TEST_F(ScreenLayout, WarningsStandAboveWhatWasSaid) {
 
 TEST_F(ScreenLayout, WhatIsNoPersonsEyeStandsOut) {
   content_.status.gaze.eye = "simulated";
-  EXPECT_THAT(screen_lines(content_, {}),
+  EXPECT_THAT(lay_out_screen(content_, {}),
               Contains(AllOf(Field(&ScreenLine::text, HasSubstr("THE EYE IS SIMULATED")),
                              Field(&ScreenLine::look, LineLook::warning))));
 }
@@ -72,14 +72,14 @@ TEST_F(ScreenLayout, OfWhatWasSaidTheNewestStays) {
 
 TEST_F(ScreenLayout, WhatIsTypedStandsInPlaceOfTheCommandsInAsManyRowsAsItTakes) {
   content_.typed = "note the phone rang";
-  std::vector<ScreenLine> screen = screen_lines(content_, {.columns = 20, .rows = 24});
+  std::vector<ScreenLine> screen = lay_out_screen(content_, {.columns = 20, .rows = 24});
   ASSERT_EQ(screen.size(), 24U);
   EXPECT_EQ(screen[20].text, " > note the phone");
   EXPECT_EQ(screen[20].look, LineLook::typed);
   EXPECT_EQ(screen[21].text, "   rang_   (Enter");
   EXPECT_EQ(screen[22].text, "   does it, Escape");
   EXPECT_EQ(screen[23].text, "   clears it)");
-  screen = screen_lines(content_, {.columns = 20, .rows = 1});
+  screen = lay_out_screen(content_, {.columns = 20, .rows = 1});
   EXPECT_EQ(screen.back().text, "   clears it)");
 }
 
