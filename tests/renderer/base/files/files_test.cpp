@@ -161,8 +161,8 @@ TEST_F(Files, AreReadUpToALimit) {
   write_file(folder_ / "x", content);
   EXPECT_EQ(read_file(folder_ / "x", content.size(), "name another"), content);
   EXPECT_THAT([&] { read_file(folder_ / "x", content.size() - 1, "name another"); },
-              ThrowsMessage<Error>(HasSubstr("x: has over 70000 bytes, which are the most that are "
-                                             "read; name another")));
+              ThrowsMessage<Error>(
+                  HasSubstr("x: has over 70000 bytes, the maximum that is read; name another")));
   write_file(folder_ / "empty", "");
   EXPECT_EQ(read_file(folder_ / "empty", 0, ""), "");
 }

@@ -199,10 +199,10 @@ TEST(TomlFile, OfEndlessContentIsRefusedBeforeAllOfItIsRead) {
   folder.write("a.toml", "a = 1\n");
   EXPECT_EQ(read_toml_file(folder / "a.toml"), "a = 1\n");
   std::filesystem::resize_file(folder.write("large.toml", ""), std::uintmax_t{1} << 40);
-  EXPECT_THAT([&] { read_toml_file(folder / "large.toml"); },
-              ThrowsMessage<Error>(HasSubstr("large.toml: has over 4000000 bytes, which "
-                                             "are the most that are read; name a TOML "
-                                             "file")));
+  EXPECT_THAT(
+      [&] { read_toml_file(folder / "large.toml"); },
+      ThrowsMessage<Error>(HasSubstr(
+          "large.toml: has over 4000000 bytes, the maximum that is read; name a TOML file")));
   EXPECT_THAT([&] { read_toml_file(folder.path()); },
               ThrowsMessage<Error>(HasSubstr("is a folder")));
 }
