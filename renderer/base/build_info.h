@@ -10,8 +10,8 @@ struct BuildInfo {
   std::string version;   ///< "0.1.0"
   std::string compiler;  ///< "GNU 12.2.0"
   std::string build_type;
-  std::string ray_tracer;       ///< what traces the rays: "Embree 3.13.5"
-  std::string instruction_set;  ///< what the loaded numeric libraries use: "x86-64-v3"
+  std::string ray_tracer;       ///< the ray tracer: "Embree 3.13.5"
+  std::string instruction_set;  ///< of the loaded numeric libraries: "x86-64-v3"
   /// Instruction set of the ray tracer: "avx2", or "sse4.2" on processors without it. The last bits
   /// of hits depend on the processor through this alone.
   std::string ray_instructions;

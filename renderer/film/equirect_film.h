@@ -112,8 +112,8 @@ class EquirectFilm {
   int height(int level) const { return (height_ + (1 << level) - 1) >> level; }
   PremultipliedTexel cell(int level, int x, int y) const;
 
-  /// Revision for owners of copies, who query tile by tile for changes since their copy. It grows
-  /// with every added batch and every clear, from 0.
+  /// Revision for copies, which query tile by tile for changes since they were made. It grows with
+  /// every added batch and every clear, from 0.
   FilmRevision revision() const { return revision_; }
   /// Revision of the last clear, 0 without one: older copies are void.
   FilmRevision cleared_at() const { return cleared_at_; }

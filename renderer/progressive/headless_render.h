@@ -51,7 +51,7 @@ struct RenderBudget {
 /// A part of a render; other processes render the rest.
 struct RenderPart {
   enum class By {
-    /// Small tiles all over the film (see tile_dealing.h). All directions are drawn, and those in
+    /// Small tiles all over the film (see shard_of_pixel). All directions are drawn, and those in
     /// the part's tiles are traced: the parts sum to the whole render, bit for bit.
     tiles,
     /// A part of the samples, all over the film, with its own random numbers.

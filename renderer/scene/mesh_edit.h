@@ -1,4 +1,4 @@
-// Edits meshes for loaders: transforms, and repairs or removes what cannot be rendered.
+// Edits meshes for loaders: transforms, and repair or removal of unusable geometry.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 namespace foveola {
 
 enum class FileAccess {
-  usual,  ///< what the umask leaves of reading and writing for all
+  usual,  ///< the umask's part of reading and writing for all
   own     ///< 0600; in a folder with the set-group-ID bit, which a group shares, 0660
 };
 

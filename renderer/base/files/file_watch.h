@@ -61,7 +61,7 @@ class FileWatch {
   /// Watches each name on the way to the file, which is absolute.
   void watch_steps(const std::filesystem::path& file);
   void watch_name(const std::filesystem::path& folder, const std::string& name, bool is_last);
-  /// Watches what has the names now.
+  /// Watches the current targets of the names.
   void watch_again();
   /// Adds queued changes to `changes`, waiting for the first until `timeout`. False if none came.
   bool read_changes(Nanoseconds timeout, Changes& changes);

@@ -20,8 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Identifies the assignment of tiles (renderer/progressive/tile_dealing.h): parts by another one
-/// do not fit.
+/// Identifies the assignment of tiles (see shard_of_pixel): parts by another one do not fit.
 constexpr const char* by_tiles = "tiles of 4 pixels";
 constexpr const char* by_seeds = "seeds";
 constexpr const char* filmic = "filmic";

@@ -36,7 +36,7 @@ struct HidField {
   std::int64_t logical_maximum = 0;  ///< not less; if equal, unknown
   std::int64_t physical_minimum = 0;
   std::int64_t physical_maximum = 0;  ///< both 0: the physical range is the logical one
-  std::uint32_t unit = 0;             ///< as encoded, see hid_number.h
+  std::uint32_t unit = 0;             ///< as encoded, see si_units_in()
   int unit_exponent = 0;              ///< exponent of ten, in [-20, 20]
   bool is_variable = false;           ///< otherwise an array
 
