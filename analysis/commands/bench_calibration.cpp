@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/commands.h"
-#include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/machine_speed.h"
 #include "analysis/koskela2018/published_study.h"
 #include "analysis/publication/output_folder.h"

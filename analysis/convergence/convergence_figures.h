@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "analysis/convergence/convergence_tables.h"
 #include "analysis/gnuplot/gnuplot.h"
 
 namespace foveola::analysis {

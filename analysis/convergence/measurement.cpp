@@ -12,7 +12,6 @@
 #include "renderer/base/files/digest.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/view/equirect.h"
-#include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,7 +1,6 @@
 #include "analysis/dataset/comparisons.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <span>
 #include <utility>

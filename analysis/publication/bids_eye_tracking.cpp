@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/bids.h"
-#include "analysis/publication/data_files.h"
 #include "analysis/publication/gaze_sources.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"

@@ -1,7 +1,5 @@
 #include "analysis/publication/survival_output.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

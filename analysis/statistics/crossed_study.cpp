@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "analysis/statistics/crossed_model.h"
-#include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/paired_t.h"
 
 namespace foveola::analysis {

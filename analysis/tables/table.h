@@ -2,7 +2,6 @@
 // is written from it, and so is the description of the columns.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>

@@ -12,7 +12,6 @@
 #include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/gaze/profiles.h"
-#include "renderer/progressive/picture.h"
 #include "renderer/window/live/preview_controls.h"
 
 namespace CLI {

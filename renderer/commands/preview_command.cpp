@@ -21,7 +21,6 @@
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/gaze/recordings.h"
 #include "renderer/headset/live_window.h"
-#include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/window/live/live_preview.h"

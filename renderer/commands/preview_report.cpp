@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 #include "renderer/base/quantile.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/gaze/latency.h"
-#include "renderer/preview/live_frames.h"
 
 namespace foveola {
 namespace {

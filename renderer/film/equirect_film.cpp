@@ -1,6 +1,5 @@
 #include "renderer/film/equirect_film.h"
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <utility>

@@ -1,16 +1,12 @@
 #include "renderer/film/view_pixels.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <span>
 
 #include "renderer/view/equirect.h"
-#include "renderer/view/viewport.h"
 
 namespace foveola {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "renderer/base/angles.h"
 #include "renderer/gaze/rotations.h"

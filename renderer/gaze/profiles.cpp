@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/files/files.h"

@@ -1,15 +1,11 @@
 #include "renderer/gaze/recordings.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <openxr/openxr_platform.h>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 
 namespace foveola {

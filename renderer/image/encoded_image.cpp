@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include <fmt/format.h>

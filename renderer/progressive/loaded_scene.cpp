@@ -1,15 +1,12 @@
 #include "renderer/progressive/loaded_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <filesystem>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/progressive/picture.h"

@@ -1,7 +1,6 @@
 #include "renderer/progressive/progressive_render.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "renderer/trace/surfaces/triangle.h"
-#include "renderer/view/viewport.h"
 
 namespace foveola {
 namespace {

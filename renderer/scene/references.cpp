@@ -4,7 +4,6 @@
 #include <cctype>
 #include <charconv>
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 

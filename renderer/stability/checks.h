@@ -1,7 +1,6 @@
 // The stress tests of numerical stability, each a function from its size to its figures.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <stop_token>

@@ -3,14 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <stop_token>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/scene_source.h"
-#include "renderer/command_line/common_options.h"
 #include "study/simulation/simulate_study.h"
 
 namespace foveola::study {

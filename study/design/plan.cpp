@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
-#include <utility>
 
 #include "renderer/base/random.h"
 #include "study/design/orders.h"

@@ -1,7 +1,6 @@
 #include "study/participant/injected_effect.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>

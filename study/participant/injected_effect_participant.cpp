@@ -4,7 +4,6 @@
 
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
-#include "study/participant/drawn_trial.h"
 
 namespace foveola::study {
 

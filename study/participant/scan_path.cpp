@@ -1,7 +1,6 @@
 #include "study/participant/scan_path.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "study/participant/chance.h"

@@ -6,7 +6,6 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/window/drawing/view_overlays.h"
-#include "study/participant/participant.h"
 
 namespace foveola::study {
 

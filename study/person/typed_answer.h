@@ -1,7 +1,6 @@
 // The keys that answer a question of a form.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "study/person/form_input.h"

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -16,7 +14,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/work/work_scope.h"
 #include "study/prediction/aim_dependence.h"
-#include "study/prediction/noise_table.h"
 #include "study/prediction/pilot.h"
 
 namespace foveola::study {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/view/view_sampler.h"
-
 namespace foveola::study {
 namespace {
 

@@ -2,7 +2,6 @@
 // the noise that so many leave.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

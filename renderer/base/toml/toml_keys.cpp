@@ -1,7 +1,6 @@
 #include "renderer/base/toml/toml_keys.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace foveola {
 

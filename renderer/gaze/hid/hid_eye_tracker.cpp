@@ -1,7 +1,6 @@
 #include "renderer/gaze/hid/hid_eye_tracker.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <exception>
 #include <utility>
 

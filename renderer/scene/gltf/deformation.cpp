@@ -1,7 +1,6 @@
 #include "renderer/scene/gltf/deformation.h"
 
 #include <algorithm>
-#include <span>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>

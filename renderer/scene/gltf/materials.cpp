@@ -1,7 +1,6 @@
 #include "renderer/scene/gltf/materials.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>

@@ -1,8 +1,6 @@
 // Meshes out of the parts of an OBJ file.
 #pragma once
 
-#include <string>
-
 #include "renderer/scene/obj/file.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"

@@ -1,7 +1,6 @@
 #include "renderer/scene/obj/polygon.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>

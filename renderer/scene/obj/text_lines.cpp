@@ -1,6 +1,5 @@
 #include "renderer/scene/obj/text_lines.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "renderer/trace/lights/light_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <deque>

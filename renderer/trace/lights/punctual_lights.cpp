@@ -6,8 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/trace/lights/light_bounds.h"
-
 namespace foveola {
 namespace {
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <limits>
-#include <numbers>
 
 #include "renderer/trace/rays/mesh_attributes.h"
 #include "renderer/trace/rays/opacity.h"

@@ -1,8 +1,5 @@
 #include "renderer/trace/materials/ggx_albedo.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "renderer/trace/materials/visible_normals.h"
 
 namespace foveola {

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "renderer/trace/materials/bsdf_value.h"
-#include "renderer/trace/materials/ggx.h"
-#include "renderer/trace/materials/ggx_albedo.h"
 #include "renderer/trace/materials/visible_normals.h"
 
 namespace foveola {

@@ -1,13 +1,9 @@
 #include "renderer/trace/paths/block_tracer.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "renderer/trace/materials/bsdf.h"
-#include "renderer/trace/paths/vertex_rules.h"
 #include "renderer/trace/rays/mesh_attributes.h"
-#include "renderer/trace/surfaces/surface.h"
 
 namespace foveola {
 

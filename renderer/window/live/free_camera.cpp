@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #define GLFW_INCLUDE_NONE
@@ -13,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "renderer/base/quantile.h"
-#include "renderer/gaze/head_tracker.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/live/steering.h"

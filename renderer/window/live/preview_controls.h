@@ -1,7 +1,6 @@
 // The keys of the live preview: what each does, and what follows from it.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

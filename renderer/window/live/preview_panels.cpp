@@ -9,9 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/preview/live_frames.h"
 #include "renderer/view/acuity.h"
-#include "renderer/window/drawing/view_overlays.h"
 
 namespace foveola {
 namespace {
