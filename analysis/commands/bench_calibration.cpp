@@ -207,8 +207,7 @@ void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
       "A folder for the studies that are tried, each named by its samples a second, and for the "
       "last one's comparison with the published study; made if its parent exists. Studies that are "
       "there already are resumed");
-  command->add_option("--people", arguments->simulation.people, "As in study simulate")
-      ->capture_default_str();
+  command->add_option("--people", arguments->simulation.people, "As in study simulate");
   command->add_option("--scale", arguments->simulation.scale, "As in study simulate");
   study::add_effort_and_json(command, *arguments);
   command->callback([arguments, find_scene, stop] { run(*arguments, find_scene, stop); });

@@ -1,5 +1,3 @@
-#include "renderer/commands/preview_command.h"
-
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -15,6 +13,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/programs.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/preview_arguments.h"
 #include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"

@@ -20,7 +20,6 @@ struct RenderArguments {
   LookArguments look;
   std::string scene;
   std::string output;
-  bool panorama = false;
   std::string size;
   std::string gaze;
   std::string pointer;

@@ -1,5 +1,3 @@
-#include "renderer/commands/scene_describe.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -16,6 +14,7 @@
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/object_sheet.h"
 #include "renderer/commands/scene_file_options.h"

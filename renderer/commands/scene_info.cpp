@@ -15,6 +15,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/work_scope.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
@@ -232,7 +233,7 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::s
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command =
       scene.add_subcommand("info", "What a scene contains, and the memory that it needs");
-  command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
+  add_scene_option(*command, *name);
   add_light_options(*command, *look);
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");
