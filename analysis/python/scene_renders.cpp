@@ -9,7 +9,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/progressive/render_limits.h"
 #include "scenes/find_scene.h"
 
 namespace py = pybind11;
@@ -49,12 +48,8 @@ constexpr SettingNames names{.camera = "camera_m",
 RenderSettings settings_of(const RenderArguments& arguments) {
   constexpr IVec2 default_size{1024, 512};
   RenderSettings settings;
-  settings.budget = budget_of({.samples_per_pixel = arguments.samples_per_pixel,
-                               .samples = arguments.samples,
-                               .seconds = arguments.seconds},
-                              names);
-  settings.progressive.trace.seed = arguments.seed;
-  settings.progressive.trace.max_depth = arguments.max_depth;
+  settings.budget = budget_of(arguments.budget, names);
+  settings.progressive.trace = arguments.trace;
   std::optional<IVec2> size;
   if (arguments.size) {
     size = IVec2(arguments.size->first, arguments.size->second);

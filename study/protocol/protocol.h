@@ -57,7 +57,8 @@ struct DisplaySettings {
 struct FilmSettings {
   int width = 320;  ///< Pixels of the 360-degree image.
   int height = 160;
-  int max_depth = 4;  ///< Largest number of surface vertices of a path.
+  /// Largest number of surface vertices of a path; 4 as published, half of a render's.
+  int max_depth = 4;
   /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. At 0, as
   /// published, all get them.
   double adaptive_contrast = 0.0;
