@@ -149,8 +149,8 @@ DescriptorList descriptors_in_force() {
       list.descriptors.push_back(std::move(descriptor));
     }
   }
-  std::sort(list.descriptors.begin(), list.descriptors.end(),
-            [](const Descriptor& a, const Descriptor& b) { return a.name < b.name; });
+  std::ranges::sort(list.descriptors,
+                    [](const Descriptor& a, const Descriptor& b) { return a.name < b.name; });
   return list;
 }
 

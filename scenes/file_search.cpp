@@ -56,7 +56,7 @@ class Searcher {
   /// A folder that keeps its content to itself is met twice: when listed and when looked into.
   void note(std::string obstacle) {
     std::vector<std::string>& noted = found_.obstacles;
-    if (std::find(noted.begin(), noted.end(), obstacle) == noted.end()) {
+    if (std::ranges::find(noted, obstacle) == noted.end()) {
       noted.push_back(std::move(obstacle));
     }
   }
@@ -78,7 +78,7 @@ class Searcher {
     if (failure) {
       note(folder, failure);
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
   }
 
@@ -110,8 +110,7 @@ class Searcher {
 }  // namespace
 
 bool is_called_like_scene(const fs::path& file) {
-  return std::find(scene_extensions.begin(), scene_extensions.end(), lower_case_extension(file)) !=
-         scene_extensions.end();
+  return std::ranges::find(scene_extensions, lower_case_extension(file)) != scene_extensions.end();
 }
 
 FileSearch search_folder(const fs::path& folder, const std::string& file_name) {

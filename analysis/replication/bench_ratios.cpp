@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 14> identities = {
     "level", "unit", "method", "option", "threads",       "what",   "claim"};
 
 bool is_identity(std::string_view key, const BenchJson& /*value*/) {
-  return std::find(identities.begin(), identities.end(), key) != identities.end();
+  return std::ranges::find(identities, key) != identities.end();
 }
 
 /// "threads=2", or the position where no key distinguishes it.
@@ -203,8 +203,8 @@ void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<B
                   std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);
   for (BenchFigure& figure : figures_of(before)) {
-    const auto other = std::find_if(others.begin(), others.end(),
-                                    [&](const BenchFigure& o) { return o.place == figure.place; });
+    const auto other =
+        std::ranges::find_if(others, [&](const BenchFigure& o) { return o.place == figure.place; });
     if (other == others.end()) {
       unmatched.push_back(figure.place);
       continue;
@@ -264,8 +264,8 @@ std::size_t BenchComparison::count(BenchFigureKind kind) const {
 
 std::vector<BenchRatio> BenchComparison::moved(BenchMove move) const {
   std::vector<BenchRatio> rows;
-  std::copy_if(ratios.begin(), ratios.end(), std::back_inserter(rows),
-               [move](const BenchRatio& row) { return row.move == move; });
+  std::ranges::copy_if(ratios, std::back_inserter(rows),
+                       [move](const BenchRatio& row) { return row.move == move; });
   return rows;
 }
 

@@ -49,7 +49,7 @@ std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
       names.push_back(option->get_name());
     }
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

@@ -157,7 +157,7 @@ std::string part_of(const CommandDescription& command, const std::string& path,
                     const std::vector<OptionDescription>& everywhere) {
   std::vector<OptionDescription> own = command.options;
   std::erase_if(own, [&](const OptionDescription& option) {
-    return std::find(everywhere.begin(), everywhere.end(), option) != everywhere.end();
+    return std::ranges::find(everywhere, option) != everywhere.end();
   });
   std::string page =
       fmt::format(".SS {}\n{}", usage_of(command, path), filled(as_sentence(command.description)));

@@ -72,8 +72,8 @@ IVec2 parse_size(const std::string& option, const std::string& text) {
 FieldsOfView parse_fields_of_view(const std::string& option, const std::string& text) {
   const bool has_both = text.find('x') != std::string::npos;
   const std::vector<double> degrees = parse_numbers<double>(text, 'x', has_both ? 2 : 1);
-  const bool is_seen = std::all_of(degrees.begin(), degrees.end(),
-                                   [](double angle) { return angle > 0.0 && angle < 180.0; });
+  const bool is_seen =
+      std::ranges::all_of(degrees, [](double angle) { return angle > 0.0 && angle < 180.0; });
   if (degrees.empty() || !is_seen) {
     throw UsageError(option, fmt::format("'{}' is no field of view", text),
                      "give degrees between 0 and 180, or WIDTHxHEIGHT");
@@ -105,7 +105,7 @@ DVec3 parse_vec3(const std::string& option, const std::string& text) {
 SunAndSky parse_sky(const std::string& option, const std::string& text) {
   SunAndSky sky;
   std::string sun = text;
-  if (std::count(text.begin(), text.end(), ',') == 2) {
+  if (std::ranges::count(text, ',') == 2) {
     const std::size_t comma = text.rfind(',');
     const std::vector<double> turbidity = parse_finite(std::string_view(text).substr(comma + 1), 1);
     if (turbidity.empty()) {

@@ -114,8 +114,8 @@ void print_table(const std::vector<StabilityFigure>& figures, double duration_s)
 }
 
 void require_all(const std::vector<StabilityFigure>& figures) {
-  const auto failures = std::count_if(figures.begin(), figures.end(),
-                                      [](const auto& figure) { return !figure.passes(); });
+  const auto failures =
+      std::ranges::count_if(figures, [](const auto& figure) { return !figure.passes(); });
   if (failures > 0) {
     throw Error("bench stability",
                 fmt::format("{} of {} figures are not met", failures, figures.size()),

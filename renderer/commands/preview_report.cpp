@@ -35,7 +35,7 @@ FrameFigure frame_figure(const PreviewRun& run, const std::string& name, const s
                          const Of& of) {
   std::vector<double> values(run.frames.size());
   std::transform(run.frames.begin(), run.frames.end(), values.begin(), of);
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return {.name = name,
           .unit = unit,
           .median = quantile(values, 0.5),
@@ -58,8 +58,7 @@ std::vector<FrameFigure> figures_of(const PreviewRun& run) {
 
 std::size_t late_frames(const PreviewRun& run) {
   return static_cast<std::size_t>(
-      std::count_if(run.frames.begin(), run.frames.end(),
-                    [](const LiveFrame& frame) { return frame.is_late(); }));
+      std::ranges::count_if(run.frames, [](const LiveFrame& frame) { return frame.is_late(); }));
 }
 
 /// First frames after a restart that have samples, of all first frames.

@@ -85,7 +85,7 @@ RgbImage contact_sheet(const std::vector<SheetRow>& rows) {
   const int pitch = panorama.height + gap;
   RgbImage sheet(panorama.width + gap + rows.front().view.width,
                  static_cast<int>(rows.size()) * pitch - gap);
-  std::fill(sheet.pixels.begin(), sheet.pixels.end(), Rgb(1.0F));
+  std::ranges::fill(sheet.pixels, Rgb(1.0F));
   int top = 0;
   for (const SheetRow& row : rows) {
     paste(row.panorama, 0, top, sheet);

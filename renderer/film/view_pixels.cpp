@@ -198,7 +198,7 @@ float ViewPixels::highest_level() const {
   }
   FloatLanes lanes;
   lanes.store(highest);
-  return *std::max_element(lanes.begin(), lanes.end());
+  return *std::ranges::max_element(lanes);
 }
 
 ViewPoints ViewPixels::points(const EightPixels& pixels) const {

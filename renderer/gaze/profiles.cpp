@@ -33,7 +33,7 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
     return name_or_path;
   }
   const std::vector<std::string> names = toml_names_in(profile_folder(folder));
-  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+  if (std::ranges::find(names, name_or_path) == names.end()) {
     throw Error(
         fmt::format("profile '{}'", name_or_path), fmt::format("is none of the {}", folder),
         did_you_mean(name_or_path, names,

@@ -44,7 +44,7 @@ std::vector<std::string> offered_extensions(const XrLoader& loader) {
 }
 
 bool includes(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 std::vector<std::string> wanted_extensions(const XrLoader& loader) {

@@ -100,7 +100,7 @@ std::optional<SampleJob> ProgressiveRender::find_job(const ViewSampler& sampler,
                                                      std::uint64_t points, std::uint32_t pixel,
                                                      std::uint32_t sample_number) {
   const std::vector<SampleJob> jobs = pass_over(sampler, points);
-  const auto job = std::find_if(jobs.begin(), jobs.end(), [&](const SampleJob& candidate) {
+  const auto job = std::ranges::find_if(jobs, [&](const SampleJob& candidate) {
     return candidate.pixel == pixel && candidate.sample_number == sample_number;
   });
   return job != jobs.end() ? std::optional(*job) : std::nullopt;

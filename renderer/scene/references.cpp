@@ -16,7 +16,7 @@ namespace {
 
 std::string with_slashes(std::string_view name) {
   std::string path(name);
-  std::replace(path.begin(), path.end(), '\\', '/');
+  std::ranges::replace(path, '\\', '/');
   return path;
 }
 
@@ -31,7 +31,7 @@ bool has_other_scheme(std::string_view uri) {
   }
   const std::string_view scheme = uri.substr(0, colon);
   return std::isalpha(static_cast<unsigned char>(scheme.front())) != 0 &&
-         std::all_of(scheme.begin(), scheme.end(), [](unsigned char c) {
+         std::ranges::all_of(scheme, [](unsigned char c) {
            return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
          });
 }
@@ -71,8 +71,7 @@ fs::path confined_file(const fs::path& folder, std::string_view uri) {
 
 std::optional<fs::path> confined_file_if_there(const fs::path& folder, std::string_view uri) {
   const fs::path name = local_reference(percent_decoded(uri));
-  const bool stays_inside =
-      !has_other_scheme(uri) && std::find(name.begin(), name.end(), "..") == name.end();
+  const bool stays_inside = !has_other_scheme(uri) && std::ranges::find(name, "..") == name.end();
   std::error_code failure;
   if (stays_inside && !fs::exists(folder / name, failure)) {
     return std::nullopt;

@@ -185,7 +185,7 @@ StabilityFigure deviation(std::string name, const RadianceEstimate& estimate, co
                         .unit = "%",
                         .details = describe(estimate, channel, truth)});
   }
-  StabilityFigure figure = *std::max_element(channels.begin(), channels.end(), is_milder);
+  StabilityFigure figure = *std::ranges::max_element(channels, is_milder);
   figure.name = std::move(name);
   return figure;
 }
@@ -209,7 +209,7 @@ StabilityFigure excess(std::string name, const RadianceEstimate& estimate, doubl
 
 StabilityFigure worst_of(std::string name, const std::vector<StabilityFigure>& figures) {
   assert(!figures.empty());
-  const StabilityFigure& worst = *std::max_element(figures.begin(), figures.end(), is_milder);
+  const StabilityFigure& worst = *std::ranges::max_element(figures, is_milder);
   StabilityFigure figure = worst;
   figure.name = std::move(name);
   figure.details = fmt::format("worst of {}: {}: {}", figures.size(), worst.name, worst.details);

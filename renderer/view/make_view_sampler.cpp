@@ -204,8 +204,8 @@ std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
 bool follows_pointer(std::string_view method) {
   if (is_hybrid(method)) {
     const std::vector<HybridPart> parts = hybrid_parts(method);
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const HybridPart& part) { return follows_pointer(part.method); });
+    return std::ranges::any_of(parts,
+                               [](const HybridPart& part) { return follows_pointer(part.method); });
   }
   MethodText text(method);
   return text.name() == pointer_name && !fixed_pointer(text);
@@ -214,8 +214,8 @@ bool follows_pointer(std::string_view method) {
 bool follows_gaze(std::string_view method) {
   if (is_hybrid(method)) {
     const std::vector<HybridPart> parts = hybrid_parts(method);
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const HybridPart& part) { return follows_gaze(part.method); });
+    return std::ranges::any_of(parts,
+                               [](const HybridPart& part) { return follows_gaze(part.method); });
   }
   return maker_of(MethodText(method)).follows_gaze || follows_pointer(method);
 }

@@ -49,8 +49,7 @@ constexpr std::array words = {
 
 /// The end of `words` if it is none of them.
 const CommandWord* known_word(std::string_view word) {
-  return std::find_if(words.begin(), words.end(),
-                      [&](const CommandWord& one) { return one.word == word; });
+  return std::ranges::find_if(words, [&](const CommandWord& one) { return one.word == word; });
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -114,9 +114,9 @@ std::optional<StatusWarning> warning_of(Nanoseconds since_last_key) {
 std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,
                                   const std::vector<StatusWarning>& now) {
   std::vector<StatusWarning> all;
-  std::copy_if(now.begin(), now.end(), std::back_inserter(all), [&](const StatusWarning& one) {
-    return std::none_of(before.begin(), before.end(),
-                        [&](const StatusWarning& former) { return former.kind == one.kind; });
+  std::ranges::copy_if(now, std::back_inserter(all), [&](const StatusWarning& one) {
+    return std::ranges::none_of(
+        before, [&](const StatusWarning& former) { return former.kind == one.kind; });
   });
   return all;
 }

@@ -63,7 +63,7 @@ Plan with_catch_trials(const Plan& tests, int count, Pcg32& generator) {
   Plan plan;
   for (std::size_t i = 0; i < tests.size(); ++i) {
     plan.push_back(tests[i]);
-    if (std::find(places.begin(), places.end(), static_cast<int>(i)) != places.end()) {
+    if (std::ranges::find(places, static_cast<int>(i)) != places.end()) {
       plan.push_back(
           {.scene = tests[i].scene, .method = tests[i].method, .kind = TrialKind::catch_trial});
     }
@@ -148,9 +148,9 @@ int least_used_row(const Protocol& protocol, const std::vector<int>& used, int f
     ++uses[static_cast<std::size_t>(row % rows)];
   }
   std::rotate(uses.begin(), uses.begin() + first % rows, uses.end());
-  const auto least_used = std::min_element(uses.begin(), uses.end()) - uses.begin();
+  const auto least_used = std::ranges::min_element(uses) - uses.begin();
   int row = (static_cast<int>(least_used) + first % rows) % rows;
-  while (std::find(used.begin(), used.end(), row) != used.end()) {
+  while (std::ranges::find(used, row) != used.end()) {
     row += rows;
   }
   return row;

@@ -21,7 +21,7 @@ constexpr double least_mark_ratio = 2.0;
 /// Throws UsageError if `id` is not one of `there`, which are all of the protocol's `kind`.
 void require_known(const std::string& where, const std::string& kind, const std::string& id,
                    const std::vector<std::string>& there) {
-  if (std::find(there.begin(), there.end(), id) == there.end()) {
+  if (std::ranges::find(there, id) == there.end()) {
     throw UsageError(where, fmt::format("the protocol has no {} '{}'", kind, id),
                      there.empty() ? fmt::format("it has no {} at all; leave this out", kind)
                                    : fmt::format("choose one of {}", fmt::join(there, ", ")));
@@ -103,8 +103,8 @@ void require_drawable(const InjectedEffect& effect, const Protocol& protocol) {
       require_known(where, "method", method, protocol.methods);
       require_drawable_shifts(
           where,
-          *std::find_if(protocol.ratings.begin(), protocol.ratings.end(),
-                        [&](const Question& rating) { return rating.id == wanted; }),
+          *std::ranges::find_if(protocol.ratings,
+                                [&](const Question& rating) { return rating.id == wanted; }),
           shifts);
     }
   }

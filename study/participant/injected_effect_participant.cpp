@@ -48,7 +48,7 @@ std::vector<Answer> InjectedEffectParticipant::rate(const std::vector<Question>&
   std::vector<Answer> answers = draw_answers(ratings, background_, random);
   for (const Question& rating : ratings) {
     if (effect_.shifted_ratings.contains(rating.id)) {
-      std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+      std::ranges::find_if(answers, [&](const Answer& answer) {
         return answer.question == rating.id;
       })->value = drawn_rating(effect_, rating, drawn());
     }

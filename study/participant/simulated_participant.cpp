@@ -100,9 +100,8 @@ std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& rati
   const double noticed = noticed_jnd(random);
   std::vector<Answer> answers = draw_answers(ratings, population_.background, random);
   for (Answer& answer : answers) {
-    const auto asked = std::find_if(ratings.begin(), ratings.end(), [&](const Question& question) {
-      return question.id == answer.question;
-    });
+    const auto asked = std::ranges::find_if(
+        ratings, [&](const Question& question) { return question.id == answer.question; });
     if (is_judged(*asked)) {
       answer.value = study::rate(population_.rating, *asked, noticed);
     }

@@ -80,7 +80,7 @@ std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
       const auto& [wanted_scene, method, name] = pictures.first;
       return wanted_scene == scene && name == object.name;
     };
-    if (std::any_of(setting.wanted.begin(), setting.wanted.end(), is_of_object)) {
+    if (std::ranges::any_of(setting.wanted, is_of_object)) {
       wanted.push_back(&object);
     }
   }
@@ -315,7 +315,7 @@ class SceneAtlas {
                                           const std::vector<Vec3>& places) {
     std::vector<NoiseTable> tables(views.front().size());
     for (std::size_t view = 0; view < views.size(); ++view) {
-      if (std::any_of(views[view].begin(), views[view].end(), std::mem_fn(&NoiseTable::empty))) {
+      if (std::ranges::any_of(views[view], std::mem_fn(&NoiseTable::empty))) {
         continue;
       }
       for (std::size_t scale = 0; scale < tables.size(); ++scale) {

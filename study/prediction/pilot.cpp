@@ -266,7 +266,7 @@ std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSa
       due.push_back({sample_counts[level], view, level});
     }
   }
-  std::sort(due.begin(), due.end());
+  std::ranges::sort(due);
   ProgressiveRender render = masked_render(setting, mask, mix(picture, pilot_stream));
   Display display(render.film(), setting);
   for (const auto& [samples, view, level] : due) {

@@ -41,12 +41,12 @@ PreflightVerdict judged(bool has_gate, bool is_good) {
 std::string whose(bool has_gate) { return has_gate ? "the protocol's" : "ours"; }
 
 PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gate) {
-  const auto worst = std::max_element(
-      preflight.speeds.begin(), preflight.speeds.end(),
-      [](const auto& a, const auto& b) { return a.late_percent() < b.late_percent(); });
-  const auto slowest = std::min_element(
-      preflight.speeds.begin(), preflight.speeds.end(),
-      [](const auto& a, const auto& b) { return a.frame_rate_hz() < b.frame_rate_hz(); });
+  const auto worst = std::ranges::max_element(preflight.speeds, [](const auto& a, const auto& b) {
+    return a.late_percent() < b.late_percent();
+  });
+  const auto slowest = std::ranges::min_element(preflight.speeds, [](const auto& a, const auto& b) {
+    return a.frame_rate_hz() < b.frame_rate_hz();
+  });
   const double limit = gate.max_late_percent.value_or(default_late_percent);
   return {.name = "frames in time",
           .found = fmt::format("{:.1f} % late at most ({} with {}); {:.1f} frames a second of "
@@ -62,9 +62,8 @@ PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gat
 std::vector<TrialSpeed> slowest_by_method(const std::vector<TrialSpeed>& speeds) {
   std::vector<TrialSpeed> slowest;
   for (const TrialSpeed& speed : speeds) {
-    const auto known = std::find_if(slowest.begin(), slowest.end(), [&](const TrialSpeed& one) {
-      return one.method == speed.method;
-    });
+    const auto known = std::ranges::find_if(
+        slowest, [&](const TrialSpeed& one) { return one.method == speed.method; });
     if (known == slowest.end()) {
       slowest.push_back(speed);
     } else if (speed.samples_per_second() < known->samples_per_second()) {

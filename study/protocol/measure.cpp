@@ -57,8 +57,8 @@ bool Measure::is_numeric() const {
     case QuestionKind::number:
       return true;
     case QuestionKind::choice:
-      return std::all_of(question.options.begin(), question.options.end(),
-                         [](const Option& option) { return option.value.has_value(); });
+      return std::ranges::all_of(question.options,
+                                 [](const Option& option) { return option.value.has_value(); });
     case QuestionKind::text:
       break;
   }

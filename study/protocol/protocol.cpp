@@ -81,7 +81,7 @@ void require_true_keys(const Protocol& protocol) {
   const ProtocolPlaces places(protocol);
   const std::span<const std::string_view> retired = retired_text_ids();
   for (const auto& [id, words] : protocol.texts) {
-    if (std::find(retired.begin(), retired.end(), id) != retired.end()) {
+    if (std::ranges::find(retired, id) != retired.end()) {
       throw Error(places.of("texts." + id),
                   "is not shown: that page has a list, which arrows and Enter answer",
                   "leave it out, and give consent_yes, consent_no, retiming_continue, "
@@ -115,7 +115,7 @@ void require_names_of_files(const Protocol& protocol) {
       throw Error(places.of(key), fmt::format("the id '{}' is that of a response time", id),
                   "choose another");
     }
-    const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
+    const auto same = std::ranges::find_if(known, [&](const std::string& other) {
       return ::strcasecmp(other.c_str(), id.c_str()) == 0;
     });
     if (same != known.end()) {
@@ -246,9 +246,9 @@ TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
 }
 
 const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id) {
-  const auto found =
-      std::find_if(protocol.questionnaires.begin(), protocol.questionnaires.end(),
-                   [&](const Questionnaire& questionnaire) { return questionnaire.id == id; });
+  const auto found = std::ranges::find_if(
+      protocol.questionnaires,
+      [&](const Questionnaire& questionnaire) { return questionnaire.id == id; });
   assert(found != protocol.questionnaires.end());
   return *found;
 }
@@ -262,10 +262,9 @@ std::vector<NamedProfile> named_profiles(const Protocol& protocol) {
     profiles.push_back({.device = "tracker", .name = tracker->name, .toml = tracker->toml});
   }
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
-    const bool is_named =
-        std::any_of(profiles.begin(), profiles.end(), [&](const NamedProfile& named) {
-          return named.device == "questionnaire" && named.name == questionnaire.file;
-        });
+    const bool is_named = std::ranges::any_of(profiles, [&](const NamedProfile& named) {
+      return named.device == "questionnaire" && named.name == questionnaire.file;
+    });
     if (!questionnaire.file.empty() && !is_named) {
       profiles.push_back(
           {.device = "questionnaire", .name = questionnaire.file, .toml = questionnaire.toml});

@@ -13,7 +13,7 @@ bool is_within(const Question& question, double number) {
 }
 
 bool is_option(const Question& question, const std::variant<double, std::string>& answer) {
-  return std::any_of(question.options.begin(), question.options.end(), [&](const Option& option) {
+  return std::ranges::any_of(question.options, [&](const Option& option) {
     return option.value ? answer == std::variant<double, std::string>(*option.value)
                         : answer == std::variant<double, std::string>(option.label);
   });

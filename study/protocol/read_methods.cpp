@@ -51,7 +51,7 @@ std::string read_measure(TomlReader& reader, const std::vector<Measure>& measure
   for (const Measure& measure : measures) {
     known.push_back(measure.id());
   }
-  if (std::find(known.begin(), known.end(), id) == known.end()) {
+  if (std::ranges::find(known, id) == known.end()) {
     reader.fail(reader.source("measure"),
                 fmt::format("no mark and no rating in numbers has the id '{}'", id),
                 fmt::format("choose one of {}", fmt::join(known, ", ")));
@@ -96,8 +96,8 @@ std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protoc
   for (const TomlReader& entry :
        reader.tables("primary", "The primary comparisons, for which the study is done.")) {
     const PlannedComparison next = read_comparison(entry, protocol, measures);
-    if (std::any_of(comparisons.begin(), comparisons.end(),
-                    [&](const PlannedComparison& other) { return is_same(other, next); })) {
+    if (std::ranges::any_of(comparisons,
+                            [&](const PlannedComparison& other) { return is_same(other, next); })) {
       entry.fail(entry.source(), "this comparison is planned twice", "leave one out");
     }
     comparisons.push_back(next);
@@ -141,7 +141,7 @@ std::vector<std::string> read_background(TomlReader& reader, const Protocol& pro
            "Questions in numbers of the questionnaire background. Their mean is a participant's "
            "background, whose correlation with the speed-up in the first primary comparison of "
            "times is the one that is tested. Default: none, and no correlation.")) {
-    if (std::find(known.begin(), known.end(), id.value) == known.end()) {
+    if (std::ranges::find(known, id.value) == known.end()) {
       reader.fail(
           id.source,
           fmt::format("the questionnaire background has no question '{}' in numbers", id.value),
@@ -239,9 +239,8 @@ std::vector<SceneEntry> read_scenes(TomlReader& reader) {
 
 const MethodFile* find_method_file(const std::vector<MethodFile>& files, const std::string& method,
                                    const std::string& file) {
-  const auto found = std::find_if(files.begin(), files.end(), [&](const MethodFile& known) {
-    return known.method == method && known.file == file;
-  });
+  const auto found = std::ranges::find_if(
+      files, [&](const MethodFile& known) { return known.method == method && known.file == file; });
   return found != files.end() ? &*found : nullptr;
 }
 

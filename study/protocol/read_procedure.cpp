@@ -26,7 +26,7 @@ constexpr std::array orders{
 void require_known_names(const TomlReader& reader, const std::string& id, const std::string& text) {
   const std::vector<std::string> known = names_in(text_of({}, id));
   for (const std::string& name : names_in(text)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    if (std::ranges::find(known, name) == known.end()) {
       reader.fail(reader.source(id), fmt::format("this text has no name {{{}}} to fill in", name),
                   known.empty()
                       ? "leave it out"
@@ -60,7 +60,7 @@ Texts read_words(TomlReader reader) {
 
 bool is_language_tag(const std::string& text) {
   return !text.empty() && text.front() != '-' && text.back() != '-' &&
-         std::all_of(text.begin(), text.end(), [](char c) {
+         std::ranges::all_of(text, [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                   c == '-';
          });
@@ -130,8 +130,8 @@ LookingSettings read_looking(TomlReader reader) {
 bool has_consent(const Protocol& protocol) { return !text_of(protocol.texts, "consent").empty(); }
 
 bool has_questionnaire(const Protocol& protocol, const std::string& id) {
-  return std::any_of(protocol.questionnaires.begin(), protocol.questionnaires.end(),
-                     [&](const Questionnaire& known) { return known.id == id; });
+  return std::ranges::any_of(protocol.questionnaires,
+                             [&](const Questionnaire& known) { return known.id == id; });
 }
 
 /// All possible phases of this protocol in their default order: questionnaires come last except
@@ -178,9 +178,8 @@ std::string remedy_for(const std::string& phase, const std::vector<PhaseEntry>& 
 
 PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
                         const std::vector<PhaseEntry>& possible) {
-  const auto found = std::find_if(possible.begin(), possible.end(), [&](const PhaseEntry& phase) {
-    return name_of(phase) == name.value;
-  });
+  const auto found = std::ranges::find_if(
+      possible, [&](const PhaseEntry& phase) { return name_of(phase) == name.value; });
   if (found == possible.end()) {
     reader.fail(name.source, fmt::format("'{}' is not a phase of this protocol", name.value),
                 remedy_for(name.value, possible));
@@ -192,8 +191,8 @@ PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
 void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::Text>& chosen,
                         const std::vector<PhaseEntry>& possible) {
   for (const std::string& name : names_of(possible)) {
-    if (std::none_of(chosen.begin(), chosen.end(),
-                     [&](const TomlReader::Text& text) { return text.value == name; })) {
+    if (std::ranges::none_of(chosen,
+                             [&](const TomlReader::Text& text) { return text.value == name; })) {
       reader.fail(reader.source("phases"), fmt::format("'{}' is in no phase", name),
                   "name it where it belongs, or leave out what describes it");
     }
@@ -280,7 +279,7 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
     return ratings;
   }
   ratings = published_ratings();
-  const auto same = std::find(taken.begin(), taken.end(), ratings.front().id);
+  const auto same = std::ranges::find(taken, ratings.front().id);
   if (same != taken.end()) {
     const TomlReader mark = reader.tables("mark")[static_cast<std::size_t>(same - taken.begin())];
     mark.fail(mark.source("id"), fmt::format("the id '{}' is that of the built-in rating", *same),

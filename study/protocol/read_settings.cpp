@@ -193,15 +193,15 @@ std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) 
            "Settings of one scene, of one method, or of both: a scene's override applies first, "
            "then a method's, then that of both, each only for the keys that it has.")) {
     Override next = read_place(entry, protocol);
-    if (std::any_of(overrides.begin(), overrides.end(), [&](const Override& other) {
+    if (std::ranges::any_of(overrides, [&](const Override& other) {
           return other.scene == next.scene && other.method == next.method;
         })) {
       entry.fail(entry.source(), "there is another override for the same", "put both into one");
     }
     overrides.push_back(std::move(next));
   }
-  std::stable_sort(overrides.begin(), overrides.end(),
-                   [](const Override& a, const Override& b) { return a.rank() < b.rank(); });
+  std::ranges::stable_sort(
+      overrides, [](const Override& a, const Override& b) { return a.rank() < b.rank(); });
   return overrides;
 }
 
@@ -369,8 +369,8 @@ std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Pr
                             std::string_view meaning) {
   std::string name;
   reader.read(key, name, meaning);
-  const bool is_known = std::any_of(protocol.scenes.begin(), protocol.scenes.end(),
-                                    [&](const SceneEntry& scene) { return scene.name == name; });
+  const bool is_known = std::ranges::any_of(
+      protocol.scenes, [&](const SceneEntry& scene) { return scene.name == name; });
   if (reader.has(key) && !is_known) {
     reader.fail(reader.source(key),
                 fmt::format("the scene '{}' is not one of the protocol's", name),
@@ -384,7 +384,7 @@ std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const P
   std::string name;
   reader.read(key, name, meaning);
   const std::vector<std::string>& methods = protocol.methods;
-  if (reader.has(key) && std::find(methods.begin(), methods.end(), name) == methods.end()) {
+  if (reader.has(key) && std::ranges::find(methods, name) == methods.end()) {
     reader.fail(reader.source(key),
                 fmt::format("the method '{}' is not one of the protocol's", name),
                 "write it as in the protocol's methods");

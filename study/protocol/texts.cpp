@@ -12,7 +12,7 @@ namespace {
 const BuiltInText* find_built_in(std::string_view id) {
   const std::span<const BuiltInText> all = built_in_texts();
   const auto found =
-      std::find_if(all.begin(), all.end(), [&](const BuiltInText& text) { return text.id == id; });
+      std::ranges::find_if(all, [&](const BuiltInText& text) { return text.id == id; });
   return found != all.end() ? &*found : nullptr;
 }
 
@@ -64,7 +64,7 @@ std::string filled(std::string_view text,
     result += text.substr(0, open);
     text.remove_prefix(open);
     const std::size_t close = text.find('}');
-    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& known) {
+    const auto value = std::ranges::find_if(values, [&](const auto& known) {
       return close != std::string_view::npos && known.first == text.substr(1, close - 1);
     });
     const bool is_known = value != values.end();

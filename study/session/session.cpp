@@ -122,7 +122,7 @@ Transition leave_off(const Procedure& procedure, SessionState state, Phase phase
 
 bool all_answered(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
   const auto answers_to = [&](const Question& question) {
-    return std::count_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+    return std::ranges::count_if(answers, [&](const Answer& answer) {
       return answer.question == question.id && fault_of(question, answer.value).empty();
     });
   };

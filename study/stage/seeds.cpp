@@ -6,13 +6,13 @@ namespace foveola::study {
 namespace {
 
 int scene_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::find_if(protocol.scenes.begin(), protocol.scenes.end(),
-                                  [&](const SceneEntry& scene) { return scene.name == name; });
+  const auto found = std::ranges::find_if(
+      protocol.scenes, [&](const SceneEntry& scene) { return scene.name == name; });
   return static_cast<int>(found - protocol.scenes.begin());
 }
 
 int method_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::find(protocol.methods.begin(), protocol.methods.end(), name);
+  const auto found = std::ranges::find(protocol.methods, name);
   return static_cast<int>(found - protocol.methods.begin());
 }
 

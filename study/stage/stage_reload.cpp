@@ -44,8 +44,8 @@ std::optional<ReloadedStage> StageReloader::take() {
 }
 
 bool StageReloader::is_loading() const {
-  return std::any_of(watched_.begin(), watched_.end(),
-                     [](const Watched& watched) { return watched.reloader->is_loading(); });
+  return std::ranges::any_of(watched_,
+                             [](const Watched& watched) { return watched.reloader->is_loading(); });
 }
 
 ReloadedStage StageReloader::staged(const Watched& watched, const ReloadedScene& reloaded) {

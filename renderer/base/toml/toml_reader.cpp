@@ -123,7 +123,7 @@ void TomlReader::read(const TomlKeyName& key, int& value, const std::vector<int>
   std::int64_t number = value;
   read_whole(key, number, rule, choices.front(), choices.back());
   value = static_cast<int>(number);
-  if (has(key) && std::find(choices.begin(), choices.end(), value) == choices.end()) {
+  if (has(key) && std::ranges::find(choices, value) == choices.end()) {
     fail(source(key), fmt::format("{} cannot be {}", full_name(key), value),
          fmt::format("choose {}", fmt::join(choices, " or ")));
   }
@@ -226,7 +226,7 @@ std::size_t TomlReader::find_word(const TomlKeyName& key,
     return known.size();
   }
   const std::string text = text_in(*node, key);
-  const auto found = std::find(known.begin(), known.end(), text);
+  const auto found = std::ranges::find(known, text);
   if (found == known.end()) {
     fail(source(key), fmt::format("there is no {} '{}'", key.name, text),
          did_you_mean(text, {known.begin(), known.end()},

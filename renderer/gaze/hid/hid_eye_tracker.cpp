@@ -15,14 +15,14 @@ bool is_size_of_screen(const std::optional<double>& size_m) {
 /// The shape of the report that `bytes` begin with; null if there is none with this id.
 const HidReportShape* shape_at(const std::vector<HidReportShape>& shapes,
                                std::span<const std::uint8_t> bytes) {
-  const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const HidReportShape& shape) {
+  const auto found = std::ranges::find_if(shapes, [&](const HidReportShape& shape) {
     return fit_of(shape, bytes) != HidReportFit::wrong_id;
   });
   return found != shapes.end() ? &*found : nullptr;
 }
 
 bool is_padding(std::span<const std::uint8_t> bytes) {
-  return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+  return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
 }
 
 /// The longest time that the thread cannot be stopped.

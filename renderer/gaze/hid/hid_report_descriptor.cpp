@@ -271,7 +271,7 @@ class DescriptorParser {
 
   HidReport& report_of(HidReportKind kind) {
     std::vector<HidReport>& reports = descriptor_.reports;
-    const auto found = std::find_if(reports.begin(), reports.end(), [&](const HidReport& report) {
+    const auto found = std::ranges::find_if(reports, [&](const HidReport& report) {
       return report.kind == kind && report.id == global_.report_id;
     });
     return found != reports.end()
@@ -320,8 +320,7 @@ class DescriptorParser {
   bool all_or_none_have_ids() const {
     const auto has_id = [](const HidReport& report) { return report.id != 0; };
     const std::vector<HidReport>& reports = descriptor_.reports;
-    return std::all_of(reports.begin(), reports.end(), has_id) ||
-           std::none_of(reports.begin(), reports.end(), has_id);
+    return std::ranges::all_of(reports, has_id) || std::ranges::none_of(reports, has_id);
   }
 
   void set_sizes() {

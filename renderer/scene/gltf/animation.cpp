@@ -137,7 +137,7 @@ class Poser {
                       fmt::format("has {} times, but {} numbers of {} each", keys.times.size(),
                                   keys.numbers.size(), parts * keys.width));
     }
-    if (!std::is_sorted(keys.times.begin(), keys.times.end())) {
+    if (!std::ranges::is_sorted(keys.times)) {
       throw GltfFault(place, "has times that are not in order");
     }
     return value_at(keys, time_s_, is_rotation);
@@ -180,7 +180,7 @@ std::vector<std::string> clip_names(const GltfModel& model) {
 
 void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings& warnings) {
   const std::vector<std::string> names = clip_names(model);
-  if (!clip.empty() && std::find(names.begin(), names.end(), clip) == names.end()) {
+  if (!clip.empty() && std::ranges::find(names, clip) == names.end()) {
     throw UsageError(
         "--clip", fmt::format("the file has no clip '{}'", sanitised(clip)),
         names.empty() ? "it has none at all: leave it out" : "it has " + listed(names));

@@ -28,8 +28,7 @@ std::vector<DVec2> flattened(std::span<const Vec3> corners) {
 }
 
 bool are_finite(std::span<const Vec3> corners) {
-  return std::all_of(corners.begin(), corners.end(),
-                     [](const Vec3& corner) { return is_finite(corner); });
+  return std::ranges::all_of(corners, [](const Vec3& corner) { return is_finite(corner); });
 }
 
 /// Twice the signed area of a triangle: positive where it turns counter-clockwise.
@@ -98,7 +97,7 @@ class EarCutter {
     if (!(turn_of(a, b, c) > 0.0)) {
       return false;
     }
-    return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t index) {
+    return std::ranges::none_of(left_, [&](std::uint32_t index) {
       const DVec2& p = corners_[index];
       return p != a && p != b && p != c && turn_of(a, b, p) >= 0.0 && turn_of(b, c, p) >= 0.0 &&
              turn_of(c, a, p) >= 0.0;

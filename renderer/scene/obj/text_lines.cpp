@@ -13,7 +13,7 @@ namespace {
 /// Takes the digits at the front off `text`, and returns how many there were.
 std::size_t take_digits(std::string_view& text) {
   const auto* const end =
-      std::find_if_not(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+      std::ranges::find_if_not(text, [](char c) { return c >= '0' && c <= '9'; });
   const auto count = static_cast<std::size_t>(end - text.begin());
   text.remove_prefix(count);
   return count;

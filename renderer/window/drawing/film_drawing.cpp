@@ -41,9 +41,9 @@ bool have_same_size(const ViewImage& a, const ViewImage& b) {
 FilmDrawer default_drawer(std::string_view graphics) {
   constexpr std::array<std::string_view, 4> software = {"llvmpipe", "softpipe", "SWR",
                                                         "Software Rasterizer"};
-  const bool is_software = std::any_of(
-      software.begin(), software.end(),
-      [&](std::string_view name) { return graphics.find(name) != std::string_view::npos; });
+  const bool is_software = std::ranges::any_of(software, [&](std::string_view name) {
+    return graphics.find(name) != std::string_view::npos;
+  });
   return is_software ? FilmDrawer::processor : FilmDrawer::graphics_card;
 }
 

@@ -103,8 +103,8 @@ std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
   if (last.empty()) {
     return {method};
   }
-  const auto late = std::count_if(last.begin(), last.end(),
-                                  [](const LiveFrame& frame) { return frame.is_late(); });
+  const auto late =
+      std::ranges::count_if(last, [](const LiveFrame& frame) { return frame.is_late(); });
   return {
       method,
       fmt::format("{} frames in the last second, {} late", last.size(), late),

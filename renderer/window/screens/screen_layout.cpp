@@ -168,9 +168,7 @@ void add_scrolled(ScreenLayout& layout, const ScreenColumn& content, const Scree
   const Span shown = span_between_things(room, things);
   // Frames reach a little over what they stand around.
   add_shown(layout, all, {shown.top_px - 0.4F * text_px, shown.bottom_px + 0.4F * text_px});
-  const auto is_any = [&](auto is_outside) {
-    return std::any_of(things.begin(), things.end(), is_outside);
-  };
+  const auto is_any = [&](auto is_outside) { return std::ranges::any_of(things, is_outside); };
   if (is_any([&](const ScreenRect& rect) { return rect.low.y < shown.top_px - 1.0F; })) {
     add_more_mark(layout, PlacedShape::Kind::triangle_up, place, room.top_px - 0.8F * text_px);
   }
