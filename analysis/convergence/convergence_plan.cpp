@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
@@ -15,10 +16,7 @@ const OptionRow& find_option(const std::string& name) {
   const std::vector<OptionRow>& rows = option_rows();
   const auto found = std::ranges::find_if(rows, [&](const auto& row) { return row.name == name; });
   if (found == rows.end()) {
-    std::vector<std::string> names;
-    for (const OptionRow& row : rows) {
-      names.push_back(row.name);
-    }
+    const std::vector<std::string> names = transformed(rows, &OptionRow::name);
     throw UsageError("--options", fmt::format("there is no option '{}'", name),
                      fmt::format("choose from: {}", fmt::join(names, ", ")));
   }

@@ -10,6 +10,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/files/digest.h"
+#include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/view/equirect.h"
 
@@ -158,11 +159,10 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
 
 std::optional<Repetition> GazeBench::run_repetition(
     std::uint32_t seed, const std::function<void(double)>& progress) const {
-  std::vector<ProgressiveRun> runs;
-  runs.reserve(plan_->configurations.size());
-  for (const Configuration& configuration : plan_->configurations) {
-    runs.emplace_back(*subject_, *plan_, configuration, aim_, seed, *workers_);
-  }
+  std::vector<ProgressiveRun> runs =
+      transformed(plan_->configurations, [&](const Configuration& configuration) {
+        return ProgressiveRun(*subject_, *plan_, configuration, aim_, seed, *workers_);
+      });
   Repetition logs(runs.size());
   const std::vector<std::uint64_t> counts = checkpoints(*plan_);
   for (const std::uint64_t count : counts) {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/film/equirect_film.h"
 #include "scenes/find_scene.h"
 
@@ -99,12 +100,10 @@ Rendering render_interruptibly(const SceneForPython& scene, const RenderSettings
 
 std::vector<std::array<std::uint32_t, 3>> places_of(const std::vector<DroppedSample>& dropped,
                                                     std::uint32_t width) {
-  std::vector<std::array<std::uint32_t, 3>> places;
-  places.reserve(dropped.size());
-  for (const DroppedSample& sample : dropped) {
-    places.push_back({sample.pixel % width, sample.pixel / width, sample.sample_number});
-  }
-  return places;
+  return transformed(dropped, [&](const DroppedSample& sample) {
+    return std::array<std::uint32_t, 3>{sample.pixel % width, sample.pixel / width,
+                                        sample.sample_number};
+  });
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola::analysis {
 
 enum class ColumnType { text, whole, number, truth };
@@ -137,21 +139,12 @@ using ColumnsOf = std::vector<ColumnOf<Item>>;
 
 template <typename Item>
 std::vector<Column> columns_in(const ColumnsOf<Item>& columns) {
-  std::vector<Column> plain;
-  for (const ColumnOf<Item>& column : columns) {
-    plain.push_back(column.column);
-  }
-  return plain;
+  return transformed(columns, &ColumnOf<Item>::column);
 }
 
 template <typename Item>
 Row row_of(const ColumnsOf<Item>& columns, const Item& item) {
-  Row row;
-  row.reserve(columns.size());
-  for (const ColumnOf<Item>& column : columns) {
-    row.push_back(column.value(item));
-  }
-  return row;
+  return transformed(columns, [&](const ColumnOf<Item>& column) { return column.value(item); });
 }
 
 /// A table with a row for each of `items`, in their order.

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 
 /// A text that may stand in a file, and what it stands for.
@@ -21,11 +23,7 @@ struct Word {
 
 template <typename Value, std::size_t count>
 std::vector<std::string> texts_of(const std::array<Word<Value>, count>& words) {
-  std::vector<std::string> texts;
-  for (const Word<Value>& word : words) {
-    texts.emplace_back(word.text);
-  }
-  return texts;
+  return transformed<std::string>(words, &Word<Value>::text);
 }
 
 /// The value of a text that was checked: throws std::logic_error if it is not one of `words`.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
 #include "renderer/base/words.h"
 
 namespace foveola {
@@ -94,10 +95,8 @@ std::string term_of(const OptionDescription& option) {
   if (!option.names.front().starts_with('-')) {
     return italic(option.names.front());
   }
-  std::vector<std::string> names;
-  for (const std::string& name : option.names) {
-    names.push_back(bold(name));
-  }
+  const std::vector<std::string> names =
+      transformed(option.names, [&](const std::string& name) { return bold(name); });
   const std::string value = option.value_name.empty() ? "" : " " + italic(option.value_name);
   return fmt::format("{}{}", fmt::join(names, ", "), value);
 }

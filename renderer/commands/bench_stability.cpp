@@ -11,6 +11,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/bench_commands.h"
@@ -48,10 +49,7 @@ StabilityEffort effort_of(const StabilityArguments& arguments) {
 std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes,
                                           const std::string& only) {
   std::vector<StabilityCheck> checks = stability_checks(scenes);
-  std::vector<std::string> names;
-  for (const StabilityCheck& check : checks) {
-    names.push_back(check.name);
-  }
+  const std::vector<std::string> names = transformed(checks, &StabilityCheck::name);
   std::erase_if(checks,
                 [&](const auto& check) { return check.name.find(only) == std::string::npos; });
   if (checks.empty()) {
@@ -70,11 +68,7 @@ int thread_count(const StabilityArguments& arguments) {
 
 std::vector<SceneSource> found(const std::vector<std::string>& names,
                                const SceneFinder& find_scene) {
-  std::vector<SceneSource> scenes;
-  for (const std::string& name : names) {
-    scenes.push_back(find_scene(name));
-  }
-  return scenes;
+  return transformed(names, [&](const std::string& name) { return find_scene(name); });
 }
 
 nlohmann::json json_of(const StabilityFigure& figure) {
@@ -87,10 +81,8 @@ nlohmann::json json_of(const StabilityFigure& figure) {
 }
 
 void print_json(const std::vector<StabilityFigure>& figures, int threads, double duration_s) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const StabilityFigure& figure : figures) {
-    list.push_back(json_of(figure));
-  }
+  const nlohmann::json list(
+      transformed(figures, [&](const StabilityFigure& figure) { return json_of(figure); }));
   nlohmann::json json(bench_facts());
   json.update(
       {{"threads", threads}, {"seconds", measured_once(duration_s)}, {"figures", std::move(list)}});

@@ -11,6 +11,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/programs.h"
 #include "renderer/commands/commands.h"
@@ -64,12 +65,10 @@ Json gaze_checks(const LivePreviewReport& report) {
 
 /// Changes of the scene that were shown or refused, in their order.
 Json shown_changes(const LivePreviewReport& report) {
-  Json changes = Json::array();
-  for (const ShownChange& change : report.changes) {
-    changes.push_back(
-        {{"is_refused", change.is_refused}, {"seconds_to_first_frame", seconds(change.after)}});
-  }
-  return changes;
+  return transformed(report.changes, [&](const ShownChange& change) {
+    return Json{{"is_refused", change.is_refused},
+                {"seconds_to_first_frame", seconds(change.after)}};
+  });
 }
 
 /// Null unless drawing was found too slow for the window.
@@ -86,11 +85,8 @@ Json slow_drawing(const LivePreviewReport& report) {
 
 /// What became of the headset, in words and in order.
 Json headset_changes(const LivePreviewReport& report) {
-  Json changes = Json::array();
-  for (const HeadsetChange change : report.headset_changes) {
-    changes.push_back(words_for(change));
-  }
-  return changes;
+  return transformed(report.headset_changes,
+                     [&](const HeadsetChange change) { return words_for(change); });
 }
 
 WindowEyeTracker open_gaze_source(const PreviewRequest& request, LiveDisplay& display,

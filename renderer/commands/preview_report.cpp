@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/quantile.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/gaze/latency.h"
 
@@ -173,11 +174,7 @@ ReportJson json_of(const LatencySpread& row) {
 
 template <typename Row>
 ReportJson json_list(const std::vector<Row>& rows) {
-  ReportJson list = ReportJson::array();
-  for (const Row& row : rows) {
-    list.push_back(json_of(row));
-  }
-  return list;
+  return transformed(rows, [&](const Row& row) { return json_of(row); });
 }
 
 }  // namespace

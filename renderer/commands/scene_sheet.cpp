@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"
@@ -126,10 +127,9 @@ void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
   const RenderSettings settings = settings_from(arguments);
   require_image_extension(arguments.output);
   require_writable(arguments.output);
-  std::vector<SceneSource> sources;
-  for (const std::string& name : arguments.scenes) {
-    sources.push_back(lit_scene(name, arguments.look, find_scene));
-  }
+  const std::vector<SceneSource> sources = transformed(
+      arguments.scenes,
+      [&](const std::string& name) { return lit_scene(name, arguments.look, find_scene); });
   const std::vector<SheetRow> rows = render_rows(sources, settings, stop);
   if (rows.empty()) {
     throw Error(arguments.output, "is not written: no scene was finished", "let it run longer");

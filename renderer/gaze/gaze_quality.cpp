@@ -6,6 +6,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/quantile.h"
+#include "renderer/base/transformed.h"
 #include "renderer/gaze/eye_movements.h"
 
 namespace foveola {
@@ -109,10 +110,8 @@ double root_mean_square(const std::vector<double>& values) {
 }
 
 double deviation_deg(const std::vector<Vec3>& directions, const Vec3& mean) {
-  std::vector<double> angles_deg;
-  for (const Vec3& direction : directions) {
-    angles_deg.push_back(angle_deg(direction, mean));
-  }
+  const std::vector<double> angles_deg =
+      transformed(directions, [&](const Vec3& direction) { return angle_deg(direction, mean); });
   return root_mean_square(angles_deg);
 }
 

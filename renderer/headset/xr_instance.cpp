@@ -8,6 +8,7 @@
 #include <openxr/openxr_platform.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -36,11 +37,7 @@ std::vector<std::string> offered_extensions(const XrLoader& loader) {
   }
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   enumerate(nullptr, count, &count, properties.data());
-  std::vector<std::string> names;
-  for (const XrExtensionProperties& one : properties) {
-    names.emplace_back(one.extensionName);
-  }
-  return names;
+  return transformed<std::string>(properties, &XrExtensionProperties::extensionName);
 }
 
 bool includes(const std::vector<std::string>& names, std::string_view name) {
@@ -85,10 +82,8 @@ XrInstanceOwner::XrInstanceOwner() : extensions_(wanted_extensions(loader_)) {
 XrInstanceOwner::~XrInstanceOwner() { xr_.DestroyInstance(instance_); }
 
 void XrInstanceOwner::make_instance() {
-  std::vector<const char*> names;
-  for (const std::string& name : extensions_) {
-    names.push_back(name.c_str());
-  }
+  const std::vector<const char*> names =
+      transformed(extensions_, [&](const std::string& name) { return name.c_str(); });
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
   put_text("Foveola", info.applicationInfo.applicationName);
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);

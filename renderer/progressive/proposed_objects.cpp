@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/transformed.h"
 #include "renderer/progressive/surroundings.h"
 #include "renderer/scene/made_up_names.h"
 
@@ -137,10 +138,9 @@ std::size_t middle_ray(const Seen& seen) {
 /// a table's leg.
 double angular_radius_rad(const Seen& seen, const Vec3& middle) {
   constexpr double covered = 0.98;
-  std::vector<double> angles_rad;
-  for (const std::size_t ray : seen.first_met) {
-    angles_rad.push_back(angle_between(direction_of_ray(ray), middle));
-  }
+  std::vector<double> angles_rad = transformed(seen.first_met, [&](const std::size_t ray) {
+    return angle_between(direction_of_ray(ray), middle);
+  });
   const auto place = angles_rad.begin() + static_cast<std::ptrdiff_t>(
                                               covered * static_cast<double>(angles_rad.size() - 1));
   std::nth_element(angles_rad.begin(), place, angles_rad.end());

@@ -11,6 +11,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {
@@ -80,10 +81,8 @@ class Batches {
   std::uint32_t samples_each() const { return done_; }
 
   RadianceEstimate estimate() const {
-    std::vector<DVec3> means;
-    for (const DVec3& sum : sums_) {
-      means.push_back(sum / static_cast<double>(done_));
-    }
+    const std::vector<DVec3> means =
+        transformed(sums_, [&](const DVec3& sum) { return sum / static_cast<double>(done_); });
     RadianceEstimate estimate = mean_of_batches(means);
     estimate.samples = std::uint64_t{done_} * batches;
     return estimate;

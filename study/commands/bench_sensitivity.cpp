@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
@@ -143,14 +144,13 @@ std::string text_of(const std::vector<Outcome>& outcomes) {
 nlohmann::json json_of(const std::vector<Outcome>& outcomes) {
   nlohmann::json list = nlohmann::json::array();
   for (const Outcome& outcome : outcomes) {
-    nlohmann::json means = nlohmann::json::array();
-    for (const MethodMean& mean : outcome.means) {
-      means.push_back({{"mark", mean.mark},
-                       {"method", mean.method},
-                       {"pairs", mean.pairs},
-                       {"baseline_s", mean.baseline_s},
-                       {"percent", mean.percent}});
-    }
+    const nlohmann::json means(transformed(outcome.means, [&](const MethodMean& mean) {
+      return nlohmann::json{{"mark", mean.mark},
+                            {"method", mean.method},
+                            {"pairs", mean.pairs},
+                            {"baseline_s", mean.baseline_s},
+                            {"percent", mean.percent}};
+    }));
     list.push_back(
         {{"name", outcome.number.empty() ? "as they are"
                                          : fmt::format("{} {:.4g}", outcome.number, outcome.value)},

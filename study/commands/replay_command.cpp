@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/replay/replay.h"
@@ -68,10 +69,8 @@ nlohmann::json json_of(const ReplayedAttempt& attempt) {
 }
 
 void print_json(const ReplayReport& report) {
-  nlohmann::json attempts = nlohmann::json::array();
-  for (const ReplayedAttempt& attempt : report.attempts) {
-    attempts.push_back(json_of(attempt));
-  }
+  const nlohmann::json attempts(transformed(
+      report.attempts, [&](const ReplayedAttempt& attempt) { return json_of(attempt); }));
   nlohmann::json json = {{"attempts", attempts}, {"approximate", report.approximate}};
   if (!report.difference.empty()) {
     json["difference"] = report.difference;

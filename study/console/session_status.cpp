@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola::study {
 namespace {
 
@@ -122,10 +124,10 @@ std::vector<StatusWarning> arisen(const std::vector<StatusWarning>& before,
 }
 
 nlohmann::ordered_json json_of(const SessionStatus& status) {
-  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
-  for (const StatusWarning& warning : status.warnings) {
-    warnings.push_back({{"kind", name_of(warning.kind)}, {"text", warning.text}});
-  }
+  const nlohmann::ordered_json warnings(
+      transformed(status.warnings, [&](const StatusWarning& warning) {
+        return nlohmann::ordered_json{{"kind", name_of(warning.kind)}, {"text", warning.text}};
+      }));
   return {{"participant", status.participant},
           {"time_s", seconds(status.time)},
           {"paused", status.is_paused},

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 #include "study/design/orders.h"
 
 namespace foveola::study {
@@ -33,11 +34,9 @@ Permutation order_of_methods(const Protocol& protocol, int scene, int row, Pcg32
 }
 
 Plan practice_trials(const Protocol& protocol) {
-  Plan plan;
-  for (const PracticeEntry& entry : protocol.practice) {
-    plan.push_back({.scene = entry.scene, .method = entry.method, .kind = TrialKind::practice});
-  }
-  return plan;
+  return transformed(protocol.practice, [&](const PracticeEntry& entry) {
+    return PlannedTrial{.scene = entry.scene, .method = entry.method, .kind = TrialKind::practice};
+  });
 }
 
 Plan test_trials(const Protocol& protocol, int row, Pcg32& generator) {

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "study/participant/drawn_trial.h"
 #include "study/protocol/measure.h"
 
@@ -30,11 +31,7 @@ void require_known(const std::string& where, const std::string& kind, const std:
 
 template <typename Entries>
 std::vector<std::string> ids_of(const Entries& entries) {
-  std::vector<std::string> ids;
-  for (const auto& entry : entries) {
-    ids.push_back(entry.id);
-  }
-  return ids;
+  return transformed(entries, [&](const auto& entry) { return entry.id; });
 }
 
 void require_drawable_shifts(const std::string& where, const Question& rating,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "study/participant/answers.h"
@@ -155,11 +156,10 @@ Evidence SimulatedParticipant::look(const Stimulus& stimulus) {
 }
 
 double SimulatedParticipant::difference_jnd(const Stimulus& stimulus, const Area& area) const {
-  std::vector<double> of_scales;
-  for (const Scale& scale : area.scales) {
-    of_scales.push_back(
-        visible_difference_jnd(energies(stimulus, scale, false), scale.visibility, stimulus.gaze));
-  }
+  const std::vector<double> of_scales = transformed(area.scales, [&](const Scale& scale) {
+    return visible_difference_jnd(energies(stimulus, scale, false), scale.visibility,
+                                  stimulus.gaze);
+  });
   return pooled_jnd(population_.vision, of_scales);
 }
 

@@ -7,6 +7,7 @@
 
 #include "renderer/base/files/cache.h"
 #include "renderer/base/files/digest.h"
+#include "renderer/base/transformed.h"
 
 namespace fs = std::filesystem;
 namespace foveola::study {
@@ -32,11 +33,7 @@ PatchNoise patch_from(const Json& json) {
 }
 
 NoiseTable table_from(const Json& json) {
-  NoiseTable table;
-  for (const Json& patch : json) {
-    table.push_back(patch_from(patch));
-  }
-  return table;
+  return transformed(json, [&](const Json& patch) { return patch_from(patch); });
 }
 
 constexpr double levels_per_octave = 2.0;
@@ -90,14 +87,12 @@ PatchNoise mean_of(const NoiseTable& table) {
 }
 
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table) {
-  std::vector<PatchEnergies> energies;
-  for (const PatchNoise& patch : table) {
-    energies.push_back({.direction = patch.direction,
-                        .cells = patch.cells,
-                        .noise = {},
-                        .contrast = patch.contrast});
-  }
-  return energies;
+  return transformed(table, [&](const PatchNoise& patch) {
+    return PatchEnergies{.direction = patch.direction,
+                         .cells = patch.cells,
+                         .noise = {},
+                         .contrast = patch.contrast};
+  });
 }
 
 std::optional<std::vector<NoiseTable>> TableCache::find(const std::string& key) const {
@@ -106,11 +101,8 @@ std::optional<std::vector<NoiseTable>> TableCache::find(const std::string& key) 
     return std::nullopt;
   }
   try {
-    std::vector<NoiseTable> tables;
-    for (const Json& table : Json::from_cbor(*kept)) {
-      tables.push_back(table_from(table));
-    }
-    return tables;
+    return transformed(Json::from_cbor(*kept),
+                       [&](const Json& table) { return table_from(table); });
   } catch (const Json::exception&) {
     return std::nullopt;
   }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::study {
 namespace {
@@ -288,14 +289,10 @@ void require_gate(const std::vector<PreflightCheck>& checks) {
 
 nlohmann::ordered_json preflight_json(const Preflight& preflight,
                                       const std::vector<PreflightCheck>& checks) {
-  Json speeds = Json::array();
-  for (const TrialSpeed& speed : preflight.speeds) {
-    speeds.push_back(json_of(speed));
-  }
-  Json verdicts = Json::array();
-  for (const PreflightCheck& check : checks) {
-    verdicts.push_back(json_of(check));
-  }
+  const Json speeds(
+      transformed(preflight.speeds, [&](const TrialSpeed& speed) { return json_of(speed); }));
+  const Json verdicts(
+      transformed(checks, [&](const PreflightCheck& check) { return json_of(check); }));
   const FoundDisplay& found = preflight.found_display;
   return {{"speeds", speeds},
           {"eye", eye_of(preflight.tracker.source)},

@@ -16,6 +16,7 @@
 #include "renderer/base/similar_word.h"
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/toml/toml_reader.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/measure.h"
@@ -305,11 +306,9 @@ SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
 
 std::vector<SceneSource> find_scenes(const Protocol& protocol,
                                      const SceneFinderBeside& find_scene) {
-  std::vector<SceneSource> sources;
-  for (const SceneEntry& entry : protocol.scenes) {
-    sources.push_back(find_scene_of(protocol, entry, find_scene));
-  }
-  return sources;
+  return transformed(protocol.scenes, [&](const SceneEntry& entry) {
+    return find_scene_of(protocol, entry, find_scene);
+  });
 }
 
 }  // namespace foveola::study

@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
+#include "renderer/base/transformed.h"
 #include "study/protocol/measure.h"
 #include "study/protocol/read_settings.h"
 
@@ -47,10 +48,8 @@ double largest_margin(const Measure& measure) {
 std::string read_measure(TomlReader& reader, const std::vector<Measure>& measures) {
   const std::string id =
       reader.require_text("measure", "The id of a mark, or of a rating in numbers.");
-  std::vector<std::string> known;
-  for (const Measure& measure : measures) {
-    known.push_back(measure.id());
-  }
+  std::vector<std::string> known =
+      transformed(measures, [&](const Measure& measure) { return measure.id(); });
   if (std::ranges::find(known, id) == known.end()) {
     reader.fail(reader.source("measure"),
                 fmt::format("no mark and no rating in numbers has the id '{}'", id),
@@ -224,17 +223,17 @@ std::string name_of(SceneEffects scenes) { return word_for(scene_effects, scenes
 std::string name_of(RatingAnalysis analysis) { return word_for(rating_analyses, analysis); }
 
 std::vector<SceneEntry> read_scenes(TomlReader& reader) {
-  std::vector<SceneEntry> scenes;
-  for (const TomlReader::Text& scene : reader.require_texts(
-           "scenes",
-           "The scenes, without duplicates: by names of descriptors (NAME.toml) or scene files in "
-           "the protocol's folder, by names that `foveola scene list` shows, or by paths that "
-           "begin in the protocol's folder.")) {
-    scenes.push_back({.name = scene.value,
-                      .line = static_cast<int>(scene.source.begin.line),
-                      .column = static_cast<int>(scene.source.begin.column)});
-  }
-  return scenes;
+  return transformed(
+      reader.require_texts(
+          "scenes",
+          "The scenes, without duplicates: by names of descriptors (NAME.toml) or scene files in "
+          "the protocol's folder, by names that `foveola scene list` shows, or by paths that "
+          "begin in the protocol's folder."),
+      [&](const TomlReader::Text& scene) {
+        return SceneEntry{.name = scene.value,
+                          .line = static_cast<int>(scene.source.begin.line),
+                          .column = static_cast<int>(scene.source.begin.column)};
+      });
 }
 
 const MethodFile* find_method_file(const std::vector<MethodFile>& files, const std::string& method,

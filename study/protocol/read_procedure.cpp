@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/read_questions.h"
 #include "study/protocol/read_settings.h"
@@ -158,11 +159,7 @@ std::vector<PhaseEntry> possible_phases(const Protocol& protocol) {
 }
 
 std::vector<std::string> names_of(const std::vector<PhaseEntry>& phases) {
-  std::vector<std::string> names;
-  for (const PhaseEntry& phase : phases) {
-    names.push_back(name_of(phase));
-  }
-  return names;
+  return transformed(phases, [&](const PhaseEntry& phase) { return name_of(phase); });
 }
 
 std::string remedy_for(const std::string& phase, const std::vector<PhaseEntry>& possible) {
@@ -268,10 +265,7 @@ std::vector<MarkEntry> read_marks(TomlReader& reader) {
 }
 
 std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks) {
-  std::vector<std::string> taken;
-  for (const MarkEntry& mark : marks) {
-    taken.push_back(mark.id);
-  }
+  std::vector<std::string> taken = transformed(marks, &MarkEntry::id);
   std::vector<Question> ratings =
       read_questions(reader, "rating", taken,
                      "Questions after the marks. Default: artifacts, from 1 to 5, as published.");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/built_in_texts.h"
 
 namespace foveola::study {
@@ -19,12 +20,7 @@ const BuiltInText* find_built_in(std::string_view id) {
 }  // namespace
 
 std::vector<std::string> known_text_ids() {
-  std::vector<std::string> ids;
-  ids.reserve(built_in_texts().size());
-  for (const BuiltInText& text : built_in_texts()) {
-    ids.emplace_back(text.id);
-  }
-  return ids;
+  return transformed<std::string>(built_in_texts(), &BuiltInText::id);
 }
 
 std::string text_of(const Texts& texts, std::string_view id) {

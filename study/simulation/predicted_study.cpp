@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/transformed.h"
 #include "study/prediction/aim_dependence.h"
 #include "study/prediction/judged_view.h"
 #include "study/stage/trial_preview.h"
@@ -19,11 +20,8 @@ Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
 }
 
 std::vector<Visibility> visibilities(const Vision& vision, double finest_cell_deg) {
-  std::vector<Visibility> of_scales;
-  for (const double cell_deg : scales_deg(vision, finest_cell_deg)) {
-    of_scales.emplace_back(vision, cell_deg);
-  }
-  return of_scales;
+  return transformed(scales_deg(vision, finest_cell_deg),
+                     [&](const double cell_deg) { return Visibility(vision, cell_deg); });
 }
 
 }  // namespace

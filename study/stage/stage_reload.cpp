@@ -6,15 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola::study {
 namespace {
 
 std::vector<std::string> names_of(const std::vector<OfferedObject>& objects) {
-  std::vector<std::string> names;
-  for (const OfferedObject& object : objects) {
-    names.push_back(object.name);
-  }
-  return names;
+  return transformed(objects, &OfferedObject::name);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/untranslated.h"
 #include "study/record/gaze_filter_json.h"
 
@@ -25,11 +26,8 @@ Json json_profiles(const Protocol& protocol) {
 /// What `projection` makes of each.
 template <typename Things, typename Projection>
 Json list_of(const Things& things, const Projection& projection) {
-  Json list = Json::array();
-  for (const auto& thing : things) {
-    list.push_back(std::invoke(projection, thing));
-  }
-  return list;
+  return transformed(things,
+                     [&](const auto& thing) { return Json(std::invoke(projection, thing)); });
 }
 
 Json json_file(const MethodFile& file) {

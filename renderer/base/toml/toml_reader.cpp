@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/similar_word.h"
 #include "renderer/base/toml/toml_file.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -314,11 +315,8 @@ std::vector<TomlReader> TomlReader::tables(const TomlKeyName& key, std::string_v
          fmt::format("begin each with [[{}]]", full_name(key)));
   }
   require_moderate_length(key, *node->as_array());
-  std::vector<TomlReader> readers;
-  for (const toml::node& element : *node->as_array()) {
-    readers.push_back(inner(*element.as_table(), key));
-  }
-  return readers;
+  return transformed(*node->as_array(),
+                     [&](const toml::node& element) { return inner(*element.as_table(), key); });
 }
 
 void TomlReader::reject_unknown_keys() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "renderer/base/transformed.h"
 #include "renderer/gaze/hid/hid_items.h"
 
 namespace foveola {
@@ -244,14 +245,11 @@ class DescriptorParser {
   }
 
   std::vector<HidUsageRange> usages() const {
-    std::vector<HidUsageRange> complete;
-    complete.reserve(local_.usages.size());
-    for (const PartialRange& range : local_.usages) {
-      complete.push_back(
-          {.first = {.page = range.first.page.value_or(global_.usage_page), .id = range.first.id},
-           .last_id = range.last_id});
-    }
-    return complete;
+    return transformed(local_.usages, [&](const PartialRange& range) {
+      return HidUsageRange{
+          .first = {.page = range.first.page.value_or(global_.usage_page), .id = range.first.id},
+          .last_id = range.last_id};
+    });
   }
 
   void open_collection(const HidItem& item) {

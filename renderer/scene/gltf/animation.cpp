@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/made_up_names.h"
@@ -161,10 +162,8 @@ class Poser {
 };
 
 std::string listed(const std::vector<std::string>& names) {
-  std::vector<std::string> texts;
-  for (const std::string& name : names) {
-    texts.push_back(fmt::format("'{}'", sanitised(name)));
-  }
+  const std::vector<std::string> texts = transformed(
+      names, [&](const std::string& name) { return fmt::format("'{}'", sanitised(name)); });
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/obj/polygon.h"
@@ -43,11 +44,8 @@ class MeshBuilder {
   }
 
   void add_face(std::span<const ObjCorner> corners) {
-    std::vector<Vec3> positions;
-    positions.reserve(corners.size());
-    for (const ObjCorner& corner : corners) {
-      positions.push_back(position_of(corner));
-    }
+    std::vector<Vec3> positions =
+        transformed(corners, [&](const ObjCorner& corner) { return position_of(corner); });
     const bool is_flat =
         has_normals_ && std::ranges::any_of(corners, [](const auto& c) { return c.normal < 0; });
     const int plane = is_flat ? add_plane(positions) : -1;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 namespace {
 
@@ -19,12 +21,8 @@ std::vector<DVec2> flattened(std::span<const Vec3> corners) {
   const int right = (axis + 1) % 3;
   const int up = (axis + 2) % 3;
   const double turn = normal[axis] < 0.0 ? -1.0 : 1.0;
-  std::vector<DVec2> flat;
-  flat.reserve(corners.size());
-  for (const Vec3& corner : corners) {
-    flat.emplace_back(turn * corner[right], corner[up]);
-  }
-  return flat;
+  return transformed(corners,
+                     [&](const Vec3& corner) { return DVec2(turn * corner[right], corner[up]); });
 }
 
 bool are_finite(std::span<const Vec3> corners) {

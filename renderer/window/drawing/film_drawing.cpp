@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 namespace {
 
@@ -108,11 +110,9 @@ ShownFrame head_frame(const WindowArea& window, const ViewGeometry& geometry, co
 }
 
 FilmUpdate update_for(const ShownFrame& frame, const EquirectFilm& film, FilmMirror& mirror) {
-  std::vector<Viewport> viewports;
-  for (const ShownView& view : frame.views) {
-    viewports.push_back(frame.late_turn_rad > 0.0 ? widened(view.viewport, frame.late_turn_rad)
-                                                  : view.viewport);
-  }
+  const std::vector<Viewport> viewports = transformed(frame.views, [&](const ShownView& view) {
+    return frame.late_turn_rad > 0.0 ? widened(view.viewport, frame.late_turn_rad) : view.viewport;
+  });
   const int levels = frame.look.fill_unsampled
                          ? film.levels()
                          : levels_shown(frame.views.front().viewport, frame.views.front().part.size,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/transformed.h"
 #include "renderer/window/screens/screen_fields.h"
 
 namespace foveola {
@@ -92,10 +93,7 @@ ScreenLayout moved(ScreenLayout layout, float down_px) {
 
 /// What stands alone: lines, and shapes but for frames.
 std::vector<ScreenRect> things_of(const ScreenLayout& layout) {
-  std::vector<ScreenRect> things;
-  for (const PlacedText& text : layout.texts) {
-    things.push_back(text.rect);
-  }
+  std::vector<ScreenRect> things = transformed(layout.texts, &PlacedText::rect);
   for (const PlacedShape& shape : layout.shapes) {
     if (!shape.is_frame) {
       things.push_back(shape.rect);
