@@ -14,7 +14,7 @@ namespace {
 
 const OptionRow& find_option(const std::string& name) {
   const std::vector<OptionRow>& rows = option_rows();
-  const auto found = std::ranges::find_if(rows, [&](const auto& row) { return row.name == name; });
+  const auto found = std::ranges::find(rows, name, &OptionRow::name);
   if (found == rows.end()) {
     const std::vector<std::string> names = transformed(rows, &OptionRow::name);
     throw UsageError("--options", fmt::format("there is no option '{}'", name),

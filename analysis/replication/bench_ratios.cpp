@@ -203,8 +203,7 @@ void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<B
                   std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);
   for (BenchFigure& figure : figures_of(before)) {
-    const auto other =
-        std::ranges::find_if(others, [&](const BenchFigure& o) { return o.place == figure.place; });
+    const auto other = std::ranges::find(others, figure.place, &BenchFigure::place);
     if (other == others.end()) {
       unmatched.push_back(figure.place);
       continue;
@@ -258,8 +257,7 @@ void collect_figures(const BenchJson& node, const std::string& place, IsIdentity
 }
 
 std::size_t BenchComparison::count(BenchFigureKind kind) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(ratios, [kind](const BenchRatio& row) { return row.kind == kind; }));
+  return static_cast<std::size_t>(std::ranges::count(ratios, kind, &BenchRatio::kind));
 }
 
 std::vector<BenchRatio> BenchComparison::moved(BenchMove move) const {

@@ -78,8 +78,7 @@ constexpr std::array<LightKind, 3> light_kinds = {
      {PunctualLight::Kind::directional, "directional", "W/m^2"}}};
 
 std::size_t count_of(PunctualLight::Kind kind, const std::vector<PunctualLight>& lights) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      lights, [kind](const PunctualLight& light) { return light.kind == kind; }));
+  return static_cast<std::size_t>(std::ranges::count(lights, kind, &PunctualLight::kind));
 }
 
 nlohmann::ordered_json json_kinds(const std::vector<PunctualLight>& lights) {

@@ -49,7 +49,7 @@ constexpr std::array words = {
 
 /// The end of `words` if it is none of them.
 const CommandWord* known_word(std::string_view word) {
-  return std::ranges::find_if(words, [&](const CommandWord& one) { return one.word == word; });
+  return std::ranges::find(words, word, &CommandWord::word);
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -10,8 +10,7 @@ namespace {
 Counts no_counts(std::size_t n) { return Counts(n, std::vector<int>(n, 0)); }
 
 std::size_t scene_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::ranges::find_if(
-      protocol.scenes, [&](const SceneEntry& scene) { return scene.name == name; });
+  const auto found = std::ranges::find(protocol.scenes, name, &SceneEntry::name);
   return static_cast<std::size_t>(found - protocol.scenes.begin());
 }
 

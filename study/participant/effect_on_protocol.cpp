@@ -98,11 +98,8 @@ void require_drawable(const InjectedEffect& effect, const Protocol& protocol) {
       const std::string& wanted = id;
       require_known(where, "rating", id, ids_of(protocol.ratings));
       require_known(where, "method", method, protocol.methods);
-      require_drawable_shifts(
-          where,
-          *std::ranges::find_if(protocol.ratings,
-                                [&](const Question& rating) { return rating.id == wanted; }),
-          shifts);
+      require_drawable_shifts(where, *std::ranges::find(protocol.ratings, wanted, &Question::id),
+                              shifts);
     }
   }
 }

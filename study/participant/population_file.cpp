@@ -192,9 +192,7 @@ std::string toml_with_number(const People& people, const std::string& name, doub
   }
   toml::table content{{"title", fmt::format("{}, {} {}", people.title, name, value)}};
   for (const Parameter& stated_one : parameters) {
-    const auto stated = std::ranges::find_if(people.numbers, [&](const StatedNumber& number) {
-      return number.name == name_of(stated_one);
-    });
+    const auto stated = std::ranges::find(people.numbers, name_of(stated_one), &StatedNumber::name);
     toml::table number{{"value", stated->value}, {"source", stated->source}};
     if (&stated_one == parameter) {
       number =

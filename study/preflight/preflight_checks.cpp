@@ -63,8 +63,7 @@ PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gat
 std::vector<TrialSpeed> slowest_by_method(const std::vector<TrialSpeed>& speeds) {
   std::vector<TrialSpeed> slowest;
   for (const TrialSpeed& speed : speeds) {
-    const auto known = std::ranges::find_if(
-        slowest, [&](const TrialSpeed& one) { return one.method == speed.method; });
+    const auto known = std::ranges::find(slowest, speed.method, &TrialSpeed::method);
     if (known == slowest.end()) {
       slowest.push_back(speed);
     } else if (speed.samples_per_second() < known->samples_per_second()) {

@@ -247,9 +247,7 @@ TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
 }
 
 const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id) {
-  const auto found = std::ranges::find_if(
-      protocol.questionnaires,
-      [&](const Questionnaire& questionnaire) { return questionnaire.id == id; });
+  const auto found = std::ranges::find(protocol.questionnaires, id, &Questionnaire::id);
   assert(found != protocol.questionnaires.end());
   return *found;
 }

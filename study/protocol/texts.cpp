@@ -12,8 +12,7 @@ namespace {
 /// Nothing if there is none.
 const BuiltInText* find_built_in(std::string_view id) {
   const std::span<const BuiltInText> all = built_in_texts();
-  const auto found =
-      std::ranges::find_if(all, [&](const BuiltInText& text) { return text.id == id; });
+  const auto found = std::ranges::find(all, id, &BuiltInText::id);
   return found != all.end() ? &*found : nullptr;
 }
 

@@ -8,8 +8,7 @@ namespace foveola::study {
 
 const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
                                   const std::string& name) {
-  const auto found = std::ranges::find_if(
-      offered, [&](const OfferedObject& object) { return object.name == name; });
+  const auto found = std::ranges::find(offered, name, &OfferedObject::name);
   if (found == offered.end()) {
     throw Error(name, "is not among the scene's objects any more",
                 "go on with the scene as it was");

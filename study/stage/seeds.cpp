@@ -6,8 +6,7 @@ namespace foveola::study {
 namespace {
 
 int scene_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::ranges::find_if(
-      protocol.scenes, [&](const SceneEntry& scene) { return scene.name == name; });
+  const auto found = std::ranges::find(protocol.scenes, name, &SceneEntry::name);
   return static_cast<int>(found - protocol.scenes.begin());
 }
 

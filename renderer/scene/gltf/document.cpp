@@ -125,8 +125,7 @@ std::string what_is_lost_without(std::string_view name) {
        {"KHR_materials_dispersion", ": glass refracts all colours alike"},
        {"KHR_materials_iridescence", ": thin films have no colours"},
        {"KHR_texture_basisu", ": KTX2 images are not read, export them as PNG or JPEG"}}};
-  const auto* const known =
-      std::ranges::find_if(losses, [&](const Loss& loss) { return loss.extension == name; });
+  const auto* const known = std::ranges::find(losses, name, &Loss::extension);
   return known == losses.end() ? "" : known->what;
 }
 

@@ -47,8 +47,7 @@ Map map_in(std::string_view text) {
   Map map{.options = {}, .file = text};
   for (;;) {
     const Statement first = statement_in(map.file);
-    const auto* const option = std::ranges::find_if(
-        map_options, [&](const MapOption& known) { return known.name == first.keyword; });
+    const auto* const option = std::ranges::find(map_options, first.keyword, &MapOption::name);
     if (option == map_options.end()) {
       return map;
     }

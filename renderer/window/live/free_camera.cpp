@@ -61,8 +61,7 @@ constexpr std::array modifier_keys = {GLFW_KEY_LEFT_SHIFT,   GLFW_KEY_RIGHT_SHIF
                                       GLFW_KEY_LEFT_ALT,     GLFW_KEY_RIGHT_ALT};
 
 const MovingKey* moving_key(int key) {
-  const auto found =
-      std::ranges::find_if(moving_keys, [key](const MovingKey& one) { return one.key == key; });
+  const auto found = std::ranges::find(moving_keys, key, &MovingKey::key);
   return found != moving_keys.end() ? &*found : nullptr;
 }
 
