@@ -161,7 +161,7 @@ json rows_json(const Table& table) {
 }
 
 json crops_json(const ConvergencePlan& plan) {
-  const json order(transformed(plan.configurations, &Configuration::name));
+  json order(transformed(plan.configurations, &Configuration::name));
   order.push_back("reference");
   return {{"seconds", plan.crop_seconds}, {"fov_deg", plan.crop_fov_deg}, {"left_to_right", order}};
 }

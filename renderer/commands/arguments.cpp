@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {
@@ -143,12 +141,6 @@ void require_method(const std::string& method) {
     make_view_sampler(method);
   } catch (const Error& error) {
     throw UsageError("--method", error.what());
-  }
-}
-
-void print_method_notes(const std::string& method) {
-  for (const std::string& note : method_notes(method)) {
-    print_text(stderr, "foveola: note: {}\n", printable(note));
   }
 }
 

@@ -15,8 +15,6 @@ namespace foveola {
 
 /// Throws UsageError, naming --method, for a text that make_view_sampler refuses.
 void require_method(const std::string& method);
-/// Prints what method_notes says of it on standard error, a line each.
-void print_method_notes(const std::string& method);
 
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
 IVec2 parse_size(const std::string& option, const std::string& text);

@@ -18,11 +18,11 @@
 #include "renderer/commands/preview_arguments.h"
 #include "renderer/commands/preview_head.h"
 #include "renderer/commands/preview_report.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/gaze/recordings.h"
 #include "renderer/headset/live_window.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/view/view_sampler.h"
 #include "renderer/window/live/live_preview.h"
 #include "renderer/window/live/preview_panels.h"
 
@@ -133,7 +133,7 @@ SceneChange change_of(ReloadedScene reloaded) {
     return change;
   }
   for (const std::string& warning : reloaded.scene->warnings) {
-    change.remarks.push_back(warning_line(warning));
+    change.remarks.push_back("foveola: warning: " + printable(warning));
   }
   change.warnings = reloaded.scene->warnings;
   change.has_studio_light = reloaded.scene->has_studio_light;
@@ -304,7 +304,7 @@ void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scen
                  const std::stop_token& stop) {
   const PreviewRequest request = preview_request(arguments, find_scene);
   keep_freed_memory();
-  print_method_notes(arguments.method);
+  print_notes(method_notes(arguments.method));
   silence_xr_loader();
   const SteadyClock clock;
   WindowEvents events;

@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/words.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/progressive/render_limits.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola {
 namespace {
@@ -33,7 +35,7 @@ bool is_panorama(const CLI::App& command) {
 std::string method_from(const RenderArguments& arguments) {
   const std::string& typed = arguments.settings.method;
   require_method(typed);
-  print_method_notes(typed);
+  print_notes(method_notes(typed));
   if (arguments.pointer.empty()) {
     return typed;
   }

@@ -17,7 +17,6 @@
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/object_sheet.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "renderer/base/scene_source.h"
 
@@ -31,11 +30,5 @@ void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& 
 /// Adds the options to `command`. What the returned finder finds is read as the options say, in
 /// place of what it says itself, where they are given.
 SceneFinder with_scene_file_options(CLI::App& command, const SceneFinder& find_scene);
-
-/// The line that a warning is printed as.
-std::string warning_line(const std::string& warning);
-
-/// Prints each on a line of its own, on standard error.
-void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace foveola

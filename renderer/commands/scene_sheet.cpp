@@ -13,7 +13,6 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"

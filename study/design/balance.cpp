@@ -9,16 +9,6 @@ namespace {
 
 Counts no_counts(std::size_t n) { return Counts(n, std::vector<int>(n, 0)); }
 
-std::size_t scene_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::ranges::find(protocol.scenes, name, &SceneEntry::name);
-  return static_cast<std::size_t>(found - protocol.scenes.begin());
-}
-
-std::size_t method_index(const Protocol& protocol, const std::string& method) {
-  const auto found = std::ranges::find(protocol.methods, method);
-  return static_cast<std::size_t>(found - protocol.methods.begin());
-}
-
 Plan tests_of(const Plan& plan) {
   Plan tests;
   std::ranges::copy_if(plan, std::back_inserter(tests),

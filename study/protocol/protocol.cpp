@@ -272,6 +272,16 @@ std::vector<NamedProfile> named_profiles(const Protocol& protocol) {
   return profiles;
 }
 
+std::size_t scene_index(const Protocol& protocol, const std::string& name) {
+  const auto found = std::ranges::find(protocol.scenes, name, &SceneEntry::name);
+  return static_cast<std::size_t>(found - protocol.scenes.begin());
+}
+
+std::size_t method_index(const Protocol& protocol, const std::string& name) {
+  const auto found = std::ranges::find(protocol.methods, name);
+  return static_cast<std::size_t>(found - protocol.methods.begin());
+}
+
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method) {
   return make_view_sampler(method, [&](const std::string& file) {
     const MethodFile* known = find_method_file(protocol.method_files, method, file);

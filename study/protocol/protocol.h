@@ -323,6 +323,10 @@ struct NamedProfile {
 };
 std::vector<NamedProfile> named_profiles(const Protocol& protocol);
 
+/// Where a scene or a method of the protocol stands in its list.
+std::size_t scene_index(const Protocol& protocol, const std::string& name);
+std::size_t method_index(const Protocol& protocol, const std::string& name);
+
 /// The sampler of one of the protocol's methods, from the files as they were loaded: changes on the
 /// disk while a study runs have no effect.
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method);

@@ -7,6 +7,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_programs.h"
@@ -16,7 +17,6 @@
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/simulation_setup.h"
 #include "study/simulation/study_simulation.h"
-#include "study/stage/protocol_notes.h"
 
 namespace fs = std::filesystem;
 
@@ -170,7 +170,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const SimulationSetup setup = set_up_simulation(settings, find_scene);
   require_usable(settings, setup.protocol, setup.kind);
   if (settings.warns) {
-    print_notes(setup.protocol);
+    print_notes(setup.protocol.notes);
   }
   const Workers workers(settings.threads);
   const SceneStages stages =

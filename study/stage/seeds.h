@@ -43,8 +43,13 @@ inline std::uint32_t derive_seed(const SessionSeed& session, SeedPurpose purpose
 /// The seed for `purpose` in one timing of a trial. Attempts that a pause or a crash ended have
 /// that of the attempt in their place, so that a session's results do not depend on where it broke
 /// off.
-std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose, const Protocol& protocol,
-                         const PlannedTrial& trial, int timing);
+inline std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose,
+                                const Protocol& protocol, const PlannedTrial& trial, int timing) {
+  return derive_seed(session, purpose,
+                     {static_cast<int>(scene_index(protocol, trial.scene)),
+                      static_cast<int>(method_index(protocol, trial.method)), timing,
+                      static_cast<int>(trial.kind)});
+}
 
 /// The seed of the picture that a predicted trial sees, whenever it is timed.
 inline std::uint32_t picture_seed(const SessionSeed& session, const Protocol& protocol,
