@@ -10,6 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/image/image.h"
 #include "renderer/view/viewport.h"
+#include "study/participant/evidence.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
 #include "study/stage/offered_object.h"
@@ -77,6 +78,9 @@ class Participant {
   /// stimulus, once the task's mark is made. Another thread may call head() and gaze() meanwhile,
   /// and nothing else.
   virtual std::optional<Nanoseconds> see(const Stimulus& stimulus) = 0;
+  /// The part of see() after the evidence is known; used alone for predicted glances, which have no
+  /// pixels.
+  virtual std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) = 0;
 
   /// After a mark, or before a rating: whether the participant noticed that the key was pressed too
   /// early, so that the session is to be asked to time the trial again.

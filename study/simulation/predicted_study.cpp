@@ -32,7 +32,7 @@ PicturesWanted pictures_wanted(const SimulatedStudy& study, const Vision& vision
   const auto add = [&](int design_row) {
     const SessionSeed seed{.seed = study.settings.seed, .design_row = design_row};
     const Plan plan = make_plan(study.protocol, seed.seed, design_row);
-    const std::unique_ptr<SimulatedObserver> observer =
+    const std::unique_ptr<Participant> observer =
         study.make_observer(derive_seed(seed, SeedPurpose::participant, {}), design_row, plan);
     for (const PlannedTrial& trial : plan) {
       const std::vector<OfferedObject>& objects = study.stages.at(trial.scene)->objects();
@@ -89,7 +89,7 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
 }
 
 std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting,
-                                                      SimulatedObserver& observer) const {
+                                                      Participant& observer) const {
   auto sampler = make_sampler(protocol_, setting.trial.method);
   if (trials_.empty()) {
     return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
@@ -102,7 +102,7 @@ std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting&
                                             std::move(sampler));
 }
 
-PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
+PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Participant& observer,
                                    const PredictedTrial* trial, const ObjectNoise* picture,
                                    std::unique_ptr<ViewSampler> sampler)
     : setting_(setting),

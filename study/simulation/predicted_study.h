@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/participant/simulated_observer.h"
+#include "study/participant/participant.h"
 #include "study/prediction/noise_atlas.h"
 #include "study/prediction/predicted_film.h"
 #include "study/simulation/study_simulation.h"
@@ -21,7 +21,7 @@ class PredictedAttempt final : public TrialAttempt {
  public:
   /// observer: who takes part in `setting`. trial, picture, sampler: see PredictedFilm; without a
   /// trial and a picture the observer is one that does not look.
-  PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
+  PredictedAttempt(const TrialAttemptSetting& setting, Participant& observer,
                    const PredictedTrial* trial, const ObjectNoise* picture,
                    std::unique_ptr<ViewSampler> sampler);
 
@@ -45,7 +45,7 @@ class PredictedAttempt final : public TrialAttempt {
   Viewport viewport(Nanoseconds time) const;
 
   TrialAttemptSetting setting_;
-  SimulatedObserver& observer_;
+  Participant& observer_;
   std::unique_ptr<ViewSampler> sampler_;
   Nanoseconds start_;
   Nanoseconds tracker_delay_;
@@ -69,7 +69,7 @@ class PredictedStudy {
 
   /// May be called from several threads at once. This must outlive the attempt.
   std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting,
-                                        SimulatedObserver& observer) const;
+                                        Participant& observer) const;
 
  private:
   void add_object(const std::string& scene, const OfferedObject& object,

@@ -9,7 +9,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/work/work_scope.h"
-#include "study/participant/simulated_observer.h"
+#include "study/participant/participant.h"
 #include "study/record/buffered_recorder.h"
 #include "study/record/study_store.h"
 #include "study/simulation/simulate_study.h"
@@ -37,7 +37,7 @@ struct BegunSession {
   StudyStore& store;
   std::int64_t id;  ///< its row in the store
   const Plan& plan;
-  SimulatedObserver& observer;
+  Participant& observer;
 };
 
 /// What sessions are simulated with; it must outlive the simulation.
@@ -48,11 +48,10 @@ struct SimulatedStudy {
   const Workers& workers;
   /// Makes the person whose session `plan` is, another one for each seed. Called from several
   /// threads.
-  std::function<std::unique_ptr<SimulatedObserver>(std::uint32_t seed, int design_row,
-                                                   const Plan& plan)>
+  std::function<std::unique_ptr<Participant>(std::uint32_t seed, int design_row, const Plan& plan)>
       make_observer;
   /// What makes the attempts of one session. Called from several threads.
-  std::function<MakeAttempt(SimulatedObserver& observer, const Workers& workers)> make_attempts;
+  std::function<MakeAttempt(Participant& observer, const Workers& workers)> make_attempts;
   /// In real time, instead of attempts: how a session goes on in the window.
   std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)>
       run_in_window;
@@ -90,7 +89,7 @@ class StudySimulation {
                            int design_row, const Plan& plan, const Workers& workers,
                            const std::stop_token& stop);
 
-  std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
+  std::unique_ptr<Participant> make_observer(int design_row, const Plan& plan) const;
   SessionFacts facts_of(int design_row) const;
   /// Whether sessions reach the disk as whole ones.
   bool is_buffered() const {

@@ -65,14 +65,13 @@ class PredictedAttemptTest : public testing::Test {
 };
 
 TEST_F(PredictedAttemptTest, IsLookedAtWhenARenderedOneIs) {
-  const Course rendered = course_of([&](const TrialAttemptSetting& setting, SimulatedObserver&) {
+  const Course rendered = course_of([&](const TrialAttemptSetting& setting, Participant&) {
     return std::make_unique<RenderedAttempt>(setting, workers_);
   });
-  const Course predicted =
-      course_of([](const TrialAttemptSetting& setting, SimulatedObserver& observer) {
-        return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
-                                                  make_view_sampler("od"));
-      });
+  const Course predicted = course_of([](const TrialAttemptSetting& setting, Participant& observer) {
+    return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
+                                              make_view_sampler("od"));
+  });
   EXPECT_GT(rendered.looks.size(), 4U);
   EXPECT_EQ(predicted, rendered);
 }
