@@ -88,25 +88,20 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
   }
 }
 
-std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting,
-                                                      Participant& observer) const {
+std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting) const {
   auto sampler = make_sampler(protocol_, setting.trial.method);
   if (trials_.empty()) {
-    return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
-                                              std::move(sampler));
+    return std::make_unique<PredictedAttempt>(setting, nullptr, nullptr, std::move(sampler));
   }
   const PicturedPlace place{setting.trial.scene, setting.trial.method, setting.object.name};
   const std::uint32_t number = setting.seeds.picture % picture_count(vision_);
-  return std::make_unique<PredictedAttempt>(setting, observer, &trials_.at(place),
-                                            &atlas_.objects.at(place).at(number),
-                                            std::move(sampler));
+  return std::make_unique<PredictedAttempt>(
+      setting, &trials_.at(place), &atlas_.objects.at(place).at(number), std::move(sampler));
 }
 
-PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Participant& observer,
-                                   const PredictedTrial* trial, const ObjectNoise* picture,
-                                   std::unique_ptr<ViewSampler> sampler)
-    : setting_(setting),
-      observer_(observer),
+PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, const PredictedTrial* trial,
+                                   const ObjectNoise* picture, std::unique_ptr<ViewSampler> sampler)
+    : TrialAttempt(setting),
       sampler_(std::move(sampler)),
       start_(setting.clock.now()),
       tracker_delay_(mean_delay(setting.protocol.tracker.simulated)) {
@@ -116,7 +111,7 @@ PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Participa
   }
 }
 
-std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
+std::optional<Nanoseconds> PredictedAttempt::show_frames(Nanoseconds until) {
   const std::uint64_t interval = frames_per_glance(setting_.protocol.machine);
   const std::uint64_t next_glance = (frames_ + interval - 1) / interval * interval;
   const std::uint64_t last = std::max(frames_, frame_at(until));
@@ -128,11 +123,11 @@ std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
   render_until(next_glance + 1);
   const Nanoseconds now = presented(next_glance);
   setting_.clock.advance(now - setting_.clock.now());
-  return observer_.consider(look(now), now);
+  return setting_.participant.consider(look(now), now);
 }
 
 Evidence PredictedAttempt::look(Nanoseconds now) {
-  return sight_ ? sight_->look(task_, observer_.gaze(now)) : Evidence{};
+  return sight_ ? sight_->look(task_, setting_.participant.gaze(now)) : Evidence{};
 }
 
 std::uint64_t PredictedAttempt::samples_until(std::uint64_t frames) const {
@@ -167,7 +162,7 @@ Aim PredictedAttempt::aim(Nanoseconds time) const {
   const Viewport view = viewport(time);
   const SimulatedTrackerSettings& tracker = setting_.protocol.tracker.simulated;
   const Nanoseconds seen = std::max(time - tracker_delay_, Nanoseconds(0));
-  Vec3 gaze = observer_.gaze(seen);
+  Vec3 gaze = setting_.participant.gaze(seen);
   const bool changes_gaze =
       tracker.bias_right_deg != 0.0 || tracker.bias_up_deg != 0.0 || setting_.correction;
   if (changes_gaze) {
@@ -186,7 +181,7 @@ Aim PredictedAttempt::aim(Nanoseconds time) const {
 
 Viewport PredictedAttempt::viewport(Nanoseconds time) const {
   const DisplaySettings& display = setting_.protocol.display;
-  return {head_orientation(observer_.head(time)), radians(display.horizontal_fov_deg),
+  return {head_orientation(setting_.participant.head(time)), radians(display.horizontal_fov_deg),
           radians(display.vertical_fov_deg), display.lens};
 }
 

@@ -19,19 +19,17 @@ namespace foveola::study {
 /// the mean, and so is what filters its gaze; its latency and bias are not.
 class PredictedAttempt final : public TrialAttempt {
  public:
-  /// observer: who takes part in `setting`. trial, picture, sampler: see PredictedFilm; without a
-  /// trial and a picture the observer is one that does not look.
-  PredictedAttempt(const TrialAttemptSetting& setting, Participant& observer,
-                   const PredictedTrial* trial, const ObjectNoise* picture,
-                   std::unique_ptr<ViewSampler> sampler);
+  /// trial, picture, sampler: see PredictedFilm; without a trial and a picture the participant is
+  /// one that does not look.
+  PredictedAttempt(const TrialAttemptSetting& setting, const PredictedTrial* trial,
+                   const ObjectNoise* picture, std::unique_ptr<ViewSampler> sampler);
 
-  std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task task) override { task_ = task; }
-  void complete_record() override {}
   std::uint64_t samples() const override { return samples_until(frames_); }
   std::uint64_t non_finite() const override { return 0; }
 
  private:
+  std::optional<Nanoseconds> show_frames(Nanoseconds until) override;
   std::uint64_t samples_until(std::uint64_t frames) const;
   /// By the attempt's clock: the frame of this number, counted from 0, is on the display.
   Nanoseconds presented(std::uint64_t frame) const;
@@ -44,8 +42,6 @@ class PredictedAttempt final : public TrialAttempt {
   Aim aim(Nanoseconds time) const;
   Viewport viewport(Nanoseconds time) const;
 
-  TrialAttemptSetting setting_;
-  Participant& observer_;
   std::unique_ptr<ViewSampler> sampler_;
   Nanoseconds start_;
   Nanoseconds tracker_delay_;
@@ -68,8 +64,7 @@ class PredictedStudy {
   PredictedStudy& operator=(const PredictedStudy&) = delete;
 
   /// May be called from several threads at once. This must outlive the attempt.
-  std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting,
-                                        Participant& observer) const;
+  std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting) const;
 
  private:
   void add_object(const std::string& scene, const OfferedObject& object,

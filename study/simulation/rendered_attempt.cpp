@@ -15,12 +15,12 @@ std::uint64_t frames_per_glance(const MachineModel& machine) {
 }
 
 RenderedAttempt::RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers)
-    : setting_(setting),
+    : TrialAttempt(setting),
       preview_(setting.stage, setting.protocol, setting.trial, setting.seeds, setting.participant,
                setting.correction, setting.clock, workers),
       log_(setting.recorder, setting.key) {}
 
-std::optional<Nanoseconds> RenderedAttempt::show(Nanoseconds /*until*/) {
+std::optional<Nanoseconds> RenderedAttempt::show_frames(Nanoseconds /*until*/) {
   const bool is_glance = log_.frames() % frames_per_glance(setting_.protocol.machine) == 0;
   render_frame();
   if (!is_glance) {

@@ -130,7 +130,7 @@ SimulateReport run_rendered(SimulatedStudy& study, const SimulationKind& kind, b
   if (kind.real_time) {
     return run_in_real_time(study, kind, stop);
   }
-  study.make_attempts = [](Participant& /*observer*/, const Workers& workers) {
+  study.make_attempts = [](const Workers& workers) {
     return [&workers](const TrialAttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
       return std::make_unique<RenderedAttempt>(setting, workers);
     };
@@ -154,8 +154,8 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
     throw;
   }
   const PredictedStudy predicted(study.protocol, study.stages, population, std::move(atlas));
-  study.make_attempts = [&predicted](Participant& observer, const Workers& /*workers*/) {
-    return [&](const TrialAttemptSetting& setting) { return predicted.attempt(setting, observer); };
+  study.make_attempts = [&predicted](const Workers& /*workers*/) {
+    return [&](const TrialAttemptSetting& setting) { return predicted.attempt(setting); };
   };
   return StudySimulation(study).run(stop);
 }

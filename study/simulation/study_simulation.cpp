@@ -152,7 +152,7 @@ SessionOutcome StudySimulation::take_part(SessionRecorder& recorder,
   const SessionSetting setting{.protocol = study_.protocol,
                                .stages = study_.stages,
                                .recorder = recorder,
-                               .make_attempt = study_.make_attempts(*observer, workers),
+                               .make_attempt = study_.make_attempts(workers),
                                .seed = seed,
                                .on_trial = [&](std::size_t trial) { show(plan[trial].scene); },
                                .stop = stop};

@@ -51,7 +51,7 @@ struct SimulatedStudy {
   std::function<std::unique_ptr<Participant>(std::uint32_t seed, int design_row, const Plan& plan)>
       make_observer;
   /// What makes the attempts of one session. Called from several threads.
-  std::function<MakeAttempt(Participant& observer, const Workers& workers)> make_attempts;
+  std::function<MakeAttempt(const Workers& workers)> make_attempts;
   /// In real time, instead of attempts: how a session goes on in the window.
   std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)>
       run_in_window;

@@ -9,6 +9,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/calibration.h"
 #include "study/design/plan.h"
+#include "study/driver/ports.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/record/session_recorder.h"
@@ -36,29 +37,33 @@ struct TrialAttemptSetting {
   Nanoseconds attempt_start{0};  ///< the session's time at which the attempt's clock is 0
   SessionRecorder& recorder;
   AttemptKey key;
+  std::optional<Nanoseconds>& pressed;  ///< session clock: when the task's key goes down
 };
 
-class TrialAttempt {
+class TrialAttempt : public AttemptPort {
  public:
-  virtual ~TrialAttempt() = default;
+  explicit TrialAttempt(const TrialAttemptSetting& setting) : setting_(setting) {}
 
+  /// Notes the first press of the task's key.
+  Nanoseconds show(Nanoseconds until) final {
+    const std::optional<Nanoseconds> press = show_frames(until - setting_.attempt_start);
+    if (press && !setting_.pressed) {
+      setting_.pressed = setting_.attempt_start + *press;
+    }
+    return setting_.attempt_start + setting_.clock.now();
+  }
+
+  /// From now on the participant looks at it for this task.
+  virtual void begin(Task /*task*/) {}
+
+ protected:
   /// Presents at least the next frame, and advances the clock to when the last one is on the
   /// display; goes on at most until one is there at `until` (of the attempt) or later. Returns the
   /// time of the key press that a glance at it led to.
-  virtual std::optional<Nanoseconds> show(Nanoseconds until) = 0;
+  virtual std::optional<Nanoseconds> show_frames(Nanoseconds until) = 0;
 
-  /// From now on the participant looks at it for this task.
-  virtual void begin(Task task) = 0;
-
-  /// Hands to the record what it does not have yet.
-  virtual void complete_record() = 0;
-
-  /// How many samples were traced so far.
-  virtual std::uint64_t samples() const = 0;
-  /// How many of them were not finite.
-  virtual std::uint64_t non_finite() const = 0;
+  const TrialAttemptSetting setting_;
 };
-
 using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;
 
 /// How often a simulated participant looks (see glance_interval_s).

@@ -48,8 +48,6 @@ class VirtualSession final : private ClockPort,
   SessionOutcome run() { return driver_.run(setting_.stop); }
 
  private:
-  class RunningAttempt;
-
   Nanoseconds now() const override { return attempt_start_ + clock_.now(); }
 
   // Questions and acknowledgements are words on a screen and sounds; a simulated participant is
@@ -91,7 +89,7 @@ class VirtualSession final : private ClockPort,
   /// participant sees and does is a matter of the latter, to the last bit.
   Nanoseconds attempt_start_;
   VirtualClock clock_;
-  TrialAttempt* attempt_ = nullptr;     ///< while a trial is rendered
+  TrialAttempt* attempt_ = nullptr;     ///< the last; the driver's, which it ends
   std::optional<Nanoseconds> pressed_;  ///< session clock: when the task's key goes down
   SessionDriver driver_;
 };
