@@ -1,10 +1,7 @@
 // No output is an input: what a command writes takes the place of nothing that it reads.
 #pragma once
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/command_line/cli_fwd.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/gaze/eye_tracker.h"
@@ -13,10 +14,6 @@
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/window/live/preview_controls.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foveola {
 
