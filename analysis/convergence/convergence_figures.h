@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "analysis/convergence/convergence_tables.h"
 #include "analysis/gnuplot/gnuplot.h"
 
 namespace foveola::analysis {

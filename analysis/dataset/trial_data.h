@@ -6,6 +6,7 @@
 #include <span>
 
 #include "analysis/dataset/dataset.h"
+#include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/tables/table.h"
 #include "study/record/study_records.h"
 

@@ -9,6 +9,7 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/study_tables.h"
+#include "analysis/tables/number_text.h"
 
 namespace foveola::analysis {
 

@@ -96,7 +96,7 @@ PictureChoices picture_from(const RenderArguments& arguments) {
 void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
   const std::string usual_group = command.option_defaults()->get_group();
   command.option_defaults()->group(panorama_group);
-  command.add_flag("--panorama",
+  command.add_flag("--panorama", arguments.panorama,
                    "Make a 360-degree image instead of a picture, as each option of this group "
                    "does by itself");
   command.add_option(

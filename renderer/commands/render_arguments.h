@@ -17,6 +17,7 @@ struct RenderArguments {
   LookArguments look;
   std::string scene;
   std::string output;
+  bool panorama = false;
   std::string size;
   std::string gaze;
   std::string pointer;

@@ -1,6 +1,7 @@
 #include "renderer/headset/xr_instance.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <ctime>
 
 #define XR_USE_TIMESPEC

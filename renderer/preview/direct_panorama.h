@@ -3,6 +3,7 @@
 
 #include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
+#include "renderer/trace/paths/direct_shading.h"
 
 namespace foveola {
 

@@ -71,7 +71,8 @@ fs::path confined_file(const fs::path& folder, std::string_view uri) {
 
 std::optional<fs::path> confined_file_if_there(const fs::path& folder, std::string_view uri) {
   const fs::path name = local_reference(percent_decoded(uri));
-  const bool stays_inside = !has_other_scheme(uri) && std::ranges::find(name, "..") == name.end();
+  const bool stays_inside =
+      !has_other_scheme(uri) && std::find(name.begin(), name.end(), "..") == name.end();
   std::error_code failure;
   if (stays_inside && !fs::exists(folder / name, failure)) {
     return std::nullopt;

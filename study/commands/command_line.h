@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/command_line/common_options.h"
 #include "study/simulation/simulate_study.h"
 
 namespace foveola::study {

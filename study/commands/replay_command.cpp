@@ -99,8 +99,9 @@ void require_same_events(const ReplayReport& report, const std::string& database
 
 /// Where the same program on the same processor shows another film, something is wrong.
 void require_same_films(const ReplayReport& report, const std::string& database) {
-  const auto differing = std::ranges::count_if(
-      report.attempts, [](const ReplayedAttempt& attempt) { return attempt.first_difference; });
+  const auto differing = std::ranges::count_if(report.attempts, [](const ReplayedAttempt& attempt) {
+    return attempt.first_difference.has_value();
+  });
   if (differing > 0 && report.approximate.empty()) {
     throw Error(database,
                 fmt::format("{} of {} replayed attempts differ from what was shown", differing,

@@ -6,6 +6,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/window/drawing/view_overlays.h"
+#include "study/participant/participant.h"
 
 namespace foveola::study {
 

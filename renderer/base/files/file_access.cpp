@@ -114,7 +114,7 @@ fs::path confined_path(const fs::path& folder, const fs::path& relative) {
   if (relative.is_absolute()) {
     throw std::runtime_error("an absolute path");
   }
-  if (std::ranges::find(relative, "..") != relative.end()) {
+  if (std::find(relative.begin(), relative.end(), "..") != relative.end()) {
     throw std::runtime_error("a path that leads out of the folder");
   }
   std::error_code failure;

@@ -86,7 +86,7 @@ Rule integer(std::int64_t lowest, std::int64_t highest) {
 
 Rule one_of_integers(std::vector<std::int64_t> values) {
   return [values = std::move(values)](const Json& value, const Place& place) {
-    require(is_integer(value) && std::ranges::count(values, value) > 0, place,
+    require(is_integer(value) && std::count(values.begin(), values.end(), value) > 0, place,
             fmt::format("must be one of {}", fmt::join(values, ", ")));
   };
 }
@@ -100,9 +100,10 @@ Rule number(double lowest, double highest) {
 
 Rule numbers(std::size_t count) {
   return [=](const Json& value, const Place& place) {
-    require(value.is_array() && value.size() == count &&
-                std::ranges::all_of(value, [](const Json& v) { return v.is_number(); }),
-            place, fmt::format("must be {} numbers", count));
+    require(
+        value.is_array() && value.size() == count &&
+            std::all_of(value.begin(), value.end(), [](const Json& v) { return v.is_number(); }),
+        place, fmt::format("must be {} numbers", count));
   };
 }
 

@@ -84,7 +84,7 @@ ShownCircle shown_circle(const Circle& circle, const Pane& pane, int steps) {
   for (int step = 0; step < steps; ++step) {
     places.push_back(pane.project(circle.direction(turn_rad(step))));
   }
-  const auto unseen = std::ranges::find(places, std::nullopt);
+  const auto unseen = std::find(places.begin(), places.end(), std::nullopt);
   ShownCircle shown{.is_whole = unseen == places.end()};
   // An arc that is cut by no edge begins anywhere; others begin after a place that is not seen.
   const auto first = shown.is_whole ? 0 : static_cast<int>(unseen - places.begin());
