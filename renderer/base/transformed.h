@@ -13,7 +13,7 @@ namespace foveola {
 template <typename Value = void, typename Items, typename Function>
 auto transformed(const Items& items, const Function& function) {
   using Result =
-      std::remove_cvref_t<std::invoke_result_t<const Function&, decltype(*items.begin())>>;
+      std::remove_cvref_t<std::invoke_result_t<const Function&, decltype(*std::begin(items))>>;
   std::vector<std::conditional_t<std::is_void_v<Value>, Result, Value>> values;
   values.reserve(std::size(items));
   for (const auto& item : items) {
