@@ -84,8 +84,7 @@ void print_json(const std::vector<StabilityFigure>& figures, int threads, double
   const nlohmann::json list(
       transformed(figures, [&](const StabilityFigure& figure) { return json_of(figure); }));
   nlohmann::json json(bench_facts());
-  json.update(
-      {{"threads", threads}, {"seconds", measured_once(duration_s)}, {"figures", std::move(list)}});
+  json.update({{"threads", threads}, {"seconds", measured_once(duration_s)}, {"figures", list}});
   print_text("{}\n", json.dump(2));
 }
 

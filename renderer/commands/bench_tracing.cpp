@@ -215,7 +215,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
                {"max_depth", settings.progressive.trace.max_depth},
                {"paths", settings.budget.samples},
                {"repetitions", arguments.repetitions},
-               {"runs", std::move(list)}});
+               {"runs", list}});
   print_text("{}\n", json.dump(2));
 }
 

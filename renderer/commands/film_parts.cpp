@@ -45,7 +45,7 @@ Json json_of(const RenderProgress& progress) {
   }));
   return {{"points_drawn", progress.points_drawn}, {"points", progress.points},
           {"samples", progress.samples},           {"rays", progress.rays},
-          {"seconds", progress.seconds},           {"non_finite", std::move(non_finite)}};
+          {"seconds", progress.seconds},           {"non_finite", non_finite}};
 }
 
 std::string text_of(const FilmOrigin& origin) {
