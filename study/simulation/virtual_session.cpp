@@ -1,7 +1,5 @@
 #include "study/simulation/virtual_session.h"
 
-#include <utility>
-
 #include "study/driver/reaction_test.h"
 #include "study/simulation/gaze_validation.h"
 
