@@ -64,6 +64,7 @@ class TrialAttempt : public AttemptPort {
 
   const TrialAttemptSetting setting_;
 };
+
 using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;
 
 /// Interval of a simulated participant's looks (see glance_interval_s).
