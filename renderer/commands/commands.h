@@ -27,7 +27,7 @@ void add_merge_images(CLI::App& app);
 /// first, until its window is closed or `stop` is requested.
 void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
 
-/// The text of a scene's descriptor, with a remark for each of its objects.
+/// Returns the text of a scene's descriptor, with a remark for each of its objects.
 using DescriptorText =
     std::function<std::string(const SceneSource& source, const std::vector<std::string>& remarks)>;
 

@@ -45,7 +45,7 @@ class SimulatedParticipant : public Participant {
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
-  /// The scan path that gaze() and head() follow.
+  /// Returns the scan path that gaze() and head() follow.
   ScanPath& path() { return path_; }
 
  private:
