@@ -29,8 +29,6 @@
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/bench/bench_commands.h"
 #include "renderer/commands/commands.h"
-#include "renderer/commands/preview/preview_command.h"
-#include "renderer/commands/scene/scene_describe.h"
 #include "renderer/commands/typed_command.h"
 #include "scenes/builtin.h"
 #include "scenes/commands.h"

@@ -14,7 +14,7 @@ std::vector<std::string> builtin_names() {
 
 bool is_builtin_name(const std::string& name) {
   const std::vector<std::string> names = builtin_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 fs::path builtin_folder(const std::string& name) { return resource_folder() / "scenes" / name; }

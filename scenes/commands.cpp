@@ -19,6 +19,7 @@
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/similar_word.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/work_scope.h"
 #include "scenes/builtin.h"
@@ -82,10 +83,8 @@ nlohmann::ordered_json json_of(const ListedScene& scene) {
 }
 
 void list_as_json(const std::vector<ListedScene>& scenes) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ListedScene& scene : scenes) {
-    list.push_back(json_of(scene));
-  }
+  const nlohmann::ordered_json list(
+      transformed(scenes, [&](const ListedScene& scene) { return json_of(scene); }));
   print_text("{}\n", list.dump(2));
 }
 
@@ -149,8 +148,8 @@ DescriptorList descriptors_in_force() {
       list.descriptors.push_back(std::move(descriptor));
     }
   }
-  std::sort(list.descriptors.begin(), list.descriptors.end(),
-            [](const Descriptor& a, const Descriptor& b) { return a.name < b.name; });
+  std::ranges::sort(list.descriptors,
+                    [](const Descriptor& a, const Descriptor& b) { return a.name < b.name; });
   return list;
 }
 

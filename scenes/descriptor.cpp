@@ -96,7 +96,7 @@ void require_choosable(const TomlReader& table, const SceneSource& source) {
   constexpr double least_distance = 1e-3;  // in the file's units
   const ObjectOfInterest& object = source.objects.back();
   const auto same_name = [&](const ObjectOfInterest& other) { return other.name == object.name; };
-  if (std::count_if(source.objects.begin(), source.objects.end(), same_name) > 1) {
+  if (std::ranges::count_if(source.objects, same_name) > 1) {
     table.fail(table.source("name"), "two objects are named \"" + object.name + "\"",
                "give each object a name of its own");
   }
@@ -163,8 +163,8 @@ void read_environment_file(TomlReader& table, const fs::path& folder, SceneSourc
 void require_one_environment(const TomlReader& table) {
   constexpr std::array keys{"environment_radiance", "environment_file", "sky"};
   const auto is_given = [&](const char* key) { return table.has(key); };
-  if (std::count_if(keys.begin(), keys.end(), is_given) > 1) {
-    const auto* const first = std::find_if(keys.begin(), keys.end(), is_given);
+  if (std::ranges::count_if(keys, is_given) > 1) {
+    const auto* const first = std::ranges::find_if(keys, is_given);
     table.fail(table.source(*std::find_if(first + 1, keys.end(), is_given)),
                "the scene has several environments",
                "use only one of environment_radiance, environment_file and [sky]");

@@ -97,7 +97,7 @@ bool is_programs_own(const Descriptor& descriptor) {
 DescriptorList all_descriptors() {
   std::vector<std::string> names = toml_names_in(programs_folder());
   append(names, builtin_names());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return read_descriptors(names, folder_of);
 }
 

@@ -55,7 +55,7 @@ class Searcher {
   /// An unreadable folder is met twice: when listed and when searched.
   void note(std::string obstacle) {
     std::vector<std::string>& noted = found_.obstacles;
-    if (std::find(noted.begin(), noted.end(), obstacle) == noted.end()) {
+    if (std::ranges::find(noted, obstacle) == noted.end()) {
       noted.push_back(std::move(obstacle));
     }
   }
@@ -77,7 +77,7 @@ class Searcher {
     if (failure) {
       note(folder, failure);
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
   }
 
@@ -109,8 +109,7 @@ class Searcher {
 }  // namespace
 
 bool is_called_like_scene(const fs::path& file) {
-  return std::find(scene_extensions.begin(), scene_extensions.end(), lower_case_extension(file)) !=
-         scene_extensions.end();
+  return std::ranges::find(scene_extensions, lower_case_extension(file)) != scene_extensions.end();
 }
 
 FileSearch search_folder(const fs::path& folder, const std::string& file_name) {

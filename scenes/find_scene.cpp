@@ -1,6 +1,5 @@
 #include "scenes/find_scene.h"
 
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <system_error>

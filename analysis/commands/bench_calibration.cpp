@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/commands.h"
-#include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/machine_speed.h"
 #include "analysis/koskela2018/published_study.h"
 #include "analysis/publication/exports/output_folder.h"
@@ -206,8 +205,7 @@ void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
       "A folder for the simulated studies, each named by its samples per second, and for the "
       "last one's comparison with the published study; made if its parent exists. Existing studies "
       "are resumed");
-  command->add_option("--people", arguments->simulation.people, "As in study simulate")
-      ->capture_default_str();
+  command->add_option("--people", arguments->simulation.people, "As in study simulate");
   command->add_option("--scale", arguments->simulation.scale, "As in study simulate");
   study::add_effort_and_json(command, *arguments);
   command->callback([arguments, find_scene, stop] { run(*arguments, find_scene, stop); });

@@ -14,6 +14,7 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -67,10 +68,10 @@ Table ratios_table(const BenchComparison& comparison) {
 }
 
 void print_json(const BenchComparison& comparison) {
-  nlohmann::ordered_json differing = nlohmann::ordered_json::array();
-  for (const std::string& difference : comparison.differing) {
-    differing.push_back({{"setting", difference}});
-  }
+  const nlohmann::ordered_json differing(
+      transformed(comparison.differing, [&](const std::string& difference) {
+        return nlohmann::ordered_json{{"setting", difference}};
+      }));
   const nlohmann::ordered_json json = {
       {"moved_together", comparison.moved(BenchMove::together).size()},
       {"beyond_own_interval_alone", comparison.moved(BenchMove::alone).size()},

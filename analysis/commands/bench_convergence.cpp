@@ -22,6 +22,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/work/parallel.h"
 #include "renderer/base/work/shard.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/commands/scene_file_options.h"
@@ -202,12 +203,10 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   CLI::Option* const output = command->add_option(
       "-o,--output", arguments->output,
       "A folder for tables (CSV, JSON), figures (SVG) and crops (PNG), made if its parent exists");
-  command
-      ->add_option(
-          "--methods", arguments->methods,
-          "Methods as of render --method, separated by commas; the others are compared with "
-          "the first, the baseline")
-      ->capture_default_str();
+  command->add_option(
+      "--methods", arguments->methods,
+      "Methods as of render --method, separated by commas; the others are compared with "
+      "the first, the baseline");
   command
       ->add_option("--options", arguments->options,
                    "Changes of the first method, each in a configuration of its own: "
@@ -223,13 +222,11 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                    "the last five together), plain-paths-mis (the same except no-mis), "
                    "plain-paths-mis-clamp (and light samples clamped to 3); or none")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+      ->allow_extra_args(false);
   command
       ->add_option("--gazes", arguments->gazes,
                    "Gaze points around the horizon, the first ahead of the scene's camera")
-      ->check(CLI::Range(1, 360))
-      ->capture_default_str();
+      ->check(CLI::Range(1, 360));
   command->add_option("--size", arguments->size,
                       "Size of the film in pixels (default: 1024x512; quick: 192x96)");
   command
@@ -242,11 +239,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                                "(default: {}; quick: {})",
                                ConvergencePlan{}.view_size, quick_plan().view_size))
       ->check(CLI::Range(16, 8192));
-  command
-      ->add_option("--max-depth", arguments->max_depth,
-                   "The maximum number of surface vertices of a path")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  add_max_depth_option(*command, arguments->max_depth);
   command
       ->add_option("--repetitions", arguments->repetitions,
                    "Renders of each method with different seeds (default: 4; quick: 3 to 8)")
@@ -254,11 +247,8 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   command
       ->add_option("--seed", arguments->seed,
                    "Seed of the renders: runs with different seeds can be pooled by --from")
-      ->check(CLI::Range(0U, max_seed))
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "Number of threads; 0: one per core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+      ->check(CLI::Range(0U, max_seed));
+  add_threads_option(*command, arguments->threads);
   command->add_flag("--quick", arguments->quick,
                     "Measure a smaller and coarser plan, in about two minutes");
   CLI::Option* const references =

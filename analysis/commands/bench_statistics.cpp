@@ -19,6 +19,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
 #include "renderer/base/work/work_scope.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/bench_facts.h"
 
 namespace foveola::analysis {
@@ -191,18 +192,12 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
                                settings.studies, ModelCoverageSettings{}.studies))
       ->check(CLI::Range(1, 1'000'000));
   command->add_option("--participants", settings.participants, "Participants in each study")
-      ->check(CLI::Range(2, 10'000))
-      ->capture_default_str();
-  command
-      ->add_option("--seed", settings.seed,
-                   "Seed of the simulation: the same seed gives the same figures")
-      ->capture_default_str();
+      ->check(CLI::Range(2, 10'000));
+  command->add_option("--seed", settings.seed,
+                      "Seed of the simulation: the same seed gives the same figures");
   command->add_option("--resamples", settings.resamples, "Resamples of each bootstrap interval")
-      ->check(CLI::Range(99, 99'999))
-      ->capture_default_str();
-  command->add_option("--threads", settings.threads, "Number of threads; 0: one per core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+      ->check(CLI::Range(99, 99'999));
+  add_threads_option(*command, settings.threads);
   CLI::Option* by_r = command->add_flag(
       "--r", arguments->by_r,
       "Instead, measure the coverage of R's models in nineteen cells: Tobit, crossed with "

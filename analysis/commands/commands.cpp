@@ -11,6 +11,7 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "study/record/verification_json.h"
 
@@ -119,10 +120,8 @@ void add_analysis_commands(CLI::App& app, std::stop_token stop) {
 std::string analysis_json(const AnalysisOutput& output) {
   const StudyTables& tables = output.tables;
   const std::string notice = data_notice(tables);
-  json files = json::array();
-  for (const std::filesystem::path& file : output.files) {
-    files.push_back(file.string());
-  }
+  const json files(transformed(
+      output.files, [&](const std::filesystem::path& file) { return json(file.string()); }));
   const json result = {
       {"report", output.report.string()},
       {"files", files},

@@ -6,11 +6,8 @@
 
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/command_line/cli_fwd.h"
 #include "renderer/command_line/manual_page.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foveola::analysis {
 

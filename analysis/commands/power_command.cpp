@@ -183,12 +183,10 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
   };
   CLI::Option* alpha =
       add("--alpha", one.alpha, "Significance level of the two-sided test without a protocol")
-          ->check(CLI::Range(1e-6, 0.5))
-          ->capture_default_str();
+          ->check(CLI::Range(1e-6, 0.5));
   add("--protocol", arguments.protocol, "The protocol of the planned study")->excludes(alpha);
   add("--ratio", expectations.ratio_percent,
-      "Expected time with every other method, in per cent of that with the baseline")
-      ->capture_default_str();
+      "Expected time with every other method, in per cent of that with the baseline");
   add("--effect", arguments.effects,
       "The expectation of one measure, MEASURE:METHOD:VALUE; may be repeated: for a mark "
       "per cent of the baseline's time (material:fv:25), for a rating points above the baseline's "
@@ -220,20 +218,17 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
       ->check(CLI::Range(0.0, 0.95));
   add("--scenes", expectations.scenes, "Number of scenes, if not the protocol's")
       ->check(CLI::Range(1, 1000));
-  add("--target", one.power, "Target power")
-      ->check(CLI::Range(0.06, 0.9999))
-      ->capture_default_str();
+  add("--target", one.power, "Target power")->check(CLI::Range(0.06, 0.9999));
   add("--participants", one.participants,
       "Report the power with this many participants, instead of the required number")
       ->check(CLI::Range(2, 1'000'000));
   add("--most-participants", arguments.most_participants,
       "Maximum number of participants to try with a protocol")
-      ->check(CLI::Range(4, 4096))
-      ->capture_default_str();
+      ->check(CLI::Range(4, 4096));
   add("--studies", arguments.studies,
       "Studies to simulate (default 10000; with a protocol 2000 per number of participants)")
       ->check(CLI::Range(1, 10'000'000));
-  add("--seed", one.seed, "Seed of the simulation")->capture_default_str();
+  add("--seed", one.seed, "Seed of the simulation");
 }
 
 void run_power(const PowerArguments& arguments, const std::stop_token& stop) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/dataset/primary_analysis.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -105,10 +106,8 @@ std::string curve_text(const StudyPowerReport& report) {
   constexpr std::size_t narrowest = 19;
   std::string text = "participants  analysed";
   std::vector<std::size_t> widths;
-  std::vector<std::string> names;
-  for (const study::PlannedComparison& comparison : planned) {
-    names.push_back(name_of(comparison));
-  }
+  std::vector<std::string> names = transformed(
+      planned, [&](const study::PlannedComparison& comparison) { return name_of(comparison); });
   names.emplace_back("all together");
   for (const std::string& name : names) {
     widths.push_back(std::max(narrowest, name.size()));
@@ -306,10 +305,8 @@ std::string study_power_json(const StudyPowerReport& report) {
   const auto number_or_null = [](std::optional<std::size_t> number) {
     return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
   };
-  nlohmann::ordered_json curve = nlohmann::ordered_json::array();
-  for (const StudyPower& point : report.curve) {
-    curve.push_back(point_json(point, protocol));
-  }
+  const nlohmann::ordered_json curve(transformed(
+      report.curve, [&](const StudyPower& point) { return point_json(point, protocol); }));
   nlohmann::ordered_json fewest = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < protocol.analysis.primary.size(); ++i) {
     fewest.push_back(number_or_null(fewest_participants(report.curve, i, report.target)));

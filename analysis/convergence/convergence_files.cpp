@@ -9,6 +9,7 @@
 
 #include "analysis/tables/table.h"
 #include "analysis/tables/table_formats.h"
+#include "renderer/base/transformed.h"
 #include "renderer/measure/region_error.h"
 
 namespace foveola::analysis {
@@ -166,10 +167,7 @@ json rows_json(const Table& table) {
 }
 
 json crops_json(const ConvergencePlan& plan) {
-  json order = json::array();
-  for (const Configuration& configuration : plan.configurations) {
-    order.push_back(configuration.name);
-  }
+  json order(transformed(plan.configurations, &Configuration::name));
   order.push_back("reference");
   return {{"seconds", plan.crop_seconds}, {"fov_deg", plan.crop_fov_deg}, {"left_to_right", order}};
 }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
@@ -13,12 +14,9 @@ namespace {
 
 const OptionRow& find_option(const std::string& name) {
   const std::vector<OptionRow>& rows = option_rows();
-  const auto found = std::ranges::find_if(rows, [&](const auto& row) { return row.name == name; });
+  const auto found = std::ranges::find(rows, name, &OptionRow::name);
   if (found == rows.end()) {
-    std::vector<std::string> names;
-    for (const OptionRow& row : rows) {
-      names.push_back(row.name);
-    }
+    const std::vector<std::string> names = transformed(rows, &OptionRow::name);
     throw UsageError("--options", fmt::format("'{}' is not an option", name),
                      fmt::format("choose from: {}", fmt::join(names, ", ")));
   }
@@ -32,17 +30,17 @@ bool is_setting(std::string_view text) {
 
 /// Changes a configuration to a plain path tracer of 2017, with multiple importance sampling.
 void make_plain_with_mis(Configuration& configuration) {
-  configuration.numbers = RandomNumbers::independent;
+  configuration.render.numbers = RandomNumbers::independent;
   configuration.light_sampling = {.selection = LightSelection::uniform,
                                   .triangles_by_area = true,
                                   .environment_by_cosine = true};
-  configuration.vertices_before_roulette = no_roulette;
+  configuration.render.trace.vertices_before_roulette = no_roulette;
 }
 
 /// Changes a configuration to a plain path tracer of 2017, without multiple importance sampling.
 void make_plain(Configuration& configuration) {
   make_plain_with_mis(configuration);
-  configuration.light_samples_alone = true;
+  configuration.render.trace.light_samples_alone = true;
 }
 
 }  // namespace
@@ -69,65 +67,29 @@ std::vector<std::string> split_methods(std::string_view text) {
 }
 
 const std::vector<OptionRow>& option_rows() {
+  using C = Configuration&;
   static const std::vector<OptionRow> rows = {
-      {.name = "independent",
-       .suffix = ", independent numbers",
-       .apply =
-           [](Configuration& configuration) {
-             configuration.numbers = RandomNumbers::independent;
-           }},
-      {.name = "clamp",
-       .suffix = ", samples cut at 10",
-       .apply = [](Configuration& configuration) { configuration.largest_radiance = 10.0F; }},
-      {.name = "adaptive",
-       .suffix = ", adaptive",
-       .apply = [](Configuration& configuration) { configuration.adaptive_contrast = 0.01; }},
-      {.name = "no-fast-path",
-       .suffix = ", general path",
-       .apply = [](Configuration& configuration) { configuration.uses_general_path = true; }},
-      {.name = "no-hierarchy",
-       .suffix = ", lights by power alone",
-       .apply =
-           [](Configuration& configuration) {
-             configuration.light_sampling.selection = LightSelection::by_power_alone;
-           }},
-      {.name = "no-learning",
-       .suffix = ", nothing learned",
-       .apply = [](Configuration& configuration) { configuration.light_sampling.learns = false; }},
-      {.name = "uniform-lights",
-       .suffix = ", lights uniformly",
-       .apply =
-           [](Configuration& configuration) {
-             configuration.light_sampling.selection = LightSelection::uniform;
-           }},
-      {.name = "area-lights",
-       .suffix = ", triangles by area",
-       .apply =
-           [](Configuration& configuration) {
-             configuration.light_sampling.triangles_by_area = true;
-           }},
-      {.name = "cosine-sky",
-       .suffix = ", sky by cosine",
-       .apply =
-           [](Configuration& configuration) {
-             configuration.light_sampling.environment_by_cosine = true;
-           }},
-      {.name = "no-mis",
-       .suffix = ", light samples alone",
-       .apply = [](Configuration& configuration) { configuration.light_samples_alone = true; }},
-      {.name = "no-roulette",
-       .suffix = ", no roulette",
-       .apply =
-           [](Configuration& configuration) {
-             configuration.vertices_before_roulette = no_roulette;
-           }},
-      {.name = "plain-paths", .suffix = ", plain paths", .apply = make_plain},
-      {.name = "plain-paths-mis", .suffix = ", plain paths with MIS", .apply = make_plain_with_mis},
-      {.name = "plain-paths-mis-clamp",
-       .suffix = ", plain paths with MIS, light samples cut at 3",
-       .apply = [](Configuration& configuration) {
-         make_plain_with_mis(configuration);
-         configuration.largest_light_sample = 3.0F;
+      {"independent", ", independent numbers",
+       [](C c) { c.render.numbers = RandomNumbers::independent; }},
+      {"clamp", ", samples cut at 10", [](C c) { c.render.trace.largest_radiance = 10.0F; }},
+      {"adaptive", ", adaptive", [](C c) { c.render.adaptive = VisibleNoise{.contrast = 0.01}; }},
+      {"no-fast-path", ", general path", [](C c) { c.render.trace.uses_general_path = true; }},
+      {"no-hierarchy", ", lights by power alone",
+       [](C c) { c.light_sampling.selection = LightSelection::by_power_alone; }},
+      {"no-learning", ", nothing learned", [](C c) { c.light_sampling.learns = false; }},
+      {"uniform-lights", ", lights uniformly",
+       [](C c) { c.light_sampling.selection = LightSelection::uniform; }},
+      {"area-lights", ", triangles by area",
+       [](C c) { c.light_sampling.triangles_by_area = true; }},
+      {"cosine-sky", ", sky by cosine", [](C c) { c.light_sampling.environment_by_cosine = true; }},
+      {"no-mis", ", light samples alone", [](C c) { c.render.trace.light_samples_alone = true; }},
+      {"no-roulette", ", no roulette",
+       [](C c) { c.render.trace.vertices_before_roulette = no_roulette; }},
+      {"plain-paths", ", plain paths", make_plain},
+      {"plain-paths-mis", ", plain paths with MIS", make_plain_with_mis},
+      {"plain-paths-mis-clamp", ", plain paths with MIS, light samples cut at 3", [](C c) {
+         make_plain_with_mis(c);
+         c.render.trace.largest_light_sample = 3.0F;
        }}};
   return rows;
 }

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/progressive/progressive_render.h"
 #include "renderer/trace/paths/path_tracer.h"
 
 namespace foveola::analysis {
@@ -19,17 +18,11 @@ namespace foveola::analysis {
 struct Configuration {
   std::string name;    ///< for tables: "fv", or "od, independent numbers"
   std::string method;  ///< as make_view_sampler reads it
-  RandomNumbers numbers = RandomNumbers::low_discrepancy;
-  /// Maximum of each channel of a sample: less noise, and a bias that counts as error.
-  float largest_radiance = std::numeric_limits<float>::infinity();
-  /// VisibleNoise::contrast of adaptive sampling, with low-discrepancy numbers only. Samples of
-  /// finished pixels go to others nearby, or are left out but counted.
-  std::optional<double> adaptive_contrast;
-  /// Maximum contribution of each light sample to a path, in units of display white.
-  float largest_light_sample = std::numeric_limits<float>::infinity();
-  int vertices_before_roulette = default_vertices_before_roulette;  ///< see TraceSettings
-  bool light_samples_alone = false;                                 ///< see TraceSettings
-  bool uses_general_path = false;                                   ///< see TraceSettings
+  /// Film size, depth and seed are the plan's. largest_radiance means less noise, and a bias that
+  /// counts as error; largest_light_sample is in units of display white. Adaptive sampling is with
+  /// low-discrepancy numbers only; samples of finished pixels go to others nearby, or are left out
+  /// but counted.
+  ProgressiveSettings render;
   LightSampling light_sampling;
 };
 

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-
-#include "analysis/convergence/error_curve.h"
 
 namespace foveola::analysis {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/files/digest.h"
+#include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/view/equirect.h"
-#include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
 namespace {
@@ -26,19 +26,11 @@ const PathTracer& tracer_for(const Configuration& configuration, const Subject& 
 ProgressiveSettings settings_for(const Configuration& configuration, const ConvergencePlan& plan,
                                  const SceneSource& source, std::uint32_t seed) {
   const auto white = static_cast<float>(std::exp2(-source.exposure_stops.value_or(0.0)));
-  ProgressiveSettings settings;
+  ProgressiveSettings settings = configuration.render;
   settings.film_size = plan.size;
-  settings.trace = {.max_depth = plan.max_depth,
-                    .seed = seed,
-                    .largest_radiance = configuration.largest_radiance,
-                    .largest_light_sample = white * configuration.largest_light_sample,
-                    .vertices_before_roulette = configuration.vertices_before_roulette,
-                    .light_samples_alone = configuration.light_samples_alone,
-                    .uses_general_path = configuration.uses_general_path};
-  settings.numbers = configuration.numbers;
-  if (configuration.adaptive_contrast) {
-    settings.adaptive = VisibleNoise{.contrast = *configuration.adaptive_contrast};
-  }
+  settings.trace.max_depth = plan.max_depth;
+  settings.trace.seed = seed;
+  settings.trace.largest_light_sample *= white;
   return settings;
 }
 
@@ -167,11 +159,10 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
 
 std::optional<Repetition> GazeBench::run_repetition(
     std::uint32_t seed, const std::function<void(double)>& progress) const {
-  std::vector<ProgressiveRun> runs;
-  runs.reserve(plan_->configurations.size());
-  for (const Configuration& configuration : plan_->configurations) {
-    runs.emplace_back(*subject_, *plan_, configuration, aim_, seed, *workers_);
-  }
+  std::vector<ProgressiveRun> runs =
+      transformed(plan_->configurations, [&](const Configuration& configuration) {
+        return ProgressiveRun(*subject_, *plan_, configuration, aim_, seed, *workers_);
+      });
   Repetition logs(runs.size());
   const std::vector<std::uint64_t> counts = checkpoints(*plan_);
   for (const std::uint64_t count : counts) {
@@ -244,7 +235,7 @@ ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& pl
                                const Configuration& configuration, const Aim& aim,
                                std::uint32_t seed, const Workers& workers)
     : gaze_(aim.gaze),
-      is_adaptive_(configuration.adaptive_contrast.has_value()),
+      is_adaptive_(configuration.render.adaptive.has_value()),
       sampler_(make_view_sampler(configuration.method)),
       render_(tracer_for(configuration, subject),
               subject.loaded.rendered_with(

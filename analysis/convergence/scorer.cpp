@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/measure/flip.h"
@@ -112,10 +113,8 @@ ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& 
 }
 
 std::vector<Region> regions_around(const Vec3& gaze, const Viewport& viewport) {
-  std::vector<Region> regions;
-  for (const int radius_deg : disc_radii_deg) {
-    regions.push_back(disc(gaze, radius_deg));
-  }
+  std::vector<Region> regions =
+      transformed(disc_radii_deg, [&](const int radius_deg) { return disc(gaze, radius_deg); });
   regions.push_back(
       {.name = "viewport",
        .weight = [viewport](const Vec3& d) { return viewport.project(d) ? 1.0 : 0.0; },

@@ -1,7 +1,6 @@
 #include "analysis/dataset/comparisons.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "analysis/statistics/models/crossed_model.h"
 #include "analysis/statistics/models/order_balance.h"
 #include "analysis/statistics/multiplicity.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/ordered_jobs.h"
 #include "renderer/base/work/parallel.h"
 
@@ -28,10 +28,8 @@ int resamples_for(std::size_t participants) {
 }
 
 std::optional<Interval> bca_of_ratio(const std::vector<double>& log_ratios) {
-  std::vector<double> ratios;
-  for (const double value : log_ratios) {
-    ratios.push_back(std::exp(value));
-  }
+  const std::vector<double> ratios =
+      transformed(log_ratios, [&](const double value) { return std::exp(value); });
   return bca_geometric_mean(ratios, {.resamples = resamples_for(ratios.size())});
 }
 
@@ -246,10 +244,8 @@ std::vector<MethodComparison> compare_all(const Dataset& set, const study::Analy
 template <typename P>
 void adjust_family(const std::vector<MethodComparison*>& family, const P& p_of,
                    std::optional<double> MethodComparison::* adjusted_p) {
-  std::vector<double> p_values;
-  for (const MethodComparison* member : family) {
-    p_values.push_back(p_of(*member).value_or(1.0));
-  }
+  const std::vector<double> p_values = transformed(
+      family, [&](const MethodComparison* member) { return p_of(*member).value_or(1.0); });
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
     if (p_of(*family[i])) {

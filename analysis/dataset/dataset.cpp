@@ -1,8 +1,6 @@
 #include "analysis/dataset/dataset.h"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 

@@ -103,8 +103,7 @@ ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& me
     }
     const std::string& id = measure.id();
     const auto at_mark = [id](const Figures& figures) {
-      const auto found =
-          std::ranges::find_if(figures.marks, [&](const auto& known) { return known.mark == id; });
+      const auto found = std::ranges::find(figures.marks, id, &study::GazeAtMark::mark);
       return found == figures.marks.end() ? std::nullopt : std::optional(*found);
     };
     columns.push_back(

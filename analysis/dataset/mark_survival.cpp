@@ -8,6 +8,7 @@
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/statistics/models/additive_fit.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -95,10 +96,10 @@ std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& sur
 std::vector<OutlyingTime> outlying_times(const Dataset& set) {
   std::vector<OutlyingTime> outlying;
   for (const std::size_t mark : set.times()) {
-    std::vector<TrialValue> logs;
-    for (const OrderedValue& value : ordered_values(set, mark, OrderOf::trials)) {
-      logs.push_back({value.participant, value.condition, value.value});
-    }
+    const std::vector<TrialValue> logs =
+        transformed(ordered_values(set, mark, OrderOf::trials), [&](const OrderedValue& value) {
+          return TrialValue{value.participant, value.condition, value.value};
+        });
     for (const ResidualOutlier& outlier : residual_outliers(logs)) {
       const TrialValue& trial = logs[outlier.index];
       outlying.push_back({.mark = set.measures[mark].id(),

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola::analysis {
 namespace {
 
@@ -117,10 +119,8 @@ PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t 
   }
   PairedTrials trials;
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-    std::vector<std::optional<double>> row;
-    for (const std::size_t scene : scenes) {
-      row.push_back(difference(participant, scene));
-    }
+    std::vector<std::optional<double>> row = transformed(
+        scenes, [&](const std::size_t scene) { return difference(participant, scene); });
     const auto present = static_cast<std::size_t>(
         std::ranges::count_if(row, [](const auto& value) { return value.has_value(); }));
     if (present > 0) {

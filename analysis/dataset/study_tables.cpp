@@ -132,8 +132,9 @@ const MethodTimes& StudyTables::method_times_of(std::size_t mark, std::size_t me
 
 std::vector<MethodRatings> StudyTables::ratings_of(std::size_t rating) const {
   std::vector<MethodRatings> rows;
-  std::copy_if(ratings.begin(), ratings.end(), std::back_inserter(rows),
-               [&](const MethodRatings& row) { return row.rating == set.measures[rating].id(); });
+  std::ranges::copy_if(ratings, std::back_inserter(rows), [&](const MethodRatings& row) {
+    return row.rating == set.measures[rating].id();
+  });
   return rows;
 }
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/statistics/correlation.h"
 #include "renderer/base/error.h"
 
 namespace foveola::analysis {

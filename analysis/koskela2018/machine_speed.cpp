@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -46,11 +47,7 @@ std::vector<double> log_ratios_of_scenes(const std::vector<ComparedNumber>& cell
     }
     ratios[cell.row].push_back(std::log(cell.study->value / cell.published.value));
   }
-  std::vector<double> means;
-  for (const std::string& scene : scenes) {
-    means.push_back(*mean(ratios[scene]));
-  }
-  return means;
+  return transformed(scenes, [&](const std::string& scene) { return *mean(ratios[scene]); });
 }
 
 MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,

@@ -12,6 +12,7 @@
 #include "analysis/dataset/participant_values.h"
 #include "analysis/statistics/models/crossed_model.h"
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "study/protocol/measure.h"
 
 namespace foveola::analysis {
@@ -234,10 +235,9 @@ using Stated = std::vector<std::vector<bool>>;
 void take_measure(const MeasureExpectation& given, ExpectedStudy& expected, Stated& stated) {
   const study::Protocol& protocol = expected.protocol;
   const std::string where = fmt::format("--effect {}:{}", given.measure, given.method);
-  std::vector<std::string> names;
-  for (const Measure& measure : study::trial_measures(protocol.marks, protocol.ratings)) {
-    names.push_back(measure.id());
-  }
+  const std::vector<std::string> names =
+      transformed(study::trial_measures(protocol.marks, protocol.ratings),
+                  [&](const Measure& measure) { return measure.id(); });
   const std::size_t measure = index_among(names, given.measure, where, "mark or rating");
   const std::size_t method = index_among(protocol.methods, given.method, where, "method");
   if (method == baseline) {

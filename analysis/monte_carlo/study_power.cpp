@@ -1,7 +1,6 @@
 #include "analysis/monte_carlo/study_power.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <iterator>
 

@@ -108,7 +108,7 @@ void define_render(py::module_& module) {
       .def_readonly("dropped", &RenderForPython::dropped,
                     "(x, y, index) of each sample that was not finite; `foveola render --replay` "
                     "traces it again.");
-  const RenderArguments usual;
+  const TraceSettings usual;
   module.def(
       "render",
       [](const SceneForPython& scene, const std::optional<std::string>& method,
@@ -118,11 +118,8 @@ void define_render(py::module_& module) {
         return render_for_python(scene, {.method = method,
                                          .gaze_deg = gaze_deg,
                                          .size = size,
-                                         .samples_per_pixel = samples_per_pixel,
-                                         .samples = samples,
-                                         .seconds = seconds,
-                                         .seed = seed,
-                                         .max_depth = max_depth});
+                                         .budget = {samples_per_pixel, samples, seconds},
+                                         .trace = {.max_depth = max_depth, .seed = seed}});
       },
       render_text, py::arg("scene"), py::arg("method") = py::none(), py::kw_only(),
       py::arg("gaze_deg") = py::none(), py::arg("size") = py::none(),

@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/progressive/render_limits.h"
 #include "scenes/find_scene.h"
 
 namespace py = pybind11;
@@ -49,12 +49,8 @@ constexpr SettingNames names{.camera = "camera_m",
 RenderSettings settings_of(const RenderArguments& arguments) {
   constexpr IVec2 default_size{1024, 512};
   RenderSettings settings;
-  settings.budget = budget_of({.samples_per_pixel = arguments.samples_per_pixel,
-                               .samples = arguments.samples,
-                               .seconds = arguments.seconds},
-                              names);
-  settings.progressive.trace.seed = arguments.seed;
-  settings.progressive.trace.max_depth = arguments.max_depth;
+  settings.budget = budget_of(arguments.budget, names);
+  settings.progressive.trace = arguments.trace;
   std::optional<IVec2> size;
   if (arguments.size) {
     size = IVec2(arguments.size->first, arguments.size->second);
@@ -104,12 +100,10 @@ Rendering render_interruptibly(const SceneForPython& scene, const RenderSettings
 
 std::vector<std::array<std::uint32_t, 3>> places_of(const std::vector<DroppedSample>& dropped,
                                                     std::uint32_t width) {
-  std::vector<std::array<std::uint32_t, 3>> places;
-  places.reserve(dropped.size());
-  for (const DroppedSample& sample : dropped) {
-    places.push_back({sample.pixel % width, sample.pixel / width, sample.sample_number});
-  }
-  return places;
+  return transformed(dropped, [&](const DroppedSample& sample) {
+    return std::array<std::uint32_t, 3>{sample.pixel % width, sample.pixel / width,
+                                        sample.sample_number};
+  });
 }
 
 }  // namespace

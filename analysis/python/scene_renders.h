@@ -13,6 +13,7 @@
 #include "renderer/base/work/parallel.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/progressive/render_limits.h"
 
 namespace foveola::analysis {
 
@@ -41,11 +42,8 @@ struct RenderArguments {
   std::optional<std::string> method;        ///< as make_view_sampler reads it; empty: a picture
   std::optional<AnglesDeg> gaze_deg;        ///< default: the head's direction
   std::optional<std::pair<int, int>> size;  ///< width and height in pixels
-  std::optional<double> samples_per_pixel;
-  std::optional<std::int64_t> samples;
-  std::optional<double> seconds;
-  std::uint32_t seed = 0;
-  int max_depth = 8;
+  BudgetChoices budget;
+  TraceSettings trace;  ///< its seed and depth
 };
 
 struct RenderForPython {

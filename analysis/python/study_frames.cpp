@@ -1,9 +1,7 @@
 #include "analysis/python/study_frames.h"
 
-#include <functional>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>

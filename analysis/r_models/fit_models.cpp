@@ -13,6 +13,7 @@
 #include "renderer/base/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/programs.h"
 
 namespace fs = std::filesystem;
@@ -184,12 +185,9 @@ std::vector<FittedModels> fit_models(const fs::path& script, const std::vector<f
     return without_models(
         fmt::format("R ended with {}: {}", failure_named(end.status), last_line(end.errors)));
   }
-  std::vector<FittedModels> fitted;
-  for (const fs::path& folder : folders) {
-    fitted.push_back(
-        read_models(read_file(folder / models_file), read_file(folder / versions_file)));
-  }
-  return fitted;
+  return transformed(folders, [&](const fs::path& folder) {
+    return read_models(read_file(folder / models_file), read_file(folder / versions_file));
+  });
 }
 
 FittedModels fit_models(const fs::path& folder) {

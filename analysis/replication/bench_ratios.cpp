@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "analysis/statistics/distributions.h"
 #include "renderer/base/error.h"
@@ -22,7 +20,7 @@ constexpr std::array<std::string_view, 14> identities = {
     "level", "unit", "method", "option", "threads",       "what",   "claim"};
 
 bool is_identity(std::string_view key, const BenchJson& /*value*/) {
-  return std::find(identities.begin(), identities.end(), key) != identities.end();
+  return std::ranges::find(identities, key) != identities.end();
 }
 
 /// Returns "threads=2", or the position if no key distinguishes it.
@@ -203,8 +201,7 @@ void pair_figures(const BenchJson& before, const BenchJson& after, std::vector<B
                   std::vector<std::string>& unmatched) {
   std::vector<BenchFigure> others = figures_of(after);
   for (BenchFigure& figure : figures_of(before)) {
-    const auto other = std::find_if(others.begin(), others.end(),
-                                    [&](const BenchFigure& o) { return o.place == figure.place; });
+    const auto other = std::ranges::find(others, figure.place, &BenchFigure::place);
     if (other == others.end()) {
       unmatched.push_back(figure.place);
       continue;
@@ -258,14 +255,13 @@ void collect_figures(const BenchJson& node, const std::string& place, IsIdentity
 }
 
 std::size_t BenchComparison::count(BenchFigureKind kind) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(ratios, [kind](const BenchRatio& row) { return row.kind == kind; }));
+  return static_cast<std::size_t>(std::ranges::count(ratios, kind, &BenchRatio::kind));
 }
 
 std::vector<BenchRatio> BenchComparison::moved(BenchMove move) const {
   std::vector<BenchRatio> rows;
-  std::copy_if(ratios.begin(), ratios.end(), std::back_inserter(rows),
-               [move](const BenchRatio& row) { return row.move == move; });
+  std::ranges::copy_if(ratios, std::back_inserter(rows),
+                       [move](const BenchRatio& row) { return row.move == move; });
   return rows;
 }
 

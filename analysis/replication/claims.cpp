@@ -137,7 +137,7 @@ using NumberSpans = std::vector<std::pair<std::size_t, std::size_t>>;
 /// Throws Error unless the claim is exactly once in the document, with line breaks anywhere.
 NumberSpans find_claim(const fs::path& file, const Claim& claim) {
   std::string document = read_file(file);
-  std::replace(document.begin(), document.end(), '\n', ' ');
+  std::ranges::replace(document, '\n', ' ');
   std::string text = claim.words[0];
   NumberSpans spans;
   std::string missing = "text";
@@ -154,13 +154,12 @@ NumberSpans find_claim(const fs::path& file, const Claim& claim) {
   const std::size_t begin = document.find(text);
   if (begin == std::string::npos || document.find(text, begin + 1) != std::string::npos) {
     const std::string lines = read_file(file).substr(0, known);
-    throw Error(
-        fmt::format("{}:{}", file.string(), std::count(lines.begin(), lines.end(), '\n') + 1),
-        fmt::format("{} of claim '{}'",
-                    begin == std::string::npos ? "does not state the " + missing
-                                               : "states more than once the text",
-                    claim.id),
-        "see " + claim.place);
+    throw Error(fmt::format("{}:{}", file.string(), std::ranges::count(lines, '\n') + 1),
+                fmt::format("{} of claim '{}'",
+                            begin == std::string::npos ? "does not state the " + missing
+                                                       : "states more than once the text",
+                            claim.id),
+                "see " + claim.place);
   }
   for (auto& [from, to] : spans) {
     from += begin;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -65,12 +65,8 @@ double normal_scale_quantile(const std::vector<double>& sorted, double probabili
 std::vector<double> means_without_each(std::span<const double> values) {
   const auto others = static_cast<long double>(values.size() - 1);
   const long double sum = extended_mean(values) * (others + 1.0L);
-  std::vector<double> means;
-  means.reserve(values.size());
-  for (const double value : values) {
-    means.push_back(static_cast<double>((sum - value) / others));
-  }
-  return means;
+  return transformed(
+      values, [&](const double value) { return static_cast<double>((sum - value) / others); });
 }
 
 }  // namespace

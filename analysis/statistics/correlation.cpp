@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analysis/statistics/distributions.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -34,11 +35,8 @@ double correlation_coefficient(std::span<const double> x, std::span<const double
 
 /// Ranks are multiples of 1/2: twice a rank is a whole number.
 std::vector<int> doubled_ranks(std::span<const double> values) {
-  std::vector<int> doubled;
-  for (const double rank : rank(values).ranks) {
-    doubled.push_back(static_cast<int>(std::lround(2.0 * rank)));
-  }
-  return doubled;
+  return transformed(rank(values).ranks,
+                     [&](const double rank) { return static_cast<int>(std::lround(2.0 * rank)); });
 }
 
 /// The correlation grows with the sum of products of ranks, the only part that depends on their

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <vector>
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"

@@ -1,6 +1,5 @@
 #include "analysis/statistics/logarithms.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 

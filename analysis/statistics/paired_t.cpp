@@ -8,6 +8,7 @@
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
 #include "analysis/statistics/rank_tests.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -15,11 +16,8 @@ namespace {
 /// Returns the one-sided P that values shifted by `margin` are centred above zero; `sign` -1
 /// mirrors the values.
 double p_of_shifted(std::span<const double> values, double sign, double margin) {
-  std::vector<double> shifted;
-  shifted.reserve(values.size());
-  for (const double value : values) {
-    shifted.push_back(sign * value + margin);
-  }
+  std::vector<double> shifted =
+      transformed(values, [&](const double value) { return sign * value + margin; });
   const std::optional<SignedRankTest> test = signed_rank(without_rounding(std::move(shifted)));
   return test ? test->p_above : 1.0;
 }

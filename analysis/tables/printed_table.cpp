@@ -8,6 +8,7 @@
 #include "analysis/tables/html.h"
 #include "analysis/tables/latex.h"
 #include "renderer/base/aligned_rows.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 
 namespace foveola::analysis {
@@ -40,10 +41,8 @@ std::string body_cells(const std::vector<std::string>& row) {
 }
 
 std::string latex_row(const std::vector<std::string>& cells) {
-  std::vector<std::string> texts;
-  for (const std::string& cell : cells) {
-    texts.push_back(latex_text(cell));
-  }
+  const std::vector<std::string> texts =
+      transformed(cells, [&](const std::string& cell) { return latex_text(cell); });
   // After the end of a row, LaTeX would take these for its arguments.
   const bool is_argument = texts.at(0).starts_with('[') || texts.at(0).starts_with('*');
   return fmt::format("{}{} \\\\\n", is_argument ? "{}" : "", fmt::join(texts, " & "));
@@ -82,11 +81,9 @@ std::string latex_caption(const PrintedTable& table, std::string_view notice) {
 }
 
 std::string latex_groups(const PrintedTable& table) {
-  std::vector<std::string> cells;
-  for (const ColumnGroup& group : table.groups) {
-    cells.push_back(
-        fmt::format("\\multicolumn{{{}}}{{c}}{{{}}}", group.columns, latex_text(group.heading)));
-  }
+  const std::vector<std::string> cells = transformed(table.groups, [&](const ColumnGroup& group) {
+    return fmt::format("\\multicolumn{{{}}}{{c}}{{{}}}", group.columns, latex_text(group.heading));
+  });
   return cells.empty() ? "" : fmt::format("{} \\\\\n", fmt::join(cells, " & "));
 }
 

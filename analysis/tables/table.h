@@ -2,7 +2,6 @@
 // description of the columns, is written from it.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,6 +10,8 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 
@@ -137,21 +138,12 @@ using ColumnsOf = std::vector<ColumnOf<Item>>;
 
 template <typename Item>
 std::vector<Column> columns_in(const ColumnsOf<Item>& columns) {
-  std::vector<Column> plain;
-  for (const ColumnOf<Item>& column : columns) {
-    plain.push_back(column.column);
-  }
-  return plain;
+  return transformed(columns, &ColumnOf<Item>::column);
 }
 
 template <typename Item>
 Row row_of(const ColumnsOf<Item>& columns, const Item& item) {
-  Row row;
-  row.reserve(columns.size());
-  for (const ColumnOf<Item>& column : columns) {
-    row.push_back(column.value(item));
-  }
-  return row;
+  return transformed(columns, [&](const ColumnOf<Item>& column) { return column.value(item); });
 }
 
 /// Returns a table with a row for each of `items`, in their order.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/csv.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
@@ -44,21 +45,12 @@ struct JsonOf {
 };
 
 CsvRow texts_of(const Row& row, const TextOf& text_of_field) {
-  CsvRow texts;
-  texts.reserve(row.size());
-  for (const Field& field : row) {
-    texts.push_back(std::visit(text_of_field, field));
-  }
-  return texts;
+  return transformed(row, [&](const Field& field) { return std::visit(text_of_field, field); });
 }
 
 CsvRow names_of(const std::vector<Column>& columns) {
   require_distinct_names(columns);
-  CsvRow names;
-  for (const Column& column : columns) {
-    names.push_back(column.name);
-  }
-  return names;
+  return transformed(columns, &Column::name);
 }
 
 /// Returns "n/a" for a missing value. A typed "n/a" gets an apostrophe before it, and so does one

@@ -2,7 +2,6 @@
 
 #include <fstream>
 #include <map>
-#include <string>
 #include <thread>
 
 #include <sys/resource.h>

@@ -1,7 +1,6 @@
 #include "renderer/base/print.h"
 
 #include <cerrno>
-#include <string>
 #include <system_error>
 
 #include <fcntl.h>
@@ -28,6 +27,18 @@ void print_escaped(std::FILE* stream, std::string_view text) {
   std::fwrite(harmless.data(), 1, harmless.size(), stream);
   if (stream == stdout) {
     require_printed();
+  }
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    print_text(stderr, "foveola: note: {}\n", printable(note));
+  }
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    print_text(stderr, "foveola: warning: {}\n", printable(warning));
   }
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,6 +26,11 @@ template <typename... Values>
 void print_text(fmt::format_string<Values...> format, Values&&... values) {
   print_text(stdout, format, std::forward<Values>(values)...);
 }
+
+/// Print each text, as printable() has it, on a line of standard error, after "foveola: note: " or
+/// "foveola: warning: ".
+void print_notes(const std::vector<std::string>& notes);
+void print_warnings(const std::vector<std::string>& warnings);
 
 /// Throws Error if any earlier print to standard output could not be written.
 void finish_printing();

@@ -49,7 +49,7 @@ constexpr std::array obeyed{
 };
 
 bool is_obeyed(char32_t code) {
-  return std::any_of(obeyed.begin(), obeyed.end(), [code](const CharacterRange& range) {
+  return std::ranges::any_of(obeyed, [code](const CharacterRange& range) {
     return code >= range.first && code <= range.last;
   });
 }
@@ -92,7 +92,7 @@ void erase_last_character(std::string& text) {
 
 std::size_t count_characters(std::string_view text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return !goes_on(byte); }));
+      std::ranges::count_if(text, [](char byte) { return !goes_on(byte); }));
 }
 
 std::string printable(std::string_view text) {
@@ -126,7 +126,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::size_t bytes_of_first(std::string_view text, std::size_t characters) {
-  const auto end = std::find_if(text.begin(), text.end(), [&](char byte) {
+  const auto end = std::ranges::find_if(text, [&](char byte) {
     if (goes_on(byte)) {
       return false;
     }

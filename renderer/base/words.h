@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 
 /// A text in a file and its value.
@@ -20,11 +22,7 @@ struct Word {
 
 template <typename Value, std::size_t count>
 std::vector<std::string> texts_of(const std::array<Word<Value>, count>& words) {
-  std::vector<std::string> texts;
-  for (const Word<Value>& word : words) {
-    texts.emplace_back(word.text);
-  }
-  return texts;
+  return transformed<std::string>(words, &Word<Value>::text);
 }
 
 /// The value of a checked text. Throws std::logic_error if `words` does not contain it.

@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 namespace {
 
@@ -49,7 +51,7 @@ std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
       names.push_back(option->get_name());
     }
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -57,10 +59,8 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   if (!option.nonpositional()) {
     return {option.get_name(true)};
   }
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) {
-    names.push_back("-" + name);
-  }
+  std::vector<std::string> names =
+      transformed(option.get_snames(), [&](const std::string& name) { return "-" + name; });
   for (const std::string& name : option.get_lnames()) {
     names.push_back("--" + name);
   }

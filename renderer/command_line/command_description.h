@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 

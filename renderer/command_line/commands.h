@@ -1,11 +1,8 @@
 // The commands that print the command line's description: manual and completion.
 #pragma once
 
+#include "renderer/command_line/cli_fwd.h"
 #include "renderer/command_line/manual_page.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foveola {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
 #include "renderer/base/words.h"
 
 namespace foveola {
@@ -93,10 +94,8 @@ std::string term_of(const OptionDescription& option) {
   if (!option.names.front().starts_with('-')) {
     return italic(option.names.front());
   }
-  std::vector<std::string> names;
-  for (const std::string& name : option.names) {
-    names.push_back(bold(name));
-  }
+  const std::vector<std::string> names =
+      transformed(option.names, [&](const std::string& name) { return bold(name); });
   const std::string value = option.value_name.empty() ? "" : " " + italic(option.value_name);
   return fmt::format("{}{}", fmt::join(names, ", "), value);
 }
@@ -156,7 +155,7 @@ std::string part_of(const CommandDescription& command, const std::string& path,
                     const std::vector<OptionDescription>& everywhere) {
   std::vector<OptionDescription> own = command.options;
   std::erase_if(own, [&](const OptionDescription& option) {
-    return std::find(everywhere.begin(), everywhere.end(), option) != everywhere.end();
+    return std::ranges::find(everywhere, option) != everywhere.end();
   });
   std::string page =
       fmt::format(".SS {}\n{}", usage_of(command, path), filled(as_sentence(command.description)));

@@ -1,10 +1,7 @@
 // Refuses outputs that are inputs: a command never overwrites a file that it reads.
 #pragma once
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 

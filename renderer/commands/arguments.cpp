@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {
@@ -74,8 +70,8 @@ IVec2 parse_size(const std::string& option, const std::string& text) {
 FieldsOfView parse_fields_of_view(const std::string& option, const std::string& text) {
   const bool has_both = text.find('x') != std::string::npos;
   const std::vector<double> degrees = parse_numbers<double>(text, 'x', has_both ? 2 : 1);
-  const bool is_seen = std::all_of(degrees.begin(), degrees.end(),
-                                   [](double angle) { return angle > 0.0 && angle < 180.0; });
+  const bool is_seen =
+      std::ranges::all_of(degrees, [](double angle) { return angle > 0.0 && angle < 180.0; });
   if (degrees.empty() || !is_seen) {
     throw UsageError(option, fmt::format("'{}' is not a field of view", text),
                      "give degrees between 0 and 180, or WIDTHxHEIGHT");
@@ -107,7 +103,7 @@ DVec3 parse_vec3(const std::string& option, const std::string& text) {
 SunAndSky parse_sky(const std::string& option, const std::string& text) {
   SunAndSky sky;
   std::string sun = text;
-  if (std::count(text.begin(), text.end(), ',') == 2) {
+  if (std::ranges::count(text, ',') == 2) {
     const std::size_t comma = text.rfind(',');
     const std::vector<double> turbidity = parse_finite(std::string_view(text).substr(comma + 1), 1);
     if (turbidity.empty()) {
@@ -145,12 +141,6 @@ void require_method(const std::string& method) {
     make_view_sampler(method);
   } catch (const Error& error) {
     throw UsageError("--method", error.what());
-  }
-}
-
-void print_method_notes(const std::string& method) {
-  for (const std::string& note : method_notes(method)) {
-    print_text(stderr, "foveola: note: {}\n", printable(note));
   }
 }
 

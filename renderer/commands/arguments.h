@@ -15,8 +15,6 @@ namespace foveola {
 
 /// Throws UsageError that names --method for a text that make_view_sampler refuses.
 void require_method(const std::string& method);
-/// Prints the method's method_notes on standard error, one per line.
-void print_method_notes(const std::string& method);
 
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
 IVec2 parse_size(const std::string& option, const std::string& text);

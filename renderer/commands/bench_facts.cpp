@@ -87,7 +87,7 @@ nlohmann::ordered_json measured_once(double value) {
 }
 
 Median median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   Median median{.value = values[values.size() / 2], .interval = {}};
   if (const std::size_t place = place_of_ends(values.size()); place > 0) {
     median.interval = {values[place - 1], values[values.size() - place]};

@@ -1,15 +1,14 @@
-// The renderer's commands beside `foveola bench`: render, compare, merge-images, scene and tracker.
+// The renderer's commands beside `foveola bench`: render, compare, merge-images, preview, scene and
+// tracker.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "renderer/base/scene_source.h"
-
-namespace CLI {
-class App;
-}
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 
@@ -23,6 +22,18 @@ void add_compare(CLI::App& app);
 
 /// Adds the command that merges the films of a render's parts into an image.
 void add_merge_images(CLI::App& app);
+
+/// Adds `preview` to `app`. It runs in the thread that parses the command line, the program's
+/// first, until its window is closed or `stop` is requested.
+void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
+
+/// Returns the text of a scene's descriptor, with a remark for each of its objects.
+using DescriptorText =
+    std::function<std::string(const SceneSource& source, const std::vector<std::string>& remarks)>;
+
+/// Adds `describe` to the command `scene`; see add_render.
+void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
+                        const std::stop_token& stop);
 
 /// Adds `info` to the command `scene`; see add_render.
 void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::stop_token& stop);

@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 

@@ -36,7 +36,7 @@ void replace_environment(const std::string& text, SceneSource& source) {
   source.environment_rotation_rad = 0.0;
   if (text.starts_with(sky)) {
     source.sky = parse_sky("--environment", text.substr(sky.size()));
-  } else if (std::count(text.begin(), text.end(), ',') == 2) {
+  } else if (std::ranges::count(text, ',') == 2) {
     const Rgb radiance = parse_vec3("--environment", text);
     if (!glm::all(glm::greaterThanEqual(radiance, Rgb(0.0F)))) {
       throw UsageError("--environment", "radiance must not be negative",

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/command_line/cli_fwd.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
@@ -12,10 +13,6 @@
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "renderer/trace/paths/path_tracer.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foveola {
 

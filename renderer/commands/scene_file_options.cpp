@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
 
 namespace foveola {
@@ -53,16 +51,6 @@ SceneFinder with_scene_file_options(CLI::App& command, const SceneFinder& find_s
     apply_scene_file_options(*arguments, source);
     return source;
   };
-}
-
-std::string warning_line(const std::string& warning) {
-  return "foveola: warning: " + printable(warning);
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    print_text(stderr, "{}\n", warning_line(warning));
-  }
 }
 
 }  // namespace foveola

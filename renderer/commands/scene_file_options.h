@@ -4,13 +4,9 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "renderer/base/scene_source.h"
-
-namespace CLI {
-class App;
-}
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 
@@ -31,11 +27,5 @@ void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& 
 /// Adds the options to `command`. The returned finder's scenes are read with the given options,
 /// which override their own.
 SceneFinder with_scene_file_options(CLI::App& command, const SceneFinder& find_scene);
-
-/// The printed line of a warning.
-std::string warning_line(const std::string& warning);
-
-/// Prints each on its own line, on standard error.
-void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace foveola

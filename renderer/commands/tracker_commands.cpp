@@ -14,6 +14,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/commands.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/gaze_source.h"
@@ -28,30 +29,25 @@ using Json = nlohmann::ordered_json;
 // --- list ---
 
 std::vector<TrackerProfile> profiles() {
-  std::vector<TrackerProfile> list;
-  for (const std::string& name : tracker_profile_names()) {
-    list.push_back(read_tracker_profile(name));
-  }
-  return list;
+  return transformed(tracker_profile_names(),
+                     [&](const std::string& name) { return read_tracker_profile(name); });
 }
 
 void print_list_json(const std::vector<HidDeviceInfo>& devices) {
-  Json attached = Json::array();
-  for (const HidDeviceInfo& device : devices) {
-    attached.push_back({{"path", device.path},
-                        {"vendor_id", device.vendor_id},
-                        {"product_id", device.product_id},
-                        {"manufacturer", device.manufacturer},
-                        {"product", device.product},
-                        {"serial_number", device.serial_number}});
-  }
-  Json known = Json::array();
-  for (const TrackerProfile& profile : profiles()) {
-    known.push_back({{"name", profile.name},
-                     {"title", profile.title},
-                     {"source", name_of(profile.source)},
-                     {"rate_hz", profile.rate_hz}});
-  }
+  const Json attached(transformed(devices, [&](const HidDeviceInfo& device) {
+    return Json{{"path", device.path},
+                {"vendor_id", device.vendor_id},
+                {"product_id", device.product_id},
+                {"manufacturer", device.manufacturer},
+                {"product", device.product},
+                {"serial_number", device.serial_number}};
+  }));
+  const Json known(transformed(profiles(), [&](const TrackerProfile& profile) {
+    return Json{{"name", profile.name},
+                {"title", profile.title},
+                {"source", name_of(profile.source)},
+                {"rate_hz", profile.rate_hz}};
+  }));
   const Json json = {{"attached", attached}, {"profiles", known}};
   // Devices may report invalid UTF-8.
   print_text("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));

@@ -16,6 +16,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/similar_word.h"
+#include "renderer/base/transformed.h"
 #include "renderer/command_line/command_description.h"
 
 namespace foveola {
@@ -75,11 +76,7 @@ void state_default(CLI::Option& option) {
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CommandDescription& command : foveola::describe(app).commands) {
-    names.push_back(command.name);
-  }
-  return names;
+  return transformed(foveola::describe(app).commands, &CommandDescription::name);
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {

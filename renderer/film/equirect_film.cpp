@@ -1,6 +1,5 @@
 #include "renderer/film/equirect_film.h"
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <utility>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -52,12 +52,7 @@ void add_weighed(double weight, std::uint32_t count, Value& sum, const Value& va
 }
 
 std::vector<std::uint32_t> numbers_of(const std::vector<NumberedBatch::TileRange>& tiles) {
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(tiles.size());
-  for (const NumberedBatch::TileRange& range : tiles) {
-    numbers.push_back(range.tile);
-  }
-  return numbers;
+  return transformed(tiles, &NumberedBatch::TileRange::tile);
 }
 
 }  // namespace

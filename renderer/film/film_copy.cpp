@@ -2,8 +2,6 @@
 
 #include <atomic>
 
-#include "renderer/film/shown_color.h"
-
 namespace foveola {
 namespace {
 

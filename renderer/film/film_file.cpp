@@ -4,13 +4,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <system_error>
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/files/little_endian.h"
 

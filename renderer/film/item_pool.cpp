@@ -1,7 +1,5 @@
 #include "renderer/film/item_pool.h"
 
-#include <cstdint>
-#include <new>
 #include <utility>
 
 namespace foveola {

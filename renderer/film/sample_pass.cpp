@@ -46,7 +46,7 @@ bool varies_within_pixels(const ViewSampler& sampler, const EquirectFilm& film) 
   }
   std::array<ViewSample, points.size()> samples;
   sampler.sample(points, samples);
-  return std::any_of(samples.begin(), samples.end(), [&](const ViewSample& sample) {
+  return std::ranges::any_of(samples, [&](const ViewSample& sample) {
     const float weight =
         weight_in_pixel(sampler, film, sample.direction, film.pixel_at(sample.image));
     return std::abs(weight - 1.0F) > negligible_variation;

@@ -54,7 +54,7 @@ void TexelPyramid::clear(std::span<const std::uint32_t> filled) {
     // Contiguous cells are emptied several times faster than scattered ones.
     constexpr std::size_t faster = 4;
     if (level.cells.size() <= faster * filled.size()) {
-      std::fill(level.cells.begin(), level.cells.end(), PremultipliedTexel{});
+      std::ranges::fill(level.cells, PremultipliedTexel{});
     } else {
       for (const std::uint32_t cell : filled) {
         const std::size_t x = cell % finest_width >> number;

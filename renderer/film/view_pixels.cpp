@@ -1,16 +1,12 @@
 #include "renderer/film/view_pixels.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <span>
 
 #include "renderer/view/equirect.h"
-#include "renderer/view/viewport.h"
 
 namespace foveola {
 namespace {
@@ -202,7 +198,7 @@ float ViewPixels::highest_level() const {
   }
   FloatLanes lanes;
   lanes.store(highest);
-  return *std::max_element(lanes.begin(), lanes.end());
+  return *std::ranges::max_element(lanes);
 }
 
 ViewPoints ViewPixels::points(const EightPixels& pixels) const {

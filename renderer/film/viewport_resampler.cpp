@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/film/view_pixels.h"
-
 namespace foveola {
 namespace {
 

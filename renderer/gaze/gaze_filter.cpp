@@ -5,9 +5,9 @@
 #include <numbers>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/transformed.h"
 #include "renderer/gaze/rotations.h"
 
 namespace foveola {
@@ -35,12 +35,10 @@ struct Way {
 std::vector<Way> ways_to(std::span<const GazeSample> samples) {
   const GazeSample& newest = samples.back();
   const DVec3 from = glm::normalize(DVec3(newest.direction));
-  std::vector<Way> ways;
-  for (const GazeSample& sample : samples) {
-    ways.push_back({.time_s = seconds(sample.time - newest.time),
-                    .turn_rad = rotation_between(from, glm::normalize(DVec3(sample.direction)))});
-  }
-  return ways;
+  return transformed(samples, [&](const GazeSample& sample) {
+    return Way{.time_s = seconds(sample.time - newest.time),
+               .turn_rad = rotation_between(from, glm::normalize(DVec3(sample.direction)))};
+  });
 }
 
 /// The least-squares line through turns over time. samples: at least 3, at different times.

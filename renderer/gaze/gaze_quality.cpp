@@ -6,6 +6,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/quantile.h"
+#include "renderer/base/transformed.h"
 #include "renderer/gaze/eye_movements.h"
 
 namespace foveola {
@@ -32,8 +33,8 @@ double data_loss(const WatchedTarget& target, std::optional<double> interval_s) 
     return 1.0;
   }
   const double expected = seconds(target.end - target.start) / *interval_s;
-  const auto valid = static_cast<double>(std::count_if(
-      target.samples.begin(), target.samples.end(), [](const GazeSample& s) { return s.valid; }));
+  const auto valid = static_cast<double>(
+      std::ranges::count_if(target.samples, [](const GazeSample& s) { return s.valid; }));
   return std::clamp(1.0 - valid / expected, 0.0, 1.0);
 }
 
@@ -109,10 +110,8 @@ double root_mean_square(const std::vector<double>& values) {
 }
 
 double deviation_deg(const std::vector<Vec3>& directions, const Vec3& mean) {
-  std::vector<double> angles_deg;
-  for (const Vec3& direction : directions) {
-    angles_deg.push_back(angle_deg(direction, mean));
-  }
+  const std::vector<double> angles_deg =
+      transformed(directions, [&](const Vec3& direction) { return angle_deg(direction, mean); });
   return root_mean_square(angles_deg);
 }
 
@@ -167,9 +166,8 @@ GazeQuality gaze_quality(std::span<const WatchedTarget> watched) {
 }
 
 bool passes(const GazeQuality& quality, const GazeGate& gate) {
-  const bool all_seen =
-      std::all_of(quality.targets.begin(), quality.targets.end(),
-                  [](const TargetQuality& target) { return target.seen.has_value(); });
+  const bool all_seen = std::ranges::all_of(
+      quality.targets, [](const TargetQuality& target) { return target.seen.has_value(); });
   return all_seen && quality.figures && quality.figures->accuracy_deg <= gate.max_accuracy_deg &&
          quality.figures->precision_rms_deg <= gate.max_precision_deg &&
          quality.data_loss <= gate.max_data_loss;

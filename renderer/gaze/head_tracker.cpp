@@ -41,8 +41,7 @@ HeadPose head_pose(Nanoseconds time, const Quat& orientation) {
 
 ScriptedHeadTracker::ScriptedHeadTracker(std::vector<HeadPose> poses) : poses_(std::move(poses)) {
   const auto earlier = [](const HeadPose& a, const HeadPose& b) { return a.time < b.time; };
-  if (poses_.empty() ||
-      std::adjacent_find(poses_.begin(), poses_.end(), std::not_fn(earlier)) != poses_.end()) {
+  if (poses_.empty() || std::ranges::adjacent_find(poses_, std::not_fn(earlier)) != poses_.end()) {
     throw Error("head poses", "no poses are given, or their times do not ascend",
                 "give at least one pose, in the order of time");
   }

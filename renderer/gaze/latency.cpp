@@ -45,7 +45,7 @@ LatencySpread spread_over(std::span<const LatencyStage> frames) {
       durations_s.push_back(std::lerp(stage.best_s, stage.worst_s, (moment + 0.5) / moments));
     }
   }
-  std::sort(durations_s.begin(), durations_s.end());
+  std::ranges::sort(durations_s);
   spread.median_s = quantile(durations_s, 0.5);
   spread.percentile_95_s = quantile(durations_s, 0.95);
   return spread;

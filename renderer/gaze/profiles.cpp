@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/files/files.h"
@@ -35,7 +33,7 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
     return name_or_path;
   }
   const std::vector<std::string> names = toml_names_in(profile_folder(folder));
-  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+  if (std::ranges::find(names, name_or_path) == names.end()) {
     throw Error(
         fmt::format("profile '{}'", name_or_path), fmt::format("is not one of the {}", folder),
         did_you_mean(name_or_path, names,

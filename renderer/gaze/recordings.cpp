@@ -1,15 +1,11 @@
 #include "renderer/gaze/recordings.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,7 +35,7 @@ HeadPose pose_from(const RecordedLine& line) {
 }
 
 std::size_t count_fields(std::string_view header) {
-  return static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+  return static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
 }
 
 /// The header in a file's first row. Throws Error if it is not one.
@@ -100,8 +96,7 @@ void require_writable_samples(const std::filesystem::path& file,
   const auto has_good_direction = [](const GazeSample& sample) {
     return !sample.valid || is_unit(sample.direction);
   };
-  if (!has_recordable_times(samples) ||
-      !std::all_of(samples.begin(), samples.end(), has_good_direction)) {
+  if (!has_recordable_times(samples) || !std::ranges::all_of(samples, has_good_direction)) {
     throw Error(file.string(), "is not written: such samples cannot be read back",
                 "give at least one, times from 0 ascending, and directions of unit length");
   }

@@ -69,7 +69,7 @@ void read_recording(const std::filesystem::path& file, const RecordingFormat& fo
 template <typename Moment>
 bool times_ascend(std::span<const Moment> moments) {
   const auto is_not_earlier = [](const Moment& a, const Moment& b) { return a.time >= b.time; };
-  return std::adjacent_find(moments.begin(), moments.end(), is_not_earlier) == moments.end();
+  return std::ranges::adjacent_find(moments, is_not_earlier) == moments.end();
 }
 
 /// Whether these moments' times could be read from a file.

@@ -24,7 +24,7 @@ std::int64_t chosen_format(const XrInstanceOwner& instance, XrSession session) {
   instance.require(instance.xr().EnumerateSwapchainFormats(session, count, &count, formats.data()),
                    "xrEnumerateSwapchainFormats");
   for (const std::int64_t wanted : {GL_SRGB8_ALPHA8, GL_SRGB8}) {
-    if (std::find(formats.begin(), formats.end(), wanted) != formats.end()) {
+    if (std::ranges::find(formats, wanted) != formats.end()) {
       return wanted;
     }
   }

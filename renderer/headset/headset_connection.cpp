@@ -6,7 +6,6 @@
 
 #include <epoxy/gl.h>
 
-#include "renderer/headset/eye_views.h"
 #include "renderer/headset/glx_session.h"
 
 namespace foveola {

@@ -1,7 +1,5 @@
 #include "renderer/headset/headset_presenter.h"
 
-#include <utility>
-
 #include "renderer/base/error.h"
 
 namespace foveola {

@@ -1,14 +1,15 @@
 #include "renderer/headset/xr_instance.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <ctime>
 
 #define XR_USE_TIMESPEC
 #include <fmt/format.h>
 #include <openxr/openxr_platform.h>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -37,15 +38,11 @@ std::vector<std::string> offered_extensions(const XrLoader& loader) {
   }
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   enumerate(nullptr, count, &count, properties.data());
-  std::vector<std::string> names;
-  for (const XrExtensionProperties& one : properties) {
-    names.emplace_back(one.extensionName);
-  }
-  return names;
+  return transformed<std::string>(properties, &XrExtensionProperties::extensionName);
 }
 
 bool includes(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 std::vector<std::string> wanted_extensions(const XrLoader& loader) {
@@ -86,10 +83,8 @@ XrInstanceOwner::XrInstanceOwner() : extensions_(wanted_extensions(loader_)) {
 XrInstanceOwner::~XrInstanceOwner() { xr_.DestroyInstance(instance_); }
 
 void XrInstanceOwner::make_instance() {
-  std::vector<const char*> names;
-  for (const std::string& name : extensions_) {
-    names.push_back(name.c_str());
-  }
+  const std::vector<const char*> names =
+      transformed(extensions_, [&](const std::string& name) { return name.c_str(); });
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
   put_text("Foveola", info.applicationInfo.applicationName);
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -59,8 +57,7 @@ bool is_targa(std::span<const unsigned char> encoded) {
   constexpr std::array<unsigned char, 6> kinds = {1, 2, 3, 9, 10, 11};
   constexpr std::array<unsigned char, 5> depths = {8, 15, 16, 24, 32};
   return encoded.size() > header_size && encoded[1] <= 1 &&
-         std::count(kinds.begin(), kinds.end(), encoded[2]) == 1 &&
-         std::count(depths.begin(), depths.end(), encoded[16]) == 1;
+         std::ranges::count(kinds, encoded[2]) == 1 && std::ranges::count(depths, encoded[16]) == 1;
 }
 
 const char* refusal_of(ImageFormats allowed) {

@@ -25,14 +25,14 @@ constexpr std::array<float, 8> rec709 = {0.64F, 0.33F, 0.30F,   0.60F,
 std::array<int, 3> layer_channels(const std::vector<std::string>& names, const std::string& layer) {
   std::array<int, 3> channels{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto found = std::find(names.begin(), names.end(), layer + "RGB"[i]);
+    const auto found = std::ranges::find(names, layer + "RGB"[i]);
     channels[i] = found == names.end() ? -1 : static_cast<int>(found - names.begin());
   }
   return channels;
 }
 
 bool are_there(const std::array<int, 3>& channels) {
-  return *std::min_element(channels.begin(), channels.end()) >= 0;
+  return *std::ranges::min_element(channels) >= 0;
 }
 
 /// The layers with red, green and blue, "ViewLayer.Combined." for instance.
@@ -57,9 +57,8 @@ std::array<int, 3> color_channels(const std::vector<std::string>& names) {
     return plain;
   }
   std::vector<std::string> layers = color_layers(names);
-  const auto combined = std::find_if(layers.begin(), layers.end(), [](const std::string& layer) {
-    return layer.ends_with("Combined.");
-  });
+  const auto combined = std::ranges::find_if(
+      layers, [](const std::string& layer) { return layer.ends_with("Combined."); });
   if (combined != layers.end()) {
     return layer_channels(names, *combined);
   }

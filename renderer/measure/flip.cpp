@@ -10,6 +10,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/image/tone_mapping.h"
 
 namespace foveola {
@@ -218,12 +219,9 @@ Kernel balanced(const std::vector<double>& weights) {
   for (const double weight : weights) {
     (weight > 0.0 ? positive : negative) += std::abs(weight);
   }
-  Kernel kernel;
-  for (const double weight : weights) {
-    kernel.push_back(
-        weight == 0.0 ? 0.0F : static_cast<float>(weight / (weight > 0.0 ? positive : negative)));
-  }
-  return kernel;
+  return transformed(weights, [&](const double weight) {
+    return weight == 0.0 ? 0.0F : static_cast<float>(weight / (weight > 0.0 ? positive : negative));
+  });
 }
 
 FeatureKernels feature_kernels(double per_degree) {
@@ -292,10 +290,8 @@ struct ExposureRange {
 /// The exposures at which the maximum and the median luminance become 0.85 (section 3.1).
 ExposureRange exposure_range(const RgbImage& reference) {
   constexpr double shown = 2.1189;  ///< the linear value that filmic() maps to 0.85
-  std::vector<double> luminances;
-  for (const Rgb& pixel : reference.pixels) {
-    luminances.push_back(xyz_of(DVec3(pixel)).y);
-  }
+  std::vector<double> luminances =
+      transformed(reference.pixels, [&](const Rgb& pixel) { return xyz_of(DVec3(pixel)).y; });
   const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
   std::nth_element(luminances.begin(), middle, luminances.end());
   const double brightest = *std::max_element(middle, luminances.end());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,7 +58,7 @@ std::vector<bool> metered(const RayScene& rays, const Vec3& viewpoint, const Vie
     }
   }
   const auto pixels = static_cast<double>(shows_scene.size());
-  const auto count = std::count(shows_scene.begin(), shows_scene.end(), true);
+  const auto count = std::ranges::count(shows_scene, true);
   return static_cast<double>(count) >= least_share * pixels
              ? shows_scene
              : std::vector<bool>(shows_scene.size(), true);
@@ -96,7 +95,7 @@ std::optional<double> automatic_exposure_stops(std::vector<float> luminances) {
   if (luminances.empty()) {
     return std::nullopt;
   }
-  std::sort(luminances.begin(), luminances.end());
+  std::ranges::sort(luminances);
   const float bright = luminances[static_cast<std::size_t>(
       share_below_bright * static_cast<double>(luminances.size() - 1))];
   const float darkest = darkest_of_bright * bright;

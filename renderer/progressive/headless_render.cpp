@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "renderer/base/work/work_scope.h"

@@ -1,15 +1,12 @@
 #include "renderer/progressive/loaded_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <filesystem>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/progressive/picture.h"
@@ -35,7 +32,7 @@ void make_diffuse(Material& material) {
 
 Scene as_chosen(Scene scene, bool diffuse, bool has_studio_light) {
   if (diffuse) {
-    std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
+    std::ranges::for_each(scene.materials, make_diffuse);
   }
   if (has_studio_light) {
     add_studio_light(scene);
@@ -60,7 +57,7 @@ CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
 /// The file's camera of this name, see camera_names. Throws UsageError.
 const CameraView& camera_named(const Scene& scene, const std::string& name) {
   const std::vector<std::string> names = camera_names(scene.cameras);
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
     throw UsageError("--camera", fmt::format("the file has no camera '{}'", name),
                      names.empty() ? "it has none at all: give a place, X,Y,Z"

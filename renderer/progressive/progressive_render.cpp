@@ -1,7 +1,6 @@
 #include "renderer/progressive/progressive_render.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
@@ -101,7 +100,7 @@ std::optional<SampleJob> ProgressiveRender::find_job(const ViewSampler& sampler,
                                                      std::uint64_t points, std::uint32_t pixel,
                                                      std::uint32_t sample_number) {
   const std::vector<SampleJob> jobs = pass_over(sampler, points);
-  const auto job = std::find_if(jobs.begin(), jobs.end(), [&](const SampleJob& candidate) {
+  const auto job = std::ranges::find_if(jobs, [&](const SampleJob& candidate) {
     return candidate.pixel == pixel && candidate.sample_number == sample_number;
   });
   return job != jobs.end() ? std::optional(*job) : std::nullopt;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/transformed.h"
 #include "renderer/progressive/surroundings.h"
 #include "renderer/scene/made_up_names.h"
 
@@ -81,7 +82,7 @@ RayThrough follow(const RayScene& scene, const Groups& groups, const Vec3& origi
       through.first_distance_m = hit.t;
     }
     const std::uint32_t group = groups.of_object[hit.object];
-    if (std::find(through.groups.begin(), through.groups.end(), group) == through.groups.end()) {
+    if (std::ranges::find(through.groups, group) == through.groups.end()) {
       through.groups.push_back(group);
     }
     ray.t_min = hit.t * beyond;
@@ -128,20 +129,18 @@ View look_around(const LoadedScene& loaded, const Groups& groups, const Workers&
 /// The ray nearest to the centre of an object's visible part.
 std::size_t middle_ray(const Seen& seen) {
   const Vec3 middle(glm::normalize(seen.sum));
-  return *std::max_element(
-      seen.first_met.begin(), seen.first_met.end(), [&](std::size_t a, std::size_t b) {
-        return glm::dot(direction_of_ray(a), middle) < glm::dot(direction_of_ray(b), middle);
-      });
+  return *std::ranges::max_element(seen.first_met, [&](std::size_t a, std::size_t b) {
+    return glm::dot(direction_of_ray(a), middle) < glm::dot(direction_of_ray(b), middle);
+  });
 }
 
 /// The angle around `middle` that contains 98 of 100 rays to the object: a few may pass a table's
 /// leg.
 double angular_radius_rad(const Seen& seen, const Vec3& middle) {
   constexpr double covered = 0.98;
-  std::vector<double> angles_rad;
-  for (const std::size_t ray : seen.first_met) {
-    angles_rad.push_back(angle_between(direction_of_ray(ray), middle));
-  }
+  std::vector<double> angles_rad = transformed(seen.first_met, [&](const std::size_t ray) {
+    return angle_between(direction_of_ray(ray), middle);
+  });
   const auto place = angles_rad.begin() + static_cast<std::ptrdiff_t>(
                                               covered * static_cast<double>(angles_rad.size() - 1));
   std::nth_element(angles_rad.begin(), place, angles_rad.end());
@@ -202,9 +201,8 @@ std::vector<ProposedObject> best_of(const std::vector<Candidate>& candidates,
   std::vector<Candidate> chosen;
   std::vector<ProposedObject> proposed;
   for (const Candidate& next : candidates) {
-    const bool is_apart = std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& better) {
-      return are_apart(better, next);
-    });
+    const bool is_apart = std::ranges::all_of(
+        chosen, [&](const Candidate& better) { return are_apart(better, next); });
     if (is_apart && chosen.size() < max_objects) {
       chosen.push_back(next);
       proposed.push_back(next.proposed);
@@ -225,8 +223,8 @@ std::vector<ProposedObject> propose_objects(const LoadedScene& loaded, const Wor
       candidates.push_back(*std::move(found));
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::ranges::stable_sort(
+      candidates, [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   return best_of(candidates, rule.max_objects);
 }
 

@@ -37,7 +37,7 @@ void require_size(const std::optional<IVec2>& size, const SettingNames& names) {
 RenderBudget budget_of(const BudgetChoices& choices, const SettingNames& names) {
   const auto given = {choices.samples_per_pixel.has_value(), choices.samples.has_value(),
                       choices.seconds.has_value()};
-  if (std::count(given.begin(), given.end(), true) > 1) {
+  if (std::ranges::count(given, true) > 1) {
     throw UsageError(names.samples_per_pixel,
                      fmt::format("cannot be combined with {} or {}", names.samples, names.seconds),
                      "give one of them");

@@ -1,12 +1,10 @@
 #include "renderer/progressive/standpoint.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -77,9 +75,8 @@ Subject subject_of(const std::vector<Bounds>& objects) {
     const Vec3 extent = bounds.upper - bounds.lower;
     return extent.x * extent.z;
   };
-  const auto largest =
-      std::max_element(objects.begin(), objects.end(),
-                       [&](const Bounds& a, const Bounds& b) { return area(a) < area(b); });
+  const auto largest = std::ranges::max_element(
+      objects, [&](const Bounds& a, const Bounds& b) { return area(a) < area(b); });
   Subject all;
   Subject rest{.objects = {}, .bounds = all.bounds, .leaves_out_floor = true};
   for (std::uint32_t object = 0; object < objects.size(); ++object) {
@@ -167,8 +164,8 @@ std::string as_options(const Scene& scene, const Vec3& position, const AzimuthEl
 /// Share of a picture's rays that hit something.
 double share_covered(const RayScene& rays, const Vec3& from, const Viewport& viewport) {
   const std::vector<SightLine> lines = sight_lines(rays, from, viewport, {64, 36});
-  const auto hits = std::count_if(lines.begin(), lines.end(),
-                                  [](const SightLine& line) { return !line.hit.missed(); });
+  const auto hits =
+      std::ranges::count_if(lines, [](const SightLine& line) { return !line.hit.missed(); });
   return static_cast<double>(hits) / static_cast<double>(lines.size());
 }
 

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "renderer/trace/surfaces/triangle.h"
-#include "renderer/view/viewport.h"
 
 namespace foveola {
 namespace {
@@ -122,8 +119,8 @@ std::array<double, level_directions> level_distances_m(const RayScene& rays, con
 bool has_walls_around(const RayScene& rays, const Vec3& eye) {
   constexpr double least_walls = 0.75;
   const auto distances_m = level_distances_m(rays, eye);
-  const auto walls = std::count_if(distances_m.begin(), distances_m.end(),
-                                   [](double distance_m) { return std::isfinite(distance_m); });
+  const auto walls = std::ranges::count_if(
+      distances_m, [](double distance_m) { return std::isfinite(distance_m); });
   return static_cast<double>(walls) >= least_walls * level_directions;
 }
 
@@ -324,7 +321,7 @@ bool is_enclosed(const RayScene& rays, const Vec3& from) {
 }
 
 bool is_light_in_sight(const Scene& scene, const RayScene& rays, const Vec3& from) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const PunctualLight& light) {
+  return std::ranges::any_of(scene.lights, [&](const PunctualLight& light) {
     return light.kind != PunctualLight::Kind::directional &&
            rays.closest_hit(Ray{.origin = from, .direction = light.position - from, .t_max = 1.0F})
                .missed();

@@ -19,14 +19,13 @@ std::string beyond_limit(const char* what) {
 }
 
 void drop_far_triangles(Mesh& mesh, Warnings& warnings) {
-  if (std::all_of(mesh.positions.begin(), mesh.positions.end(), is_traceable)) {
+  if (std::ranges::all_of(mesh.positions, is_traceable)) {
     return;
   }
   const std::size_t dropped =
       std::erase_if(mesh.triangles, [&](const std::array<std::uint32_t, 3>& corners) {
-        return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-          return !is_traceable(mesh.positions[corner]);
-        });
+        return std::ranges::any_of(
+            corners, [&](std::uint32_t corner) { return !is_traceable(mesh.positions[corner]); });
       });
   // Unused vertices must not count for the scene's bounds.
   std::replace_if(

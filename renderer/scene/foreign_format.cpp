@@ -70,13 +70,12 @@ const ForeignFormat* format_of(const fs::path& path) {
     return &blender;
   }
   const std::string extension = lower_case_extension(path);
-  const auto* const known = std::find_if(
-      foreign_formats.begin(), foreign_formats.end(), [&](const ForeignFormat& format) {
-        return format.extension == extension ||
-               (format.extension == ".fbx" && start.starts_with("Kaydara FBX Binary")) ||
-               (format.extension == ".usdc" && start.starts_with("PXR-USDC")) ||
-               (format.extension == ".usda" && start.starts_with("#usda"));
-      });
+  const auto* const known = std::ranges::find_if(foreign_formats, [&](const ForeignFormat& format) {
+    return format.extension == extension ||
+           (format.extension == ".fbx" && start.starts_with("Kaydara FBX Binary")) ||
+           (format.extension == ".usdc" && start.starts_with("PXR-USDC")) ||
+           (format.extension == ".usda" && start.starts_with("#usda"));
+  });
   return known != foreign_formats.end() ? known : nullptr;
 }
 

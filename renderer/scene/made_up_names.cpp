@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 
 std::string made_up_name(std::string_view kind, std::size_t number, std::set<std::string>& taken) {
@@ -30,10 +32,7 @@ std::vector<std::string> distinct_names(std::vector<std::string> names, std::str
 }
 
 std::vector<std::string> camera_names(const std::vector<CameraView>& cameras) {
-  std::vector<std::string> names;
-  for (const CameraView& camera : cameras) {
-    names.push_back(camera.name);
-  }
+  std::vector<std::string> names = transformed(cameras, &CameraView::name);
   return distinct_names(std::move(names), "camera");
 }
 

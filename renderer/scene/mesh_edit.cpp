@@ -150,7 +150,7 @@ std::size_t repair_colors(Mesh& mesh) {
 
 void drop_white_colors(Mesh& mesh) {
   const auto is_white = [](const Vec4& color) { return color == Vec4(1.0F); };
-  if (std::all_of(mesh.colors.begin(), mesh.colors.end(), is_white)) {
+  if (std::ranges::all_of(mesh.colors, is_white)) {
     mesh.colors = {};
   }
 }

@@ -38,8 +38,9 @@ std::vector<Volume> volumes_of(const Scene& scene) {
     }
     volumes.push_back({.object = object, .bounds = scene.bounds_of(object)});
   }
-  std::sort(volumes.begin(), volumes.end(),
-            [](const Volume& a, const Volume& b) { return a.bounds.lower.x < b.bounds.lower.x; });
+  std::ranges::sort(volumes, [](const Volume& a, const Volume& b) {
+    return a.bounds.lower.x < b.bounds.lower.x;
+  });
   return volumes;
 }
 

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <charconv>
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -17,7 +16,7 @@ namespace {
 
 std::string with_slashes(std::string_view name) {
   std::string path(name);
-  std::replace(path.begin(), path.end(), '\\', '/');
+  std::ranges::replace(path, '\\', '/');
   return path;
 }
 
@@ -32,7 +31,7 @@ bool has_other_scheme(std::string_view uri) {
   }
   const std::string_view scheme = uri.substr(0, colon);
   return std::isalpha(static_cast<unsigned char>(scheme.front())) != 0 &&
-         std::all_of(scheme.begin(), scheme.end(), [](unsigned char c) {
+         std::ranges::all_of(scheme, [](unsigned char c) {
            return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
          });
 }

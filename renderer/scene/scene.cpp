@@ -1,7 +1,6 @@
 #include "renderer/scene/scene.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <glm/vector_relational.hpp>
 

@@ -9,7 +9,7 @@ namespace {
 
 bool has_texture(const Material& material) {
   const auto uses = texture_uses(material);
-  return std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->exists(); });
+  return std::ranges::any_of(uses, [](const TextureUse* use) { return use->exists(); });
 }
 
 struct MaterialFeature {
@@ -118,7 +118,7 @@ bool has_light(const Scene& scene) {
   if (scene.environment && max_component(scene.environment->radiance) > 0.0F) {
     return true;
   }
-  if (scene.object_count() > 0 && std::any_of(scene.lights.begin(), scene.lights.end(), shines)) {
+  if (scene.object_count() > 0 && std::ranges::any_of(scene.lights, shines)) {
     return true;
   }
   for (std::uint32_t object = 0; object < scene.object_count(); ++object) {

@@ -105,7 +105,7 @@ std::vector<std::uint32_t> welded(const Mesh& mesh, int uv_set) {
     const std::array<float, 8> values = {p.x, p.y, p.z, n.x, n.y, n.z, uvs[i].x, uvs[i].y};
     vertices[i] = {std::bit_cast<Key>(values), i};
   }
-  std::sort(vertices.begin(), vertices.end());
+  std::ranges::sort(vertices);
   std::vector<std::uint32_t> first(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const bool is_first = i == 0 || vertices[i].first != vertices[i - 1].first;

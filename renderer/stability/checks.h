@@ -1,7 +1,6 @@
 // The stress tests of numerical stability, as functions from their size to their figures.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <stop_token>

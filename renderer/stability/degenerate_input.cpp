@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -93,8 +92,8 @@ std::uint64_t count_not_finite(const Scene& scene, const Vec3& viewpoint, const 
       jobs_all_around(pixels * static_cast<std::uint32_t>(run.effort.picture_samples_per_pixel), 5);
   std::vector<Rgb> radiance(jobs.size());
   tracer.trace(viewpoint, jobs, radiance, {.seed = 5}, run.workers);
-  return static_cast<std::uint64_t>(std::count_if(
-      radiance.begin(), radiance.end(), [](const Rgb& value) { return !is_finite(value); }));
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(radiance, [](const Rgb& value) { return !is_finite(value); }));
 }
 
 StabilityFigure not_finite_figure(std::string name, const Scene& scene, const Vec3& viewpoint,
@@ -117,7 +116,7 @@ std::vector<std::string> warnings_missing(const Scene& loaded) {
     const auto says_so = [&](const std::string& line) {
       return line.find(part) != std::string::npos;
     };
-    if (std::none_of(loaded.warnings.begin(), loaded.warnings.end(), says_so)) {
+    if (std::ranges::none_of(loaded.warnings, says_so)) {
       missing.push_back(part);
     }
   }
@@ -126,7 +125,7 @@ std::vector<std::string> warnings_missing(const Scene& loaded) {
   const auto counts = [&](const std::string& line) {
     return line.find(wanted[0]) != std::string::npos && line.find(count) != std::string::npos;
   };
-  if (std::none_of(loaded.warnings.begin(), loaded.warnings.end(), counts)) {
+  if (std::ranges::none_of(loaded.warnings, counts)) {
     missing.push_back("the number of dropped triangles, " + count);
   }
   return missing;

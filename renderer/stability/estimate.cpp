@@ -11,6 +11,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {
@@ -80,10 +81,8 @@ class Batches {
   std::uint32_t samples_each() const { return done_; }
 
   RadianceEstimate estimate() const {
-    std::vector<DVec3> means;
-    for (const DVec3& sum : sums_) {
-      means.push_back(sum / static_cast<double>(done_));
-    }
+    const std::vector<DVec3> means =
+        transformed(sums_, [&](const DVec3& sum) { return sum / static_cast<double>(done_); });
     RadianceEstimate estimate = mean_of_batches(means);
     estimate.samples = std::uint64_t{done_} * batches;
     return estimate;
@@ -185,7 +184,7 @@ StabilityFigure deviation(std::string name, const RadianceEstimate& estimate, co
                         .unit = "%",
                         .details = describe(estimate, channel, truth)});
   }
-  StabilityFigure figure = *std::max_element(channels.begin(), channels.end(), is_milder);
+  StabilityFigure figure = *std::ranges::max_element(channels, is_milder);
   figure.name = std::move(name);
   return figure;
 }
@@ -209,7 +208,7 @@ StabilityFigure excess(std::string name, const RadianceEstimate& estimate, doubl
 
 StabilityFigure worst_of(std::string name, const std::vector<StabilityFigure>& figures) {
   assert(!figures.empty());
-  const StabilityFigure& worst = *std::max_element(figures.begin(), figures.end(), is_milder);
+  const StabilityFigure& worst = *std::ranges::max_element(figures, is_milder);
   StabilityFigure figure = worst;
   figure.name = std::move(name);
   figure.details = fmt::format("worst of {}: {}: {}", figures.size(), worst.name, worst.details);

@@ -61,8 +61,8 @@ StabilityFigure excess(std::string name, const RadianceEstimate& estimate, doubl
 StabilityFigure worst_of(std::string name, const std::vector<StabilityFigure>& figures);
 
 struct PictureSettings {
-  int block = 8;  ///< pixels along a side; divides the effort's width and height
-  int max_depth = 6;
+  int block = 8;      ///< pixels along a side; divides the effort's width and height
+  int max_depth = 6;  ///< less than a render's: both of two pictures compared have the same
   std::uint32_t seed = 0;
 };
 

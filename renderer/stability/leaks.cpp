@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -175,8 +174,8 @@ class PlacedRoom {
     std::vector<Rgb> radiance(jobs.size());
     tracer_->trace(viewpoint, jobs, radiance, {.max_depth = 16, .seed = seed}, workers);
     // A NaN radiance counts as a leak, too.
-    return static_cast<std::uint64_t>(std::count_if(
-        radiance.begin(), radiance.end(), [](const Rgb& value) { return !(value.b == 0.0F); }));
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(radiance, [](const Rgb& value) { return !(value.b == 0.0F); }));
   }
 
   const Room& room_;

@@ -1,8 +1,5 @@
 #include "renderer/view/equirect.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace foveola {
 
 double equirect_area_per_sr(const Vec3& direction) {

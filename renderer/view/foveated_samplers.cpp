@@ -1,7 +1,6 @@
 #include "renderer/view/foveated_samplers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "renderer/base/angles.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/radial_distribution.h"
 #include "renderer/view/sample_block.h"

@@ -12,6 +12,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/similar_word.h"
+#include "renderer/base/transformed.h"
 #include "renderer/view/foveated_samplers.h"
 #include "renderer/view/image_samplers.h"
 #include "renderer/view/mask_sampler.h"
@@ -127,10 +128,10 @@ std::unique_ptr<ViewSampler> make_pointer(MethodText& method) {
 }
 
 std::unique_ptr<ViewSampler> make_hybrid(std::string_view method, const FindWeights& find_weights) {
-  std::vector<MixtureSampler::Part> parts;
-  for (const HybridPart& part : hybrid_parts(method)) {
-    parts.push_back({part.weight, make_view_sampler(part.method, find_weights)});
-  }
+  std::vector<MixtureSampler::Part> parts =
+      transformed(hybrid_parts(method), [&](const HybridPart& part) {
+        return MixtureSampler::Part{part.weight, make_view_sampler(part.method, find_weights)};
+      });
   return std::make_unique<MixtureSampler>(std::move(parts));
 }
 
@@ -167,10 +168,7 @@ const NamedMaker& maker_of(const MethodText& method) {
       std::find_if(std::begin(makers), std::end(makers),
                    [&](const NamedMaker& maker) { return maker.name == method.name(); });
   if (found == std::end(makers)) {
-    std::vector<std::string> names;
-    for (const NamedMaker& maker : makers) {
-      names.emplace_back(maker.name);
-    }
+    std::vector<std::string> names = transformed<std::string>(makers, &NamedMaker::name);
     names.emplace_back("hybrid");
     method.fail("there is no such method",
                 did_you_mean(method.name(), names,
@@ -204,8 +202,8 @@ std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
 bool follows_pointer(std::string_view method) {
   if (is_hybrid(method)) {
     const std::vector<HybridPart> parts = hybrid_parts(method);
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const HybridPart& part) { return follows_pointer(part.method); });
+    return std::ranges::any_of(parts,
+                               [](const HybridPart& part) { return follows_pointer(part.method); });
   }
   MethodText text(method);
   return text.name() == pointer_name && !fixed_pointer(text);
@@ -214,8 +212,8 @@ bool follows_pointer(std::string_view method) {
 bool follows_gaze(std::string_view method) {
   if (is_hybrid(method)) {
     const std::vector<HybridPart> parts = hybrid_parts(method);
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const HybridPart& part) { return follows_gaze(part.method); });
+    return std::ranges::any_of(parts,
+                               [](const HybridPart& part) { return follows_gaze(part.method); });
   }
   return maker_of(MethodText(method)).follows_gaze || follows_pointer(method);
 }
@@ -229,10 +227,9 @@ std::vector<std::string> method_notes(std::string_view method) {
   const double sum = sum_of_weights(parts);
   std::vector<std::string> notes;
   if (!(std::abs(sum - 1.0) <= tolerance)) {
-    std::vector<std::string> shares;
-    for (const HybridPart& part : parts) {
-      shares.push_back(fmt::format("{} {:.4g} %", part.method, 100.0 * (part.weight / sum)));
-    }
+    const std::vector<std::string> shares = transformed(parts, [&](const HybridPart& part) {
+      return fmt::format("{} {:.4g} %", part.method, 100.0 * (part.weight / sum));
+    });
     notes.push_back(
         fmt::format("the weights of '{}' add up to {:.4g}, not to 1: of the samples, {}", method,
                     sum, fmt::join(shares, ", ")));

@@ -66,7 +66,7 @@ MaskSampler::Painting MaskSampler::painting_of(WeightImage image) const {
   const double mean = std::accumulate(image.weights.begin(), image.weights.end(), 0.0) /
                       static_cast<double>(image.weights.size());
   // Relative to the maximum: a multiple of the mean may exceed a float.
-  const double largest = *std::max_element(image.weights.begin(), image.weights.end());
+  const double largest = *std::ranges::max_element(image.weights);
   for (float& weight : image.weights) {
     weight = static_cast<float>((weight + floor_ * mean) / largest);
   }

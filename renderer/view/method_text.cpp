@@ -96,7 +96,7 @@ std::string MethodText::word(std::string_view key, std::string_view fallback,
   if (value == nullptr) {
     return std::string(fallback);
   }
-  if (std::find(known.begin(), known.end(), *value) == known.end()) {
+  if (std::ranges::find(known, *value) == known.end()) {
     fail(fmt::format("there is no {} '{}'", key, *value),
          did_you_mean(*value, {known.begin(), known.end()},
                       fmt::format("choose one of {}", fmt::join(known, ", "))));
@@ -106,7 +106,7 @@ std::string MethodText::word(std::string_view key, std::string_view fallback,
 
 void MethodText::reject_unknown_settings() const {
   for (const auto& [key, value] : settings_) {
-    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
+    if (std::ranges::find(asked_, key) == asked_.end()) {
       fail(fmt::format("there is no setting '{}' here", key),
            asked_.empty()
                ? fmt::format("{} has none", name_)
@@ -125,8 +125,8 @@ const std::string* MethodText::find(std::string_view key) {
 }
 
 const std::string* MethodText::lookup(std::string_view key) const {
-  const auto found = std::find_if(settings_.begin(), settings_.end(),
-                                  [&](const auto& setting) { return setting.first == key; });
+  const auto found =
+      std::ranges::find_if(settings_, [&](const auto& setting) { return setting.first == key; });
   return found == settings_.end() ? nullptr : &found->second;
 }
 

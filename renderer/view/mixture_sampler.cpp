@@ -18,7 +18,7 @@ constexpr std::size_t block_size = 512;
 MixtureSampler::MixtureSampler(std::vector<Part> parts) : parts_(std::move(parts)) {
   // Relative to the maximum first: the sum of weights may exceed a double.
   const auto heavier = [](const Part& a, const Part& b) { return a.weight < b.weight; };
-  const double largest = std::max_element(parts_.begin(), parts_.end(), heavier)->weight;
+  const double largest = std::ranges::max_element(parts_, heavier)->weight;
   double total = 0.0;
   for (Part& part : parts_) {
     part.weight /= largest;

@@ -8,6 +8,7 @@
 #include <boost/math/special_functions/lambert_w.hpp>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -187,10 +188,9 @@ double AcuityDistribution::density_per_sr(double eccentricity_deg) const {
 }
 
 EccentricityTable::EccentricityTable(const RadialDistribution& distribution) {
-  std::vector<double> ends;
-  for (const double knee_deg : distribution.knees_deg()) {
-    ends.push_back(std::sqrt(distribution.cumulative(knee_deg)));
-  }
+  std::vector<double> ends = transformed(distribution.knees_deg(), [&](const double knee_deg) {
+    return std::sqrt(distribution.cumulative(knee_deg));
+  });
   ends.push_back(largest_s);
   double begin = 0.0;
   for (const double end : ends) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -19,12 +18,12 @@ constexpr std::size_t max_rows = 1024;
 
 bool is_grid(const std::vector<std::string>& rows) {
   const auto is_row = [&](const std::string& row) {
-    return row.size() == rows.front().size() && std::all_of(row.begin(), row.end(), [](char digit) {
+    return row.size() == rows.front().size() && std::ranges::all_of(row, [](char digit) {
              return std::isxdigit(static_cast<unsigned char>(digit)) != 0;
            });
   };
   return !rows.empty() && rows.size() <= max_rows && !rows.front().empty() &&
-         rows.front().size() <= max_digits && std::all_of(rows.begin(), rows.end(), is_row);
+         rows.front().size() <= max_digits && std::ranges::all_of(rows, is_row);
 }
 
 /// 1 for each visible cell, row by row.
@@ -42,7 +41,7 @@ std::vector<float> weights_of(const std::vector<std::string>& rows) {
       }
     }
   }
-  if (std::count(weights.begin(), weights.end(), 1.0F) == 0) {
+  if (std::ranges::count(weights, 1.0F) == 0) {
     throw Error("display", "its visible part is empty", "leave out its visible part");
   }
   return weights;

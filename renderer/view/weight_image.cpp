@@ -32,8 +32,8 @@ WeightImage read_weights(const std::filesystem::path& path) {
   image.weights.resize(color.pixels.size());
   std::transform(color.pixels.begin(), color.pixels.end(), image.weights.begin(),
                  [](const Rgb& pixel) { return luminance(pixel); });
-  const auto bad = std::find_if(image.weights.begin(), image.weights.end(),
-                                [](float w) { return !(w >= 0.0F && std::isfinite(w)); });
+  const auto bad =
+      std::ranges::find_if(image.weights, [](float w) { return !(w >= 0.0F && std::isfinite(w)); });
   if (bad != image.weights.end()) {
     const std::ptrdiff_t pixel = bad - image.weights.begin();
     throw Error(path.string(),
@@ -41,7 +41,7 @@ WeightImage read_weights(const std::filesystem::path& path) {
                             pixel / image.width, *bad),
                 "make every pixel a number that is not negative");
   }
-  if (*std::max_element(image.weights.begin(), image.weights.end()) == 0.0F) {
+  if (*std::ranges::max_element(image.weights) == 0.0F) {
     throw Error(path.string(), "is black all over, so no sample could fall anywhere",
                 "paint important parts in lighter colours");
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <deque>
 #include <mutex>
 
@@ -187,7 +186,7 @@ KeyTimeSource KeyTimes::source() const { return noted_->source; }
 std::optional<Nanoseconds> KeyTimes::take(int keycode, bool is_down) {
   const std::scoped_lock lock(noted_->mutex);
   std::deque<Noted::KeyEvent>& events = noted_->events;
-  const auto found = std::find_if(events.begin(), events.end(), [&](const Noted::KeyEvent& event) {
+  const auto found = std::ranges::find_if(events, [&](const Noted::KeyEvent& event) {
     return event.keycode == keycode && event.is_down == is_down;
   });
   if (found == events.end()) {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <memory>
 #include <span>
 #include <sstream>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #define GLFW_INCLUDE_NONE

@@ -7,6 +7,7 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
@@ -33,17 +34,15 @@ std::string text_of(const std::vector<MarkAgreement>& agreements) {
 }
 
 nlohmann::json json_of(const std::vector<MarkAgreement>& agreements) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const MarkAgreement& agreement : agreements) {
-    list.push_back({{"mark", agreement.mark},
-                    {"method", agreement.method.empty() ? "all" : agreement.method},
-                    {"trials", agreement.trials},
-                    {"rendered_median_s", agreement.rendered_median_s},
-                    {"predicted_median_s", agreement.predicted_median_s},
-                    {"median_ratio", agreement.median_ratio},
-                    {"rank_correlation", agreement.rank_correlation}});
-  }
-  return list;
+  return transformed(agreements, [&](const MarkAgreement& agreement) {
+    return nlohmann::json{{"mark", agreement.mark},
+                          {"method", agreement.method.empty() ? "all" : agreement.method},
+                          {"trials", agreement.trials},
+                          {"rendered_median_s", agreement.rendered_median_s},
+                          {"predicted_median_s", agreement.predicted_median_s},
+                          {"median_ratio", agreement.median_ratio},
+                          {"rank_correlation", agreement.rank_correlation}};
+  });
 }
 
 void run_bench(SimulatedBenchArguments arguments, const SceneFinderBeside& find_scene,

@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
@@ -43,15 +44,15 @@ bool shares_pilots(const std::string& number) {
                                   "vision.chromatic_decay_factor",
                                   "vision.red_green_decades_per_deg", "vision.pooling_exponent"};
   return number.starts_with("decision.") || number.starts_with("gaze.") ||
-         std::find(of_eyes.begin(), of_eyes.end(), number) != of_eyes.end();
+         std::ranges::find(of_eyes, number) != of_eyes.end();
 }
 
 std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
                                          const People& people) {
   std::vector<StatedNumber> chosen;
   for (const StatedNumber& number : people.numbers) {
-    const bool is_asked = std::find(arguments.numbers.begin(), arguments.numbers.end(),
-                                    number.name) != arguments.numbers.end();
+    const bool is_asked =
+        std::ranges::find(arguments.numbers, number.name) != arguments.numbers.end();
     if (is_asked && number.value == 0.0) {
       throw Error(fmt::format("--number {}", number.name), "is 0, which no factor changes",
                   "simulate another value with study simulate --people FILE");
@@ -61,8 +62,8 @@ std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
     }
   }
   for (const std::string& name : arguments.numbers) {
-    if (std::none_of(chosen.begin(), chosen.end(),
-                     [&](const StatedNumber& number) { return number.name == name; })) {
+    if (std::ranges::none_of(chosen,
+                             [&](const StatedNumber& number) { return number.name == name; })) {
       throw Error(fmt::format("--number {}", name), "is not a number in a population file",
                   "see the names in data/participants/adults.toml");
     }
@@ -143,14 +144,13 @@ std::string text_of(const std::vector<Outcome>& outcomes) {
 nlohmann::json json_of(const std::vector<Outcome>& outcomes) {
   nlohmann::json list = nlohmann::json::array();
   for (const Outcome& outcome : outcomes) {
-    nlohmann::json means = nlohmann::json::array();
-    for (const MethodMean& mean : outcome.means) {
-      means.push_back({{"mark", mean.mark},
-                       {"method", mean.method},
-                       {"pairs", mean.pairs},
-                       {"baseline_s", mean.baseline_s},
-                       {"percent", mean.percent}});
-    }
+    const nlohmann::json means(transformed(outcome.means, [&](const MethodMean& mean) {
+      return nlohmann::json{{"mark", mean.mark},
+                            {"method", mean.method},
+                            {"pairs", mean.pairs},
+                            {"baseline_s", mean.baseline_s},
+                            {"percent", mean.percent}};
+    }));
     list.push_back(
         {{"name", outcome.number.empty() ? "as they are"
                                          : fmt::format("{} {:.4g}", outcome.number, outcome.value)},

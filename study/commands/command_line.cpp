@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files/files.h"
-#include "renderer/commands/scene_file_options.h"
+#include "renderer/base/print.h"
 #include "study/protocol/protocol.h"
 #include "study/record/maintenance.h"
 

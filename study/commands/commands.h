@@ -9,10 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/scene_source.h"
-
-namespace CLI {
-class App;
-}
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola::study {
 

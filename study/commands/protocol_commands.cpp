@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/design/participant_code.h"
@@ -16,7 +15,6 @@
 #include "study/protocol/protocol.h"
 #include "study/protocol/reference/protocol_reference.h"
 #include "study/protocol/reference/protocol_schema.h"
-#include "study/stage/protocol_notes.h"
 #include "study/tables/protocol_json.h"
 #include "study/tables/protocol_tables.h"
 
@@ -78,10 +76,8 @@ void run_check(const ProtocolArguments& arguments, const SceneFinderBeside& find
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
-  print_notes(protocol);
-  for (const std::string& caution : cautions(protocol, scenes)) {
-    print_text(stderr, "foveola: warning: {}\n", printable(caution));
-  }
+  print_notes(protocol.notes);
+  print_warnings(cautions(protocol, scenes));
   if (arguments.json) {
     print_text("{}\n", json_check(protocol).dump(2));
   } else {

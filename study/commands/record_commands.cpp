@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/gaze/recordings.h"
 #include "study/commands/command_line.h"
@@ -69,23 +70,20 @@ nlohmann::json json_amended(const std::vector<AmendedSession>& amended) {
 }
 
 nlohmann::json json_programs(const std::vector<SessionPrograms>& sessions) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const ProgramUse& use : program_uses(sessions)) {
-    list.push_back({{"program", use.program}, {"participants", use.participants}});
-  }
-  return list;
+  return transformed(program_uses(sessions), [&](const ProgramUse& use) {
+    return nlohmann::json{{"program", use.program}, {"participants", use.participants}};
+  });
 }
 
 nlohmann::json json_status(const StudyRecords& records, const StudyStatus& status) {
-  nlohmann::json sessions = nlohmann::json::array();
-  for (const SessionRow& session : records.sessions) {
-    sessions.push_back({{"participant", session.participant},
-                        {"kind", session.kind},
-                        {"state", session.state},
-                        {"design_row", session.design_row ? nlohmann::json(*session.design_row)
-                                                          : nlohmann::json()},
-                        {"reason", session.reason}});
-  }
+  const nlohmann::json sessions(transformed(records.sessions, [&](const SessionRow& session) {
+    return nlohmann::json{
+        {"participant", session.participant},
+        {"kind", session.kind},
+        {"state", session.state},
+        {"design_row", session.design_row ? nlohmann::json(*session.design_row) : nlohmann::json()},
+        {"reason", session.reason}};
+  }));
   nlohmann::json kinds = nlohmann::json::object();
   for (const auto& [name, kind] : status.kinds) {
     kinds[name] = json_kind(kind);
@@ -109,10 +107,8 @@ nlohmann::json json_head(const StudyHead& head) {
     // Printed at once, so that any form of the printout is a head.
     sessions.push_back(line_of(session));
   }
-  nlohmann::json forgotten = nlohmann::json::array();
-  for (const SessionHead& tombstone : head.forgotten) {
-    forgotten.push_back(line_of(tombstone));
-  }
+  const nlohmann::json forgotten(transformed(
+      head.forgotten, [&](const SessionHead& tombstone) { return line_of(tombstone); }));
   return {{"sha256", head.sha256}, {"sessions", sessions}, {"forgotten", forgotten}};
 }
 

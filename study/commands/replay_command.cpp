@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/replay/replay.h"
@@ -68,10 +69,8 @@ nlohmann::json json_of(const ReplayedAttempt& attempt) {
 }
 
 void print_json(const ReplayReport& report) {
-  nlohmann::json attempts = nlohmann::json::array();
-  for (const ReplayedAttempt& attempt : report.attempts) {
-    attempts.push_back(json_of(attempt));
-  }
+  const nlohmann::json attempts(transformed(
+      report.attempts, [&](const ReplayedAttempt& attempt) { return json_of(attempt); }));
   nlohmann::json json = {{"attempts", attempts}, {"approximate", report.approximate}};
   if (!report.difference.empty()) {
     json["difference"] = report.difference;
@@ -99,9 +98,9 @@ void require_same_events(const ReplayReport& report, const std::string& database
 
 /// The same program on the same processor must show the same film.
 void require_same_films(const ReplayReport& report, const std::string& database) {
-  const auto differing =
-      std::count_if(report.attempts.begin(), report.attempts.end(),
-                    [](const ReplayedAttempt& attempt) { return attempt.first_difference; });
+  const auto differing = std::ranges::count_if(report.attempts, [](const ReplayedAttempt& attempt) {
+    return attempt.first_difference.has_value();
+  });
   if (differing > 0 && report.approximate.empty()) {
     throw Error(database,
                 fmt::format("{} of {} replayed attempts differ from the recorded films", differing,

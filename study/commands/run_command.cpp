@@ -43,7 +43,7 @@ struct RunArguments {
 void require_code(const std::string& code) {
   const bool is_code =
       !code.empty() && code.size() <= longest_code &&
-      std::all_of(code.begin(), code.end(), [](unsigned char character) {
+      std::ranges::all_of(code, [](unsigned char character) {
         return std::isalnum(character) != 0 || character == '-' || character == '_';
       });
   if (!is_code) {

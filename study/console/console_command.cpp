@@ -49,8 +49,7 @@ constexpr std::array words = {
 
 /// Returns the end of the words if it is unknown.
 const CommandWord* known_word(std::string_view word) {
-  return std::find_if(words.begin(), words.end(),
-                      [&](const CommandWord& one) { return one.word == word; });
+  return std::ranges::find(words, word, &CommandWord::word);
 }
 
 std::string_view trimmed(std::string_view text) {

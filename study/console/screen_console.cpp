@@ -12,7 +12,6 @@
 #include "renderer/base/utf8.h"
 #include "study/console/console_command.h"
 #include "study/console/line_console.h"
-#include "study/console/screen_layout.h"
 
 namespace foveola::study {
 namespace {

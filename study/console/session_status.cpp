@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola::study {
 namespace {
 
@@ -114,18 +116,18 @@ std::optional<StatusWarning> warning_of(Nanoseconds since_last_key) {
 std::vector<StatusWarning> new_warnings(const std::vector<StatusWarning>& before,
                                         const std::vector<StatusWarning>& now) {
   std::vector<StatusWarning> all;
-  std::copy_if(now.begin(), now.end(), std::back_inserter(all), [&](const StatusWarning& one) {
-    return std::none_of(before.begin(), before.end(),
-                        [&](const StatusWarning& former) { return former.kind == one.kind; });
+  std::ranges::copy_if(now, std::back_inserter(all), [&](const StatusWarning& one) {
+    return std::ranges::none_of(
+        before, [&](const StatusWarning& former) { return former.kind == one.kind; });
   });
   return all;
 }
 
 nlohmann::ordered_json json_of(const SessionStatus& status) {
-  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
-  for (const StatusWarning& warning : status.warnings) {
-    warnings.push_back({{"kind", name_of(warning.kind)}, {"text", warning.text}});
-  }
+  const nlohmann::ordered_json warnings(
+      transformed(status.warnings, [&](const StatusWarning& warning) {
+        return nlohmann::ordered_json{{"kind", name_of(warning.kind)}, {"text", warning.text}};
+      }));
   return {{"participant", status.participant},
           {"time_s", seconds(status.time)},
           {"paused", status.is_paused},

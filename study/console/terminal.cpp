@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cwchar>
 #include <optional>
-#include <string>
 
 #include <fcntl.h>
 #include <locale.h>

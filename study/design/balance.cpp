@@ -9,21 +9,10 @@ namespace {
 
 Counts no_counts(std::size_t n) { return Counts(n, std::vector<int>(n, 0)); }
 
-std::size_t scene_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::find_if(protocol.scenes.begin(), protocol.scenes.end(),
-                                  [&](const SceneEntry& scene) { return scene.name == name; });
-  return static_cast<std::size_t>(found - protocol.scenes.begin());
-}
-
-std::size_t method_index(const Protocol& protocol, const std::string& method) {
-  const auto found = std::find(protocol.methods.begin(), protocol.methods.end(), method);
-  return static_cast<std::size_t>(found - protocol.methods.begin());
-}
-
 Plan tests_of(const Plan& plan) {
   Plan tests;
-  std::copy_if(plan.begin(), plan.end(), std::back_inserter(tests),
-               [](const PlannedTrial& trial) { return trial.kind == TrialKind::test; });
+  std::ranges::copy_if(plan, std::back_inserter(tests),
+                       [](const PlannedTrial& trial) { return trial.kind == TrialKind::test; });
   return tests;
 }
 

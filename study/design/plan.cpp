@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
-#include <utility>
 
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 #include "study/design/orders.h"
 
 namespace foveola::study {
@@ -34,11 +34,9 @@ Permutation order_of_methods(const Protocol& protocol, int scene, int row, Pcg32
 }
 
 Plan practice_trials(const Protocol& protocol) {
-  Plan plan;
-  for (const PracticeEntry& entry : protocol.practice) {
-    plan.push_back({.scene = entry.scene, .method = entry.method, .kind = TrialKind::practice});
-  }
-  return plan;
+  return transformed(protocol.practice, [&](const PracticeEntry& entry) {
+    return PlannedTrial{.scene = entry.scene, .method = entry.method, .kind = TrialKind::practice};
+  });
 }
 
 Plan test_trials(const Protocol& protocol, int row, Pcg32& generator) {
@@ -64,7 +62,7 @@ Plan with_catch_trials(const Plan& tests, int count, Pcg32& generator) {
   Plan plan;
   for (std::size_t i = 0; i < tests.size(); ++i) {
     plan.push_back(tests[i]);
-    if (std::find(places.begin(), places.end(), static_cast<int>(i)) != places.end()) {
+    if (std::ranges::find(places, static_cast<int>(i)) != places.end()) {
       plan.push_back(
           {.scene = tests[i].scene, .method = tests[i].method, .kind = TrialKind::catch_trial});
     }
@@ -149,9 +147,9 @@ int least_used_row(const Protocol& protocol, const std::vector<int>& used, int f
     ++uses[static_cast<std::size_t>(row % rows)];
   }
   std::rotate(uses.begin(), uses.begin() + first % rows, uses.end());
-  const auto least_used = std::min_element(uses.begin(), uses.end()) - uses.begin();
+  const auto least_used = std::ranges::min_element(uses) - uses.begin();
   int row = (static_cast<int>(least_used) + first % rows) % rows;
-  while (std::find(used.begin(), used.end(), row) != used.end()) {
+  while (std::ranges::find(used, row) != used.end()) {
     row += rows;
   }
   return row;

@@ -121,7 +121,7 @@ bool SessionDriver::record_event(const Event& event) {
 
 bool SessionDriver::ends_attempt(const Event& event) const {
   const std::optional<Transition> next = step(procedure(), state(), event);
-  return next && std::any_of(next->effects.begin(), next->effects.end(), is<StopRendering>);
+  return next && std::ranges::any_of(next->effects, is<StopRendering>);
 }
 
 bool SessionDriver::mark(Nanoseconds time) {

@@ -28,8 +28,8 @@ bool SessionLog::record_event(Nanoseconds now, const Event& event) {
 }
 
 bool SessionLog::has_effects_to_come() const {
-  return std::any_of(pending_.begin(), pending_.end(),
-                     [](const Pending& pending) { return !pending.event.effects.empty(); });
+  return std::ranges::any_of(pending_,
+                             [](const Pending& pending) { return !pending.event.effects.empty(); });
 }
 
 std::vector<DurableEvent> SessionLog::take_durable() {

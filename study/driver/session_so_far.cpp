@@ -16,9 +16,7 @@ bool has_ended(Phase phase) { return SessionState{.phase = phase}.is_over(); }
 
 std::optional<KnownSession> find_session(const StudyStore& store, const std::string& participant) {
   const std::vector<KnownSession> sessions = store.sessions();
-  const auto found =
-      std::find_if(sessions.begin(), sessions.end(),
-                   [&](const KnownSession& session) { return session.participant == participant; });
+  const auto found = std::ranges::find(sessions, participant, &KnownSession::participant);
   return found != sessions.end() ? std::optional(*found) : std::nullopt;
 }
 

@@ -6,10 +6,10 @@
 
 namespace foveola::study {
 
-std::unique_ptr<SimulatedObserver> make_observer(const Population& population,
-                                                 const std::optional<InjectedEffect>& effect,
-                                                 SceneKnowledge knowledge,
-                                                 const ObservedSession& session) {
+std::unique_ptr<Participant> make_observer(const Population& population,
+                                           const std::optional<InjectedEffect>& effect,
+                                           SceneKnowledge knowledge,
+                                           const ObservedSession& session) {
   SimulatedParticipant person(population, std::move(knowledge), session.seed);
   if (!effect) {
     return std::make_unique<SimulatedParticipant>(std::move(person));

@@ -22,9 +22,9 @@ struct ObservedSession {
 };
 
 /// Returns a member of the population, with the injected effect if there is one.
-std::unique_ptr<SimulatedObserver> make_observer(const Population& population,
-                                                 const std::optional<InjectedEffect>& effect,
-                                                 SceneKnowledge knowledge,
-                                                 const ObservedSession& session);
+std::unique_ptr<Participant> make_observer(const Population& population,
+                                           const std::optional<InjectedEffect>& effect,
+                                           SceneKnowledge knowledge,
+                                           const ObservedSession& session);
 
 }  // namespace foveola::study

@@ -10,6 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/image/image.h"
 #include "renderer/view/viewport.h"
+#include "study/participant/observer/evidence.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
 #include "study/stage/offered_object.h"
@@ -77,6 +78,9 @@ class Participant {
   /// stimulus, once the task's mark is made. Meanwhile other threads may call head() and gaze()
   /// only.
   virtual std::optional<Nanoseconds> see(const Stimulus& stimulus) = 0;
+  /// The part of see() after the evidence is known. Predicted glances, which have no pixels, use it
+  /// alone.
+  virtual std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) = 0;
 
   /// Whether the participant, after a mark or before a rating, noticed a premature press and wants
   /// the trial to be retimed.

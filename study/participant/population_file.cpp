@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <string_view>
@@ -118,7 +117,7 @@ fs::path people_file(const std::string& name_or_path) {
     return name_or_path;
   }
   const std::vector<std::string> names = people_names();
-  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+  if (std::ranges::find(names, name_or_path) == names.end()) {
     throw Error(
         fmt::format("people '{}'", name_or_path), "is not a known population",
         did_you_mean(name_or_path, names,
@@ -180,9 +179,8 @@ People read_people(const std::string& name_or_path) {
 std::vector<std::string> people_names() { return toml_names_in(people_folder()); }
 
 std::string toml_with_number(const People& people, const std::string& name, double value) {
-  const auto* const parameter =
-      std::find_if(parameters.begin(), parameters.end(),
-                   [&](const Parameter& candidate) { return name_of(candidate) == name; });
+  const auto* const parameter = std::ranges::find_if(
+      parameters, [&](const Parameter& candidate) { return name_of(candidate) == name; });
   if (parameter == parameters.end()) {
     throw Error(fmt::format("parameter '{}'", name), "is not a number of a population",
                 "see the names in data/participants/adults.toml");
@@ -194,9 +192,7 @@ std::string toml_with_number(const People& people, const std::string& name, doub
   }
   toml::table content{{"title", fmt::format("{}, {} {}", people.title, name, value)}};
   for (const Parameter& stated_one : parameters) {
-    const auto stated = std::find_if(
-        people.numbers.begin(), people.numbers.end(),
-        [&](const StatedNumber& number) { return number.name == name_of(stated_one); });
+    const auto stated = std::ranges::find(people.numbers, name_of(stated_one), &StatedNumber::name);
     toml::table number{{"value", stated->value}, {"source", stated->source}};
     if (&stated_one == parameter) {
       number =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "study/participant/answers.h"
@@ -100,9 +101,8 @@ std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& rati
   const double noticed = noticed_jnd(random);
   std::vector<Answer> answers = draw_answers(ratings, population_.background, random);
   for (Answer& answer : answers) {
-    const auto asked = std::find_if(ratings.begin(), ratings.end(), [&](const Question& question) {
-      return question.id == answer.question;
-    });
+    const auto asked = std::ranges::find_if(
+        ratings, [&](const Question& question) { return question.id == answer.question; });
     if (is_judged(*asked)) {
       answer.value = study::rate(population_.rating, *asked, noticed);
     }
@@ -156,11 +156,10 @@ Evidence SimulatedParticipant::look(const Stimulus& stimulus) {
 }
 
 double SimulatedParticipant::difference_jnd(const Stimulus& stimulus, const Area& area) const {
-  std::vector<double> of_scales;
-  for (const Scale& scale : area.scales) {
-    of_scales.push_back(
-        visible_difference_jnd(energies(stimulus, scale, false), scale.visibility, stimulus.gaze));
-  }
+  const std::vector<double> of_scales = transformed(area.scales, [&](const Scale& scale) {
+    return visible_difference_jnd(energies(stimulus, scale, false), scale.visibility,
+                                  stimulus.gaze);
+  });
   return pooled_jnd(population_.vision, of_scales);
 }
 

@@ -5,7 +5,8 @@
 
 #include "study/participant/observer/cells.h"
 #include "study/participant/observer/decision.h"
-#include "study/participant/observer/simulated_observer.h"
+#include "study/participant/observer/scan_path.h"
+#include "study/participant/participant.h"
 #include "study/participant/population.h"
 
 namespace foveola::study {
@@ -20,7 +21,7 @@ using SceneKnowledge = std::function<KnownScene(const std::string& scene)>;
 /// Marks an outline when its contrast stands out of the noise, the difference from the expected
 /// image, and a material when that difference is no longer noticed; both after a reaction time.
 /// Rates by the difference noticed while looking around. Equal seeds are equal persons.
-class SimulatedParticipant : public SimulatedObserver {
+class SimulatedParticipant : public Participant {
  public:
   SimulatedParticipant(const Population& population, SceneKnowledge knowledge, std::uint64_t seed);
 
@@ -44,8 +45,8 @@ class SimulatedParticipant : public SimulatedObserver {
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
-  bool looks() const override { return true; }
-  ScanPath& path() override { return path_; }
+  /// Returns the scan path that gaze() and head() follow.
+  ScanPath& path() { return path_; }
 
  private:
   /// The cells of a task on one scale, and their expected values in the view.

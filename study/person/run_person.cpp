@@ -11,6 +11,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/headset/live_display.h"
 #include "renderer/headset/live_window.h"
 #include "study/console/console_words.h"
@@ -33,7 +34,6 @@
 #include "study/record/same_scenes.h"
 #include "study/record/session_devices.h"
 #include "study/record/session_programs.h"
-#include "study/stage/protocol_notes.h"
 #include "study/stage/stage_reload.h"
 
 namespace fs = std::filesystem;
@@ -347,7 +347,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                                                        .resumes = settings.resumes,
                                                        .despite_changes = settings.despite_changes,
                                                        .undoes_end = settings.undoes_end});
-  print_notes(protocol);
+  print_notes(protocol.notes);
   silence_xr_loader();
   const SteadyClock clock;
   WindowEvents events;

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -16,7 +14,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/work/work_scope.h"
 #include "study/prediction/aim_dependence.h"
-#include "study/prediction/noise_table.h"
 #include "study/prediction/pilot.h"
 
 namespace foveola::study {
@@ -63,7 +60,7 @@ std::vector<const OfferedObject*> wanted_objects(const AtlasSetting& setting,
       const auto& [wanted_scene, method, name] = pictures.first;
       return wanted_scene == scene && name == object.name;
     };
-    if (std::any_of(setting.wanted.begin(), setting.wanted.end(), is_of_object)) {
+    if (std::ranges::any_of(setting.wanted, is_of_object)) {
       wanted.push_back(&object);
     }
   }

@@ -8,6 +8,7 @@
 
 #include "renderer/base/files/cache.h"
 #include "renderer/base/files/digest.h"
+#include "renderer/base/transformed.h"
 
 namespace fs = std::filesystem;
 namespace foveola::study {
@@ -33,11 +34,7 @@ PatchNoise patch_from(const Json& json) {
 }
 
 NoiseTable table_from(const Json& json) {
-  NoiseTable table;
-  for (const Json& patch : json) {
-    table.push_back(patch_from(patch));
-  }
-  return table;
+  return transformed(json, [&](const Json& patch) { return patch_from(patch); });
 }
 
 constexpr double levels_per_octave = 2.0;
@@ -94,7 +91,7 @@ std::vector<NoiseTable> mean_patches(const std::vector<std::vector<NoiseTable>>&
                                      const std::vector<Vec3>& places) {
   std::vector<NoiseTable> tables(views.front().size());
   for (std::size_t view = 0; view < views.size(); ++view) {
-    if (std::any_of(views[view].begin(), views[view].end(), std::mem_fn(&NoiseTable::empty))) {
+    if (std::ranges::any_of(views[view], std::mem_fn(&NoiseTable::empty))) {
       continue;
     }
     for (std::size_t scale = 0; scale < tables.size(); ++scale) {
@@ -106,14 +103,12 @@ std::vector<NoiseTable> mean_patches(const std::vector<std::vector<NoiseTable>>&
 }
 
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table) {
-  std::vector<PatchEnergies> energies;
-  for (const PatchNoise& patch : table) {
-    energies.push_back({.direction = patch.direction,
-                        .cells = patch.cells,
-                        .noise = {},
-                        .contrast = patch.contrast});
-  }
-  return energies;
+  return transformed(table, [&](const PatchNoise& patch) {
+    return PatchEnergies{.direction = patch.direction,
+                         .cells = patch.cells,
+                         .noise = {},
+                         .contrast = patch.contrast};
+  });
 }
 
 std::optional<std::vector<NoiseTable>> TableCache::find(const std::string& key) const {
@@ -122,11 +117,8 @@ std::optional<std::vector<NoiseTable>> TableCache::find(const std::string& key) 
     return std::nullopt;
   }
   try {
-    std::vector<NoiseTable> tables;
-    for (const Json& table : Json::from_cbor(*kept)) {
-      tables.push_back(table_from(table));
-    }
-    return tables;
+    return transformed(Json::from_cbor(*kept),
+                       [&](const Json& table) { return table_from(table); });
   } catch (const Json::exception&) {
     return std::nullopt;
   }

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/view/view_sampler.h"
@@ -63,11 +64,9 @@ class Display {
                                           .exposure_stops = setting_.exposure_stops});
     }
     const RgbImage& image = resampler_->show(view.viewport, setting_.workers);
-    std::vector<std::vector<ChannelValues>> of_scales;
-    for (const JudgedCells& judged : view.judged) {
-      of_scales.push_back(cell_means(image, judged.pixels, setting_.jnd_lab));
-    }
-    return of_scales;
+    return transformed(view.judged, [&](const JudgedCells& judged) {
+      return cell_means(image, judged.pixels, setting_.jnd_lab);
+    });
   }
 
  private:
@@ -262,7 +261,7 @@ std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSa
       due.push_back({sample_counts[level], view, level});
     }
   }
-  std::sort(due.begin(), due.end());
+  std::ranges::sort(due);
   ProgressiveRender render = masked_render(setting, mask, mix(picture, pilot_stream));
   Display display(render.film(), setting);
   for (const auto& [samples, view, level] : due) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/view/view_sampler.h"
-
 namespace foveola::study {
 namespace {
 
@@ -163,10 +161,9 @@ double PredictedFilm::artifacts_jnd(const Vec3& gaze) {
   if (places.empty()) {  // a display without enough pixels
     return std::numeric_limits<double>::infinity();
   }
-  const auto nearest =
-      std::max_element(places.begin(), places.end(), [&](const auto& one, const auto& other) {
-        return glm::dot(one.direction, gaze) < glm::dot(other.direction, gaze);
-      });
+  const auto nearest = std::ranges::max_element(places, [&](const auto& one, const auto& other) {
+    return glm::dot(one.direction, gaze) < glm::dot(other.direction, gaze);
+  });
   const double per_sr = around_->per_sr(gaze);
   jnd_of_scales_.clear();
   for (std::size_t scale = 0; scale < trial_.surround.size(); ++scale) {

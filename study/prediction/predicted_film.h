@@ -1,7 +1,6 @@
 // Predicts an attempt's film without rendering it: the samples of each patch, and their noise.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

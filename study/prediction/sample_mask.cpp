@@ -54,7 +54,7 @@ void SampleMask::keep(std::vector<ViewSample>& samples) const {
 }
 
 std::size_t SampleMask::count() const {
-  return static_cast<std::size_t>(std::count(pixels_.begin(), pixels_.end(), 1));
+  return static_cast<std::size_t>(std::ranges::count(pixels_, 1));
 }
 
 bool SampleMask::holds(const Vec2& image) const {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::study {
 namespace {
@@ -41,12 +42,12 @@ PreflightVerdict judged(bool has_gate, bool is_good) {
 std::string whose(bool has_gate) { return has_gate ? "the protocol's" : "ours"; }
 
 PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gate) {
-  const auto worst = std::max_element(
-      preflight.speeds.begin(), preflight.speeds.end(),
-      [](const auto& a, const auto& b) { return a.late_percent() < b.late_percent(); });
-  const auto slowest = std::min_element(
-      preflight.speeds.begin(), preflight.speeds.end(),
-      [](const auto& a, const auto& b) { return a.frame_rate_hz() < b.frame_rate_hz(); });
+  const auto worst = std::ranges::max_element(preflight.speeds, [](const auto& a, const auto& b) {
+    return a.late_percent() < b.late_percent();
+  });
+  const auto slowest = std::ranges::min_element(preflight.speeds, [](const auto& a, const auto& b) {
+    return a.frame_rate_hz() < b.frame_rate_hz();
+  });
   const double limit = gate.max_late_percent.value_or(default_late_percent);
   return {.name = "frames in time",
           .found = fmt::format("{:.1f} % late at most ({} with {}); {:.1f} frames a second of "
@@ -62,9 +63,7 @@ PreflightCheck check_frames(const Preflight& preflight, const PreflightGate& gat
 std::vector<TrialSpeed> slowest_by_method(const std::vector<TrialSpeed>& speeds) {
   std::vector<TrialSpeed> slowest;
   for (const TrialSpeed& speed : speeds) {
-    const auto known = std::find_if(slowest.begin(), slowest.end(), [&](const TrialSpeed& one) {
-      return one.method == speed.method;
-    });
+    const auto known = std::ranges::find(slowest, speed.method, &TrialSpeed::method);
     if (known == slowest.end()) {
       slowest.push_back(speed);
     } else if (speed.samples_per_second() < known->samples_per_second()) {
@@ -288,14 +287,10 @@ void require_gate(const std::vector<PreflightCheck>& checks) {
 
 nlohmann::ordered_json preflight_json(const Preflight& preflight,
                                       const std::vector<PreflightCheck>& checks) {
-  Json speeds = Json::array();
-  for (const TrialSpeed& speed : preflight.speeds) {
-    speeds.push_back(json_of(speed));
-  }
-  Json verdicts = Json::array();
-  for (const PreflightCheck& check : checks) {
-    verdicts.push_back(json_of(check));
-  }
+  const Json speeds(
+      transformed(preflight.speeds, [&](const TrialSpeed& speed) { return json_of(speed); }));
+  const Json verdicts(
+      transformed(checks, [&](const PreflightCheck& check) { return json_of(check); }));
   const FoundDisplay& found = preflight.found_display;
   return {{"speeds", speeds},
           {"eye", eye_of(preflight.tracker.source)},

@@ -84,8 +84,8 @@ bool may_change(const std::string& key, const Leaves& before, const Leaves& afte
   static const std::regex place("\\[[0-9]+\\]");
   const std::string placeless = std::regex_replace(key, place, "[]");
   return !is_recorded(key, before, after) &&
-         std::any_of(words_and_times.begin(), words_and_times.end(),
-                     [&](const char* pattern) { return matches(placeless, pattern); });
+         std::ranges::any_of(words_and_times,
+                             [&](const char* pattern) { return matches(placeless, pattern); });
 }
 
 ProtocolChanges changes_between(const Leaves& old_leaves, const Leaves& new_leaves) {

@@ -53,7 +53,7 @@ Directions directions_of(const Protocol& protocol, const std::string& method) {
 }
 
 bool have_same_settings(const Protocol& protocol, const std::string& a, const std::string& b) {
-  return std::all_of(protocol.scenes.begin(), protocol.scenes.end(), [&](const SceneEntry& scene) {
+  return std::ranges::all_of(protocol.scenes, [&](const SceneEntry& scene) {
     return settings_of(protocol, scene.name, a) == settings_of(protocol, scene.name, b);
   });
 }
@@ -64,7 +64,7 @@ void add_same_methods(const Protocol& protocol, const ProtocolPlaces& places,
   for (std::size_t i = 0; i < protocol.methods.size(); ++i) {
     const std::string& method = protocol.methods[i];
     std::vector<std::string>& others = methods_at[directions_of(protocol, method)];
-    const auto same = std::find_if(others.begin(), others.end(), [&](const std::string& other) {
+    const auto same = std::ranges::find_if(others, [&](const std::string& other) {
       return have_same_settings(protocol, method, other);
     });
     if (same != others.end()) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
 #include "renderer/base/words.h"
 
 namespace foveola::study {
@@ -30,10 +31,9 @@ std::string labelled_points(const Measure& measure) {
     return fmt::format("{:g} {} to {:g} {}", measure.question.minimum, labels.front(),
                        measure.question.maximum, labels.back());
   }
-  std::vector<std::string> named;
-  for (const double point : points) {
-    named.push_back(fmt::format("{:g} ({})", point, measure.label_of(point)));
-  }
+  const std::vector<std::string> named = transformed(points, [&](const double point) {
+    return fmt::format("{:g} ({})", point, measure.label_of(point));
+  });
   return fmt::format("{}", fmt::join(named, ", "));
 }
 
@@ -57,8 +57,8 @@ bool Measure::is_numeric() const {
     case QuestionKind::number:
       return true;
     case QuestionKind::choice:
-      return std::all_of(question.options.begin(), question.options.end(),
-                         [](const Option& option) { return option.value.has_value(); });
+      return std::ranges::all_of(question.options,
+                                 [](const Option& option) { return option.value.has_value(); });
     case QuestionKind::text:
       break;
   }
@@ -103,15 +103,13 @@ std::string Measure::label_of(double point) const {
 
 std::vector<Measure> trial_measures(const std::vector<MarkEntry>& marks,
                                     const std::vector<Question>& ratings) {
-  std::vector<Measure> measures;
-  for (const MarkEntry& mark : marks) {
-    measures.push_back({.kind = MeasureKind::time,
-                        .questionnaire = {},
-                        .question = {.id = mark.id,
-                                     .text = mark.instruction,
-                                     .kind = QuestionKind::number,
-                                     .minimum = 0.0}});
-  }
+  std::vector<Measure> measures = transformed(marks, [&](const MarkEntry& mark) {
+    return Measure{
+        .kind = MeasureKind::time,
+        .questionnaire = {},
+        .question = {
+            .id = mark.id, .text = mark.instruction, .kind = QuestionKind::number, .minimum = 0.0}};
+  });
   for (const Question& rating : ratings) {
     measures.push_back({.kind = MeasureKind::rating, .questionnaire = {}, .question = rating});
   }
@@ -151,12 +149,10 @@ void add_response_measures(const std::vector<std::string>& rated, std::vector<Me
 }
 
 std::vector<Measure> measures_of(const Questionnaire& questionnaire) {
-  std::vector<Measure> measures;
-  for (const Question& question : questionnaire.questions) {
-    measures.push_back(
-        {.kind = MeasureKind::answer, .questionnaire = questionnaire.id, .question = question});
-  }
-  return measures;
+  return transformed(questionnaire.questions, [&](const Question& question) {
+    return Measure{
+        .kind = MeasureKind::answer, .questionnaire = questionnaire.id, .question = question};
+  });
 }
 
 std::string scale_in_words(const Measure& measure) {

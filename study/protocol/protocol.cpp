@@ -5,7 +5,6 @@
 #include <cctype>
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +16,7 @@
 #include "renderer/base/similar_word.h"
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/toml/toml_reader.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/measure.h"
@@ -83,7 +83,7 @@ void require_true_keys(const Protocol& protocol) {
   const ProtocolPlaces places(protocol);
   const std::span<const std::string_view> retired = retired_text_ids();
   for (const auto& [id, words] : protocol.texts) {
-    if (std::find(retired.begin(), retired.end(), id) != retired.end()) {
+    if (std::ranges::find(retired, id) != retired.end()) {
       throw Error(places.of("texts." + id),
                   "is not shown: that page has a list, which arrows and Enter answer",
                   "leave it out, and give consent_yes, consent_no, retiming_continue, "
@@ -117,7 +117,7 @@ void require_names_of_files(const Protocol& protocol) {
       throw Error(places.of(key), fmt::format("the id '{}' is that of a response time", id),
                   "choose another id");
     }
-    const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
+    const auto same = std::ranges::find_if(known, [&](const std::string& other) {
       return ::strcasecmp(other.c_str(), id.c_str()) == 0;
     });
     if (same != known.end()) {
@@ -248,9 +248,7 @@ TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
 }
 
 const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id) {
-  const auto found =
-      std::find_if(protocol.questionnaires.begin(), protocol.questionnaires.end(),
-                   [&](const Questionnaire& questionnaire) { return questionnaire.id == id; });
+  const auto found = std::ranges::find(protocol.questionnaires, id, &Questionnaire::id);
   assert(found != protocol.questionnaires.end());
   return *found;
 }
@@ -264,16 +262,25 @@ std::vector<NamedProfile> named_profiles(const Protocol& protocol) {
     profiles.push_back({.device = "tracker", .name = tracker->name, .toml = tracker->toml});
   }
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
-    const bool is_named =
-        std::any_of(profiles.begin(), profiles.end(), [&](const NamedProfile& named) {
-          return named.device == "questionnaire" && named.name == questionnaire.file;
-        });
+    const bool is_named = std::ranges::any_of(profiles, [&](const NamedProfile& named) {
+      return named.device == "questionnaire" && named.name == questionnaire.file;
+    });
     if (!questionnaire.file.empty() && !is_named) {
       profiles.push_back(
           {.device = "questionnaire", .name = questionnaire.file, .toml = questionnaire.toml});
     }
   }
   return profiles;
+}
+
+std::size_t scene_index(const Protocol& protocol, const std::string& name) {
+  const auto found = std::ranges::find(protocol.scenes, name, &SceneEntry::name);
+  return static_cast<std::size_t>(found - protocol.scenes.begin());
+}
+
+std::size_t method_index(const Protocol& protocol, const std::string& name) {
+  const auto found = std::ranges::find(protocol.methods, name);
+  return static_cast<std::size_t>(found - protocol.methods.begin());
 }
 
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method) {
@@ -308,11 +315,9 @@ SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
 
 std::vector<SceneSource> find_scenes(const Protocol& protocol,
                                      const SceneFinderBeside& find_scene) {
-  std::vector<SceneSource> sources;
-  for (const SceneEntry& entry : protocol.scenes) {
-    sources.push_back(find_scene_of(protocol, entry, find_scene));
-  }
-  return sources;
+  return transformed(protocol.scenes, [&](const SceneEntry& entry) {
+    return find_scene_of(protocol, entry, find_scene);
+  });
 }
 
 }  // namespace foveola::study

@@ -57,7 +57,8 @@ struct DisplaySettings {
 struct FilmSettings {
   int width = 320;  ///< Pixels of the 360-degree image.
   int height = 160;
-  int max_depth = 4;  ///< Maximum number of surface vertices of a path.
+  /// Maximum number of surface vertices of a path; 4 as published, half of a render's.
+  int max_depth = 4;
   /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. 0, as
   /// published: all pixels get samples.
   double adaptive_contrast = 0.0;
@@ -320,6 +321,10 @@ struct NamedProfile {
   std::string toml;
 };
 std::vector<NamedProfile> named_profiles(const Protocol& protocol);
+
+/// Return the index of a scene or a method of the protocol.
+std::size_t scene_index(const Protocol& protocol, const std::string& name);
+std::size_t method_index(const Protocol& protocol, const std::string& name);
 
 /// Makes the sampler of one of the protocol's methods, from its loaded files: changes on the disk
 /// while a study runs have no effect.

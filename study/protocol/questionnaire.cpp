@@ -13,7 +13,7 @@ bool is_within(const Question& question, double number) {
 }
 
 bool is_option(const Question& question, const std::variant<double, std::string>& answer) {
-  return std::any_of(question.options.begin(), question.options.end(), [&](const Option& option) {
+  return std::ranges::any_of(question.options, [&](const Option& option) {
     return option.value ? answer == std::variant<double, std::string>(*option.value)
                         : answer == std::variant<double, std::string>(option.label);
   });
@@ -66,7 +66,7 @@ std::string fault_of(const Question& question, const std::variant<double, std::s
 
 bool all_answered(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
   const auto answers_to = [&](const Question& question) {
-    return std::count_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+    return std::ranges::count_if(answers, [&](const Answer& answer) {
       return answer.question == question.id && fault_of(question, answer.value).empty();
     });
   };

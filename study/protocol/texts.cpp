@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/built_in_texts.h"
 
 namespace foveola::study {
@@ -11,20 +12,14 @@ namespace {
 /// Returns null if there is none.
 const BuiltInText* find_built_in(std::string_view id) {
   const std::span<const BuiltInText> all = built_in_texts();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const BuiltInText& text) { return text.id == id; });
+  const auto found = std::ranges::find(all, id, &BuiltInText::id);
   return found != all.end() ? &*found : nullptr;
 }
 
 }  // namespace
 
 std::vector<std::string> known_text_ids() {
-  std::vector<std::string> ids;
-  ids.reserve(built_in_texts().size());
-  for (const BuiltInText& text : built_in_texts()) {
-    ids.emplace_back(text.id);
-  }
-  return ids;
+  return transformed<std::string>(built_in_texts(), &BuiltInText::id);
 }
 
 std::string text_of(const Texts& texts, std::string_view id) {
@@ -64,7 +59,7 @@ std::string filled(std::string_view text,
     result += text.substr(0, open);
     text.remove_prefix(open);
     const std::size_t close = text.find('}');
-    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& known) {
+    const auto value = std::ranges::find_if(values, [&](const auto& known) {
       return close != std::string_view::npos && known.first == text.substr(1, close - 1);
     });
     const bool is_known = value != values.end();

@@ -22,7 +22,7 @@ bool is_english(const std::string& language) {
 /// Returns whether a text has letters outside of its names in braces.
 bool has_words(std::string_view text) {
   bool is_name = false;
-  return std::any_of(text.begin(), text.end(), [&](unsigned char letter) {
+  return std::ranges::any_of(text, [&](unsigned char letter) {
     is_name = letter == '{' || (is_name && letter != '}');
     return !is_name && std::isalpha(letter) != 0;
   });

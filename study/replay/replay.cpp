@@ -51,7 +51,7 @@ Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& s
 }
 
 bool has_same_pictures(const RecordedSession& session) {
-  return std::all_of(session.programs.begin(), session.programs.end(), is_of_this_version);
+  return std::ranges::all_of(session.programs, is_of_this_version);
 }
 
 std::string why_approximate(const RecordedSession& session, const Protocol& protocol) {
@@ -67,10 +67,9 @@ std::string why_approximate(const RecordedSession& session, const Protocol& prot
   if (const std::string processor = machine_info().processor; session.processor != processor) {
     return fmt::format("it was shown on {}, but this is {}", session.processor, processor);
   }
-  const bool is_adaptive =
-      std::any_of(session.plan.begin(), session.plan.end(), [&](const PlannedTrial& trial) {
-        return settings_of(protocol, trial.scene, trial.method).film.adaptive_contrast > 0.0;
-      });
+  const bool is_adaptive = std::ranges::any_of(session.plan, [&](const PlannedTrial& trial) {
+    return settings_of(protocol, trial.scene, trial.method).film.adaptive_contrast > 0.0;
+  });
   if (is_adaptive && session.known.kind != SessionKind::simulated) {
     return "adaptive sampling depended on samples within a frame, which the record does not "
            "keep";
@@ -109,7 +108,7 @@ class Replay {
 
  private:
   bool is_chosen(const RecordedAttempt& attempt) const {
-    return std::find(chosen_.begin(), chosen_.end(), attempt) != chosen_.end();
+    return std::ranges::find(chosen_, attempt) != chosen_.end();
   }
 
   std::unique_ptr<AttemptPort> begin(const RecordedAttempt& attempt,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/transformed.h"
 #include "study/prediction/aim_dependence.h"
 #include "study/prediction/judged_view.h"
 #include "study/stage/trial_preview.h"
@@ -19,11 +20,8 @@ Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
 }
 
 std::vector<Visibility> visibilities(const Vision& vision, double finest_cell_deg) {
-  std::vector<Visibility> of_scales;
-  for (const double cell_deg : scales_deg(vision, finest_cell_deg)) {
-    of_scales.emplace_back(vision, cell_deg);
-  }
-  return of_scales;
+  return transformed(scales_deg(vision, finest_cell_deg),
+                     [&](const double cell_deg) { return Visibility(vision, cell_deg); });
 }
 
 }  // namespace
@@ -34,7 +32,7 @@ PicturesWanted pictures_wanted(const SimulatedStudy& study, const Vision& vision
   const auto add = [&](int design_row) {
     const SessionSeed seed{.seed = study.settings.seed, .design_row = design_row};
     const Plan plan = make_plan(study.protocol, seed.seed, design_row);
-    const std::unique_ptr<SimulatedObserver> observer =
+    const std::unique_ptr<Participant> observer =
         study.make_observer(derive_seed(seed, SeedPurpose::participant, {}), design_row, plan);
     for (const PlannedTrial& trial : plan) {
       const std::vector<OfferedObject>& objects = study.stages.at(trial.scene)->objects();
@@ -90,25 +88,20 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
   }
 }
 
-std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting,
-                                                      SimulatedObserver& observer) const {
+std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting) const {
   auto sampler = make_sampler(protocol_, setting.trial.method);
   if (trials_.empty()) {
-    return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
-                                              std::move(sampler));
+    return std::make_unique<PredictedAttempt>(setting, nullptr, nullptr, std::move(sampler));
   }
   const PicturedPlace place{setting.trial.scene, setting.trial.method, setting.object.name};
   const std::uint32_t number = setting.seeds.picture % picture_count(vision_);
-  return std::make_unique<PredictedAttempt>(setting, observer, &trials_.at(place),
-                                            &atlas_.objects.at(place).at(number),
-                                            std::move(sampler));
+  return std::make_unique<PredictedAttempt>(
+      setting, &trials_.at(place), &atlas_.objects.at(place).at(number), std::move(sampler));
 }
 
-PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
-                                   const PredictedTrial* trial, const ObjectNoise* picture,
-                                   std::unique_ptr<ViewSampler> sampler)
-    : setting_(setting),
-      observer_(observer),
+PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, const PredictedTrial* trial,
+                                   const ObjectNoise* picture, std::unique_ptr<ViewSampler> sampler)
+    : TrialAttempt(setting),
       sampler_(std::move(sampler)),
       start_(setting.clock.now()),
       tracker_delay_(mean_delay(setting.protocol.tracker.simulated)) {
@@ -118,7 +111,7 @@ PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Simulated
   }
 }
 
-std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
+std::optional<Nanoseconds> PredictedAttempt::show_frames(Nanoseconds until) {
   const std::uint64_t interval = frames_per_glance(setting_.protocol.machine);
   const std::uint64_t next_glance = (frames_ + interval - 1) / interval * interval;
   const std::uint64_t last = std::max(frames_, frame_at(until));
@@ -130,11 +123,11 @@ std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
   render_until(next_glance + 1);
   const Nanoseconds now = presented(next_glance);
   setting_.clock.advance(now - setting_.clock.now());
-  return observer_.consider(look(now), now);
+  return setting_.participant.consider(look(now), now);
 }
 
 Evidence PredictedAttempt::look(Nanoseconds now) {
-  return sight_ ? sight_->look(task_, observer_.gaze(now)) : Evidence{};
+  return sight_ ? sight_->look(task_, setting_.participant.gaze(now)) : Evidence{};
 }
 
 std::uint64_t PredictedAttempt::samples_until(std::uint64_t frames) const {
@@ -169,7 +162,7 @@ Aim PredictedAttempt::aim(Nanoseconds time) const {
   const Viewport view = viewport(time);
   const SimulatedTrackerSettings& tracker = setting_.protocol.tracker.simulated;
   const Nanoseconds seen = std::max(time - tracker_delay_, Nanoseconds(0));
-  Vec3 gaze = observer_.gaze(seen);
+  Vec3 gaze = setting_.participant.gaze(seen);
   const bool changes_gaze =
       tracker.bias_right_deg != 0.0 || tracker.bias_up_deg != 0.0 || setting_.correction;
   if (changes_gaze) {
@@ -188,7 +181,7 @@ Aim PredictedAttempt::aim(Nanoseconds time) const {
 
 Viewport PredictedAttempt::viewport(Nanoseconds time) const {
   const DisplaySettings& display = setting_.protocol.display;
-  return {head_orientation(observer_.head(time)), radians(display.horizontal_fov_deg),
+  return {head_orientation(setting_.participant.head(time)), radians(display.horizontal_fov_deg),
           radians(display.vertical_fov_deg), display.lens};
 }
 

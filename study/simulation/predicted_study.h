@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/participant/observer/simulated_observer.h"
+#include "study/participant/participant.h"
 #include "study/prediction/noise_atlas.h"
 #include "study/prediction/predicted_film.h"
 #include "study/simulation/study_simulation.h"
@@ -19,19 +19,17 @@ namespace foveola::study {
 /// losses; its latency and bias are not.
 class PredictedAttempt final : public TrialAttempt {
  public:
-  /// observer: the participant in `setting`. trial, picture, sampler: see PredictedFilm; without a
-  /// trial and a picture, the observer must be one that does not look.
-  PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
-                   const PredictedTrial* trial, const ObjectNoise* picture,
-                   std::unique_ptr<ViewSampler> sampler);
+  /// trial, picture, sampler: see PredictedFilm; without a trial and a picture, the participant
+  /// must be one that does not look.
+  PredictedAttempt(const TrialAttemptSetting& setting, const PredictedTrial* trial,
+                   const ObjectNoise* picture, std::unique_ptr<ViewSampler> sampler);
 
-  std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task task) override { task_ = task; }
-  void complete_record() override {}
   std::uint64_t samples() const override { return samples_until(frames_); }
   std::uint64_t non_finite() const override { return 0; }
 
  private:
+  std::optional<Nanoseconds> show_frames(Nanoseconds until) override;
   std::uint64_t samples_until(std::uint64_t frames) const;
   /// Returns the time, by the attempt's clock, at which the frame of this number, from 0, is on the
   /// display.
@@ -45,8 +43,6 @@ class PredictedAttempt final : public TrialAttempt {
   Aim aim(Nanoseconds time) const;
   Viewport viewport(Nanoseconds time) const;
 
-  TrialAttemptSetting setting_;
-  SimulatedObserver& observer_;
   std::unique_ptr<ViewSampler> sampler_;
   Nanoseconds start_;
   Nanoseconds tracker_delay_;
@@ -69,8 +65,7 @@ class PredictedStudy {
   PredictedStudy& operator=(const PredictedStudy&) = delete;
 
   /// May be called by several threads at once. This must outlive the attempt.
-  std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting,
-                                        SimulatedObserver& observer) const;
+  std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting) const;
 
  private:
   void add_object(const std::string& scene, const OfferedObject& object,

@@ -30,8 +30,7 @@ std::string devices_in_real_time(const SimulationKind& kind, const SessionDispla
 
 KnownSession session_in(const StudyStore& store, std::int64_t id) {
   const std::vector<KnownSession> sessions = store.sessions();
-  return *std::find_if(sessions.begin(), sessions.end(),
-                       [&](const KnownSession& session) { return session.id == id; });
+  return *std::ranges::find(sessions, id, &KnownSession::id);
 }
 
 struct SharedWindow {

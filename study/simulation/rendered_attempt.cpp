@@ -15,12 +15,24 @@ std::uint64_t frames_per_glance(const MachineModel& machine) {
 }
 
 RenderedAttempt::RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers)
-    : setting_(setting),
-      preview_(setting.stage, setting.protocol, setting.trial, setting.seeds, setting.participant,
-               setting.correction, setting.clock, workers),
-      log_(setting.recorder, setting.key) {}
+    : TrialAttempt(setting),
+      start_(setting.clock.now()),
+      eye_(watch(setting.participant, setting.protocol.tracker, setting.seeds.tracker,
+                 setting.correction)),
+      head_([&participant = setting.participant](Nanoseconds time) {
+        return participant.head(time);
+      }),
+      preview_(setting.stage.tracer(),
+               trial_preview_settings(
+                   setting.protocol,
+                   settings_of(setting.protocol, setting.trial.scene, setting.trial.method),
+                   setting.stage),
+               *eye_, head_, workers),
+      log_(setting.recorder, setting.key) {
+  preview_.restart(make_sampler(setting.protocol, setting.trial.method), setting.seeds.rendering);
+}
 
-std::optional<Nanoseconds> RenderedAttempt::show(Nanoseconds /*until*/) {
+std::optional<Nanoseconds> RenderedAttempt::show_frames(Nanoseconds /*until*/) {
   const bool is_glance = log_.frames() % frames_per_glance(setting_.protocol.machine) == 0;
   render_frame();
   if (!is_glance) {
@@ -34,43 +46,21 @@ std::optional<Nanoseconds> RenderedAttempt::show(Nanoseconds /*until*/) {
 }
 
 void RenderedAttempt::render_frame() {
-  FrameRow row = frame_row(preview_.next_frame());
+  const MachineModel& machine = setting_.protocol.machine;
+  const std::uint64_t samples = samples_after(frames_ + 1, machine, setting_.trial) -
+                                samples_after(frames_, machine, setting_.trial);
+  FrameRow row = frame_row(preview_.render_frame(setting_.clock.now(), samples));
+  ++frames_;
+  const Nanoseconds presented =
+      start_ + nanoseconds_from_seconds(static_cast<double>(frames_) / machine.frame_rate_hz);
+  setting_.clock.advance(presented - setting_.clock.now());
   row.time += setting_.attempt_start;
-  row.presented = setting_.attempt_start + setting_.clock.now();
+  row.presented = setting_.attempt_start + presented;
   std::vector<GazeSample> arrived = preview_.arrived_gaze();
   for (GazeSample& sample : arrived) {
     sample.time += setting_.attempt_start;
   }
   log_.add(row, arrived);
-}
-
-VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
-                               const PlannedTrial& trial, const TrialSeeds& seeds,
-                               Participant& participant,
-                               const std::optional<GazeCorrection>& correction, VirtualClock& clock,
-                               const Workers& workers)
-    : machine_(protocol.machine),
-      trial_(trial),
-      clock_(clock),
-      start_(clock.now()),
-      eye_(watch(participant, protocol.tracker, seeds.tracker, correction)),
-      head_([&participant](Nanoseconds time) { return participant.head(time); }),
-      preview_(
-          stage.tracer(),
-          trial_preview_settings(protocol, settings_of(protocol, trial.scene, trial.method), stage),
-          *eye_, head_, workers) {
-  preview_.restart(make_sampler(protocol, trial.method), seeds.rendering);
-}
-
-FrameReport VirtualPreview::next_frame() {
-  const std::uint64_t samples =
-      samples_after(frames_ + 1, machine_, trial_) - samples_after(frames_, machine_, trial_);
-  const FrameReport report = preview_.render_frame(clock_.now(), samples);
-  ++frames_;
-  const Nanoseconds presented =
-      start_ + nanoseconds_from_seconds(static_cast<double>(frames_) / machine_.frame_rate_hz);
-  clock_.advance(presented - clock_.now());
-  return report;
 }
 
 }  // namespace foveola::study

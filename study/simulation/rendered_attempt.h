@@ -5,67 +5,36 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "renderer/base/clock.h"
 #include "renderer/gaze/calibration.h"
 #include "renderer/preview/preview.h"
-#include "study/participant/participant.h"
-#include "study/protocol/protocol.h"
 #include "study/simulation/trial_attempt.h"
 #include "study/stage/attempt_log.h"
-#include "study/stage/scene_stage.h"
 
 namespace foveola::study {
 
-/// Renders one attempt for `participant`, with the protocol's eye tracker, corrected if its
-/// calibration says so, and a simulated head tracker. A catch trial traces nothing. It refers to
-/// its inputs, and advances `clock`, the attempt's, by a frame's time per frame.
-class VirtualPreview {
+/// Its participant watches through the protocol's eye tracker, corrected if its calibration says
+/// so, and a simulated head tracker. A catch trial traces nothing. Advances the attempt's clock by
+/// a frame's time per frame.
+class RenderedAttempt final : public TrialAttempt {
  public:
-  VirtualPreview(const SceneStage& stage, const Protocol& protocol, const PlannedTrial& trial,
-                 const TrialSeeds& seeds, Participant& participant,
-                 const std::optional<GazeCorrection>& correction, VirtualClock& clock,
-                 const Workers& workers);
+  /// workers must outlive it.
+  RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers);
 
-  /// Renders the next frame. On return, the clock shows the time of its presentation.
-  FrameReport next_frame();
-
-  /// Return the displayed image, and the view that it was rendered for.
-  const RgbImage& present() { return preview_.present(); }
-  const Viewport& viewport() const { return preview_.viewport(); }
-  const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
-  const EquirectFilm& film() const { return preview_.film(); }
-  std::uint64_t non_finite() const { return preview_.dropped().size(); }
+  void complete_record() override { log_.finish(preview_.film()); }
+  std::uint64_t samples() const override { return preview_.film().total_samples(); }
+  std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 
  private:
-  const MachineModel& machine_;
-  const PlannedTrial& trial_;
-  VirtualClock& clock_;
+  std::optional<Nanoseconds> show_frames(Nanoseconds until) override;
+  /// Renders the next frame into the record. On return it is presented.
+  void render_frame();
+
   Nanoseconds start_;
   std::uint64_t frames_ = 0;
   std::unique_ptr<EyeTracker> eye_;
   SimulatedHeadTracker head_;
   Preview preview_;
-};
-
-class RenderedAttempt final : public TrialAttempt {
- public:
-  RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers);
-
-  std::optional<Nanoseconds> show(Nanoseconds until) override;
-  void begin(Task /*task*/) override {}
-  void complete_record() override { log_.finish(preview_.film()); }
-  std::uint64_t samples() const override { return preview_.film().total_samples(); }
-  std::uint64_t non_finite() const override { return preview_.non_finite(); }
-
- private:
-  /// Renders the next frame into the record. On return it is presented.
-  void render_frame();
-
-  TrialAttemptSetting setting_;
-  VirtualPreview preview_;
   AttemptLog log_;
 };
 

@@ -7,6 +7,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "study/record/same_scenes.h"
 #include "study/record/session_programs.h"
@@ -16,7 +17,6 @@
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/simulation_setup.h"
 #include "study/simulation/study_simulation.h"
-#include "study/stage/protocol_notes.h"
 
 namespace fs = std::filesystem;
 
@@ -130,7 +130,7 @@ SimulateReport run_rendered(SimulatedStudy& study, const SimulationKind& kind, b
   if (kind.real_time) {
     return run_in_real_time(study, kind, stop);
   }
-  study.make_attempts = [](SimulatedObserver& /*observer*/, const Workers& workers) {
+  study.make_attempts = [](const Workers& workers) {
     return [&workers](const TrialAttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
       return std::make_unique<RenderedAttempt>(setting, workers);
     };
@@ -154,8 +154,8 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
     throw;
   }
   const PredictedStudy predicted(study.protocol, study.stages, population, std::move(atlas));
-  study.make_attempts = [&predicted](SimulatedObserver& observer, const Workers& /*workers*/) {
-    return [&](const TrialAttemptSetting& setting) { return predicted.attempt(setting, observer); };
+  study.make_attempts = [&predicted](const Workers& /*workers*/) {
+    return [&](const TrialAttemptSetting& setting) { return predicted.attempt(setting); };
   };
   return StudySimulation(study).run(stop);
 }
@@ -170,7 +170,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const SimulationSetup setup = set_up_simulation(settings, find_scene);
   require_usable(settings, setup.protocol, setup.kind);
   if (settings.warns) {
-    print_notes(setup.protocol);
+    print_notes(setup.protocol.notes);
   }
   const Workers workers(settings.threads);
   const SceneStages stages =

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/transformed.h"
 #include "study/participant/answers.h"
 #include "study/participant/injected_effects/effect_on_protocol.h"
 #include "study/participant/make_observer.h"
@@ -55,11 +56,7 @@ std::string devices_in_virtual_time(const SimulationKind& kind, const GazeFilter
 }
 
 std::vector<std::string> mark_ids(const Protocol& protocol) {
-  std::vector<std::string> ids;
-  for (const MarkEntry& mark : protocol.marks) {
-    ids.push_back(mark.id);
-  }
-  return ids;
+  return transformed(protocol.marks, &MarkEntry::id);
 }
 
 KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {

@@ -121,7 +121,7 @@ void StudySimulation::run_session(std::int64_t session, int design_row, const Pl
                                   const std::stop_token& stop) {
   if (study_.run_in_window) {
     show(plan.front().scene);
-    const std::unique_ptr<SimulatedObserver> observer = make_observer(design_row, plan);
+    const std::unique_ptr<Participant> observer = make_observer(design_row, plan);
     add(study_.run_in_window({.store = store_, .id = session, .plan = plan, .observer = *observer},
                              stop));
     return;
@@ -148,19 +148,19 @@ SessionOutcome StudySimulation::take_part(SessionRecorder& recorder,
                                           const Plan& plan, const Workers& workers,
                                           const std::stop_token& stop) {
   const SessionSeed seed{.seed = study_.settings.seed, .design_row = design_row};
-  const std::unique_ptr<SimulatedObserver> observer = make_observer(design_row, plan);
+  const std::unique_ptr<Participant> observer = make_observer(design_row, plan);
   const SessionSetting setting{.protocol = study_.protocol,
                                .stages = study_.stages,
                                .recorder = recorder,
-                               .make_attempt = study_.make_attempts(*observer, workers),
+                               .make_attempt = study_.make_attempts(workers),
                                .seed = seed,
                                .on_trial = [&](std::size_t trial) { show(plan[trial].scene); },
                                .stop = stop};
   return VirtualSession(setting, plan, *observer, position).run();
 }
 
-std::unique_ptr<SimulatedObserver> StudySimulation::make_observer(int design_row,
-                                                                  const Plan& plan) const {
+std::unique_ptr<Participant> StudySimulation::make_observer(int design_row,
+                                                            const Plan& plan) const {
   const SessionSeed seed{.seed = study_.settings.seed, .design_row = design_row};
   return study_.make_observer(derive_seed(seed, SeedPurpose::participant, {}), design_row, plan);
 }

@@ -9,7 +9,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/work/work_scope.h"
-#include "study/participant/observer/simulated_observer.h"
+#include "study/participant/participant.h"
 #include "study/record/recorders.h"
 #include "study/record/study_store.h"
 #include "study/simulation/simulate_study.h"
@@ -37,7 +37,7 @@ struct BegunSession {
   StudyStore& store;
   std::int64_t id;  ///< row in the store
   const Plan& plan;
-  SimulatedObserver& observer;
+  Participant& observer;
 };
 
 /// Inputs of the sessions; must outlive the simulation.
@@ -47,11 +47,10 @@ struct SimulatedStudy {
   const SceneStages& stages;
   const Workers& workers;
   /// Makes the person of the session with `plan`, another one per seed. Called by several threads.
-  std::function<std::unique_ptr<SimulatedObserver>(std::uint32_t seed, int design_row,
-                                                   const Plan& plan)>
+  std::function<std::unique_ptr<Participant>(std::uint32_t seed, int design_row, const Plan& plan)>
       make_observer;
   /// Makes the attempts of one session. Called by several threads.
-  std::function<MakeAttempt(SimulatedObserver& observer, const Workers& workers)> make_attempts;
+  std::function<MakeAttempt(const Workers& workers)> make_attempts;
   /// In real time, in place of attempts: runs the session in the window.
   std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)>
       run_in_window;
@@ -89,7 +88,7 @@ class StudySimulation {
                            int design_row, const Plan& plan, const Workers& workers,
                            const std::stop_token& stop);
 
-  std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
+  std::unique_ptr<Participant> make_observer(int design_row, const Plan& plan) const;
   SessionFacts facts_of(int design_row) const;
   /// Whether sessions are written as wholes.
   bool is_buffered() const {

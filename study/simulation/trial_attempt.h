@@ -9,6 +9,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/calibration.h"
 #include "study/design/plan.h"
+#include "study/driver/ports.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/record/session_recorder.h"
@@ -36,27 +37,32 @@ struct TrialAttemptSetting {
   Nanoseconds attempt_start{0};  ///< session time at which the attempt's clock is 0
   SessionRecorder& recorder;
   AttemptKey key;
+  std::optional<Nanoseconds>& pressed;  ///< session clock: when the task's key goes down
 };
 
-class TrialAttempt {
+class TrialAttempt : public AttemptPort {
  public:
-  virtual ~TrialAttempt() = default;
+  explicit TrialAttempt(const TrialAttemptSetting& setting) : setting_(setting) {}
 
+  /// Notes the first press of the task's key.
+  Nanoseconds show(Nanoseconds until) final {
+    const std::optional<Nanoseconds> press = show_frames(until - setting_.attempt_start);
+    if (press && !setting_.pressed) {
+      setting_.pressed = setting_.attempt_start + *press;
+    }
+    return setting_.attempt_start + setting_.clock.now();
+  }
+
+  /// The participant's task from now on.
+  virtual void begin(Task /*task*/) {}
+
+ protected:
   /// Presents at least the next frame, and at most until one is on the display at `until` (of the
   /// attempt) or later. Advances the clock to the presentation of the last one. Returns the time of
   /// the key press that a glance at it caused.
-  virtual std::optional<Nanoseconds> show(Nanoseconds until) = 0;
+  virtual std::optional<Nanoseconds> show_frames(Nanoseconds until) = 0;
 
-  /// The participant's task from now on.
-  virtual void begin(Task task) = 0;
-
-  /// Passes all remaining data to the record.
-  virtual void complete_record() = 0;
-
-  /// Number of samples traced so far.
-  virtual std::uint64_t samples() const = 0;
-  /// Number of them that were not finite.
-  virtual std::uint64_t non_finite() const = 0;
+  const TrialAttemptSetting setting_;
 };
 
 using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;

@@ -1,38 +1,9 @@
 #include "study/simulation/virtual_session.h"
 
-#include <utility>
-
 #include "study/driver/reaction_test.h"
 #include "study/simulation/gaze_validation.h"
 
 namespace foveola::study {
-
-/// Counts from the session's start, and performs the participant's reactions to the display.
-class VirtualSession::RunningAttempt final : public AttemptPort {
- public:
-  RunningAttempt(VirtualSession& session, std::unique_ptr<TrialAttempt> attempt)
-      : session_(session), attempt_(std::move(attempt)) {
-    session_.attempt_ = attempt_.get();
-  }
-  ~RunningAttempt() override { session_.attempt_ = nullptr; }
-  RunningAttempt(const RunningAttempt&) = delete;
-  RunningAttempt& operator=(const RunningAttempt&) = delete;
-
-  Nanoseconds show(Nanoseconds until) override {
-    const std::optional<Nanoseconds> press = attempt_->show(until - session_.attempt_start_);
-    if (press && !session_.pressed_) {
-      session_.pressed_ = session_.attempt_start_ + *press;
-    }
-    return session_.now();
-  }
-  void complete_record() override { attempt_->complete_record(); }
-  std::uint64_t samples() const override { return attempt_->samples(); }
-  std::uint64_t non_finite() const override { return attempt_->non_finite(); }
-
- private:
-  VirtualSession& session_;
-  std::unique_ptr<TrialAttempt> attempt_;
-};
 
 VirtualSession::VirtualSession(const SessionSetting& setting, const Plan& plan,
                                Participant& participant, const SessionPosition& position)
@@ -44,22 +15,23 @@ VirtualSession::VirtualSession(const SessionSetting& setting, const Plan& plan,
               *this, *this, *this, setting.recorder) {}
 
 std::unique_ptr<AttemptPort> VirtualSession::begin_attempt() {
-  return std::make_unique<RunningAttempt>(
-      *this,
-      setting_.make_attempt(
-          {.stage = stage(),
-           .protocol = setting_.protocol,
-           .trial = driver_.trial(),
-           .object = object_named(stage().objects(), state().object),
-           .seeds = {.tracker = seed_of_trial(SeedPurpose::tracker),
-                     .rendering = seed_of_trial(SeedPurpose::rendering),
-                     .picture = picture_seed(setting_.seed, setting_.protocol, driver_.trial())},
-           .participant = participant_,
-           .correction = driver_.correction(),
-           .clock = clock_,
-           .attempt_start = attempt_start_,
-           .recorder = setting_.recorder,
-           .key = driver_.attempt_key()}));
+  std::unique_ptr<TrialAttempt> attempt = setting_.make_attempt(
+      {.stage = stage(),
+       .protocol = setting_.protocol,
+       .trial = driver_.trial(),
+       .object = object_named(stage().objects(), state().object),
+       .seeds = {.tracker = seed_of_trial(SeedPurpose::tracker),
+                 .rendering = seed_of_trial(SeedPurpose::rendering),
+                 .picture = picture_seed(setting_.seed, setting_.protocol, driver_.trial())},
+       .participant = participant_,
+       .correction = driver_.correction(),
+       .clock = clock_,
+       .attempt_start = attempt_start_,
+       .recorder = setting_.recorder,
+       .key = driver_.attempt_key(),
+       .pressed = pressed_});
+  attempt_ = attempt.get();
+  return attempt;
 }
 
 void VirtualSession::pass_input(SessionDriver& /*driver*/) {

@@ -47,8 +47,6 @@ class VirtualSession final : private ClockPort,
   SessionOutcome run() { return driver_.run(setting_.stop); }
 
  private:
-  class RunningAttempt;
-
   Nanoseconds now() const override { return attempt_start_ + clock_.now(); }
 
   // Questions and acknowledgements are texts and sounds; a simulated participant is asked directly.
@@ -91,7 +89,7 @@ class VirtualSession final : private ClockPort,
   /// behaviour depends on the latter only, to the last bit.
   Nanoseconds attempt_start_;
   VirtualClock clock_;
-  TrialAttempt* attempt_ = nullptr;     ///< set while a trial is rendered
+  TrialAttempt* attempt_ = nullptr;     ///< the last; the driver's, which it ends
   std::optional<Nanoseconds> pressed_;  ///< session clock: time of the task's key press
   SessionDriver driver_;
 };

@@ -1,7 +1,5 @@
 #include "study/stage/gaze_validation_runs.h"
 
-#include <utility>
-
 namespace foveola::study {
 
 GazeValidationRuns::GazeValidationRuns(const ValidationSettings& settings,

@@ -9,6 +9,7 @@
 #include "renderer/base/files/cache.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "study/record/shown_scene.h"
 
@@ -16,13 +17,11 @@ namespace foveola::study {
 namespace {
 
 std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
-  std::vector<OfferedObject> offered;
-  for (const ObjectOfInterest& object : source.objects) {
-    offered.push_back({.name = object.name,
-                       .direction = direction_of(object, *source.camera_position),
-                       .radius_deg = object.radius_deg});
-  }
-  return offered;
+  return transformed(source.objects, [&](const ObjectOfInterest& object) {
+    return OfferedObject{.name = object.name,
+                         .direction = direction_of(object, *source.camera_position),
+                         .radius_deg = object.radius_deg};
+  });
 }
 
 std::filesystem::path cached_references() { return cache_folder() / "references"; }

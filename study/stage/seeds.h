@@ -43,8 +43,13 @@ inline std::uint32_t derive_seed(const SessionSeed& session, SeedPurpose purpose
 /// Returns the seed for `purpose` in one timing of a trial. An attempt that a pause or a crash
 /// ended shares its seed with the repetition, so that a session's results do not depend on
 /// interruptions.
-std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose, const Protocol& protocol,
-                         const PlannedTrial& trial, int timing);
+inline std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose,
+                                const Protocol& protocol, const PlannedTrial& trial, int timing) {
+  return derive_seed(session, purpose,
+                     {static_cast<int>(scene_index(protocol, trial.scene)),
+                      static_cast<int>(method_index(protocol, trial.method)), timing,
+                      static_cast<int>(trial.kind)});
+}
 
 /// Returns the seed of a predicted trial's picture, the same for all its timings.
 inline std::uint32_t picture_seed(const SessionSeed& session, const Protocol& protocol,

@@ -6,15 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola::study {
 namespace {
 
 std::vector<std::string> names_of(const std::vector<OfferedObject>& objects) {
-  std::vector<std::string> names;
-  for (const OfferedObject& object : objects) {
-    names.push_back(object.name);
-  }
-  return names;
+  return transformed(objects, &OfferedObject::name);
 }
 
 }  // namespace
@@ -44,8 +42,8 @@ std::optional<ReloadedStage> StageReloader::take_reloaded() {
 }
 
 bool StageReloader::is_loading() const {
-  return std::any_of(watched_.begin(), watched_.end(),
-                     [](const Watched& watched) { return watched.reloader->is_loading(); });
+  return std::ranges::any_of(watched_,
+                             [](const Watched& watched) { return watched.reloader->is_loading(); });
 }
 
 ReloadedStage StageReloader::staged(const Watched& watched, const ReloadedScene& reloaded) {

@@ -1,9 +1,8 @@
 #include "study/tables/protocol_json.h"
 
-#include <functional>
-
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/untranslated.h"
 #include "study/record/gaze_filter_json.h"
 
@@ -22,15 +21,6 @@ Json json_profiles(const Protocol& protocol) {
   return names;
 }
 
-template <typename Things, typename Projection>
-Json list_of(const Things& things, const Projection& projection) {
-  Json list = Json::array();
-  for (const auto& thing : things) {
-    list.push_back(std::invoke(projection, thing));
-  }
-  return list;
-}
-
 Json json_file(const MethodFile& file) {
   return {{"method", file.method}, {"file", file.file}, {"sha256", file.sha256}};
 }
@@ -44,7 +34,7 @@ Json json_comparison(const PlannedComparison& comparison) {
 Json json_questionnaires(const Protocol& protocol) {
   Json questionnaires = Json::object();
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
-    questionnaires[questionnaire.id] = list_of(questionnaire.questions, &Question::id);
+    questionnaires[questionnaire.id] = transformed(questionnaire.questions, &Question::id);
   }
   return questionnaires;
 }
@@ -54,7 +44,7 @@ Json json_analysis(const AnalysisPlan& plan) {
           {"alpha", plan.alpha},
           {"scenes", name_of(plan.scenes)},
           {"ratings", name_of(plan.ratings)},
-          {"primary", list_of(plan.primary, json_comparison)},
+          {"primary", transformed(plan.primary, json_comparison)},
           {"equivalence_margins", plan.equivalence_margins}};
 }
 
@@ -65,30 +55,30 @@ Json json_of(const Duration& duration) {
 }  // namespace
 
 Json json_of(const Protocol& protocol) {
-  return {
-      {"protocol", protocol.path.string()},
-      {"name", protocol.name},
-      {"title", protocol.title},
-      {"language", protocol.language},
-      {"untranslated", untranslated_texts(protocol).keys},
-      {"film_bytes", memory_of(protocol.film)},
-      {"sha256", protocol.sha256},
-      {"scenes", list_of(protocol.scenes, &SceneEntry::name)},
-      {"methods", protocol.methods},
-      {"scene_order", name_of(protocol.scene_order)},
-      {"method_order", name_of(protocol.method_order)},
-      {"design_rows", design_rows(protocol)},
-      {"method_files", list_of(protocol.method_files, json_file)},
-      {"profiles", json_profiles(protocol)},
-      {"gaze_filter", json_of(protocol.tracker.filter)},
-      {"phases", list_of(protocol.phases, [](const PhaseEntry& phase) { return name_of(phase); })},
-      {"marks", list_of(protocol.marks, &MarkEntry::id)},
-      {"ratings", list_of(protocol.ratings, &Question::id)},
-      {"questionnaires", json_questionnaires(protocol)},
-      {"trials_per_participant", protocol.scenes.size() * protocol.methods.size()},
-      {"practice_trials", protocol.practice.size()},
-      {"catch_trials", protocol.catch_trials.count},
-      {"analysis", json_analysis(protocol.analysis)}};
+  return {{"protocol", protocol.path.string()},
+          {"name", protocol.name},
+          {"title", protocol.title},
+          {"language", protocol.language},
+          {"untranslated", untranslated_texts(protocol).keys},
+          {"film_bytes", memory_of(protocol.film)},
+          {"sha256", protocol.sha256},
+          {"scenes", transformed(protocol.scenes, &SceneEntry::name)},
+          {"methods", protocol.methods},
+          {"scene_order", name_of(protocol.scene_order)},
+          {"method_order", name_of(protocol.method_order)},
+          {"design_rows", design_rows(protocol)},
+          {"method_files", transformed(protocol.method_files, json_file)},
+          {"profiles", json_profiles(protocol)},
+          {"gaze_filter", json_of(protocol.tracker.filter)},
+          {"phases",
+           transformed(protocol.phases, [](const PhaseEntry& phase) { return name_of(phase); })},
+          {"marks", transformed(protocol.marks, &MarkEntry::id)},
+          {"ratings", transformed(protocol.ratings, &Question::id)},
+          {"questionnaires", json_questionnaires(protocol)},
+          {"trials_per_participant", protocol.scenes.size() * protocol.methods.size()},
+          {"practice_trials", protocol.practice.size()},
+          {"catch_trials", protocol.catch_trials.count},
+          {"analysis", json_analysis(protocol.analysis)}};
 }
 
 Json json_of(const Protocol& protocol, const Balance& balance) {
@@ -110,7 +100,7 @@ Json json_of(const Protocol& protocol, const Balance& balance) {
 
 Json json_of(const std::vector<SessionPart>& parts) {
   Json all = json_of(total_of(parts));
-  all["parts"] = list_of(parts, [](const SessionPart& part) {
+  all["parts"] = transformed(parts, [](const SessionPart& part) {
     Json json = json_of(part.duration);
     json["part"] = part.name;
     json["count"] = part.count;
@@ -120,7 +110,7 @@ Json json_of(const std::vector<SessionPart>& parts) {
 }
 
 Json json_of(const Plan& plan) {
-  return list_of(plan, [](const PlannedTrial& trial) {
+  return transformed(plan, [](const PlannedTrial& trial) {
     return Json{{"scene", trial.scene}, {"method", trial.method}, {"kind", name_of(trial.kind)}};
   });
 }

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/aligned_rows.h"
+#include "renderer/base/transformed.h"
 #include "study/design/orders.h"
 #include "study/design/participant_code.h"
 
@@ -16,11 +17,7 @@ namespace foveola::study {
 namespace {
 
 std::vector<std::string> scene_names(const Protocol& protocol) {
-  std::vector<std::string> names;
-  for (const SceneEntry& scene : protocol.scenes) {
-    names.push_back(scene.name);
-  }
-  return names;
+  return transformed(protocol.scenes, &SceneEntry::name);
 }
 
 /// Returns "" "1st" ... "after od" ...

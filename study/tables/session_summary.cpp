@@ -20,7 +20,7 @@ namespace {
 constexpr std::array ends = {"completed", "withdrawn", "excluded", "refused"};
 
 bool is_over(const SessionRow& session) {
-  return std::find(ends.begin(), ends.end(), session.state) != ends.end();
+  return std::ranges::find(ends, session.state) != ends.end();
 }
 
 void add_session(const SessionRow& session, StudyStatus& status) {
@@ -108,11 +108,9 @@ std::string percent(const std::optional<double>& part_s, double all_s) {
 
 const AttemptGazeFigures* figures_of(const DataQualityRecords& quality,
                                      const std::string& participant, const TrialRow& row) {
-  const auto found =
-      std::find_if(quality.gaze.begin(), quality.gaze.end(), [&](const AttemptGazeRow& one) {
-        return one.participant == participant && one.trial == row.trial &&
-               one.attempt == row.attempt;
-      });
+  const auto found = std::ranges::find_if(quality.gaze, [&](const AttemptGazeRow& one) {
+    return one.participant == participant && one.trial == row.trial && one.attempt == row.attempt;
+  });
   return found != quality.gaze.end() ? &found->figures : nullptr;
 }
 
@@ -212,7 +210,7 @@ std::string reactions_of(const DataQualityRecords& quality, const std::string& p
   if (times_s.empty()) {
     return "";
   }
-  std::sort(times_s.begin(), times_s.end());
+  std::ranges::sort(times_s);
   return fmt::format("Reactions: {} from {:.3f} to {:.3f} s.\n", times_s.size(), times_s.front(),
                      times_s.back());
 }
@@ -256,8 +254,8 @@ StudyStatus status_of(const StudyRecords& records) {
     add_session(session, status);
   }
   count_positions(records, status);
-  status.trials_done = static_cast<int>(
-      std::count_if(records.trials.begin(), records.trials.end(), [&](const TrialRow& trial) {
+  status.trials_done =
+      static_cast<int>(std::ranges::count_if(records.trials, [&](const TrialRow& trial) {
         return StudyRecords::is_result(trial) && records.words[trial.outcome] == "rated";
       }));
   return status;

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/data_quality/gaze_sources.h"
 #include "analysis/publication/exports/bids.h"
-#include "analysis/publication/exports/data_files.h"
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_movements.h"

@@ -1,7 +1,6 @@
 #include "analysis/publication/tables/result_tables.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/models/crossed_model.h"
 #include "analysis/statistics/paired_t.h"
 

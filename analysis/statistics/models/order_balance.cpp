@@ -9,17 +9,16 @@
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include "analysis/statistics/models/additive_fit.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola::analysis {
 namespace {
 
 /// Returns the additive fit of a member of each value.
 AdditiveFit fit_of(const std::vector<OrderedValue>& values, double OrderedValue::* quantity) {
-  std::vector<TrialValue> trials;
-  trials.reserve(values.size());
-  for (const OrderedValue& value : values) {
-    trials.push_back({value.participant, value.condition, value.*quantity});
-  }
+  std::vector<TrialValue> trials = transformed(values, [&](const OrderedValue& value) {
+    return TrialValue{value.participant, value.condition, value.*quantity};
+  });
   return AdditiveFit(std::move(trials));
 }
 

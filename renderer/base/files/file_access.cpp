@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <vector>
 

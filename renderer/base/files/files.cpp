@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files/file_access.h"
 #include "renderer/base/work/programs.h"
 
 namespace fs = std::filesystem;

@@ -19,7 +19,7 @@ namespace {
 std::string place_of(const std::string& file, std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
-  return fmt::format("{}:{}:{}", file, std::count(before.begin(), before.end(), '\n') + 1,
+  return fmt::format("{}:{}:{}", file, std::ranges::count(before, '\n') + 1,
                      offset - line_begin + 1);
 }
 
@@ -119,7 +119,7 @@ std::vector<std::string> toml_names_in(const fs::path& folder) {
                 "install Foveola again, or set FOVEOLA_RESOURCES to the folder that holds "
                 "protocols/, scenes/ and data/");
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

@@ -1,7 +1,6 @@
 #include "renderer/base/toml/toml_keys.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace foveola {
 
@@ -37,7 +36,7 @@ void TomlKeys::asked(const std::string& table, std::string_view key, const TomlK
     account.defaults.insert(rule.default_text);
   }
   std::vector<std::string>& types = account.key.types;
-  if (std::find(types.begin(), types.end(), rule.type) == types.end()) {
+  if (std::ranges::find(types, rule.type) == types.end()) {
     types.push_back(rule.type);
   }
   if (!account.key.minimum) {

@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/similar_word.h"
 #include "renderer/base/toml/toml_file.h"
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -123,7 +124,7 @@ void TomlReader::read(const TomlKeyName& key, int& value, const std::vector<int>
   std::int64_t number = value;
   read_whole(key, number, rule, choices.front(), choices.back());
   value = static_cast<int>(number);
-  if (has(key) && std::find(choices.begin(), choices.end(), value) == choices.end()) {
+  if (has(key) && std::ranges::find(choices, value) == choices.end()) {
     fail(source(key), fmt::format("{} cannot be {}", full_name(key), value),
          fmt::format("choose {}", fmt::join(choices, " or ")));
   }
@@ -226,7 +227,7 @@ std::size_t TomlReader::find_word(const TomlKeyName& key,
     return known.size();
   }
   const std::string text = text_in(*node, key);
-  const auto found = std::find(known.begin(), known.end(), text);
+  const auto found = std::ranges::find(known, text);
   if (found == known.end()) {
     fail(source(key), fmt::format("there is no {} '{}'", key.name, text),
          did_you_mean(text, {known.begin(), known.end()},
@@ -314,11 +315,8 @@ std::vector<TomlReader> TomlReader::tables(const TomlKeyName& key, std::string_v
          fmt::format("begin each with [[{}]]", full_name(key)));
   }
   require_moderate_length(key, *node->as_array());
-  std::vector<TomlReader> readers;
-  for (const toml::node& element : *node->as_array()) {
-    readers.push_back(inner(*element.as_table(), key));
-  }
-  return readers;
+  return transformed(*node->as_array(),
+                     [&](const toml::node& element) { return inner(*element.as_table(), key); });
 }
 
 void TomlReader::reject_unknown_keys() const {

@@ -1,11 +1,9 @@
 #include "renderer/base/work/work_scope.h"
 
-#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
 #include <string_view>
 #include <utility>
 

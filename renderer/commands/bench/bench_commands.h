@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "renderer/base/scene_source.h"
-
-namespace CLI {
-class App;
-}
+#include "renderer/command_line/cli_fwd.h"
 
 namespace foveola {
 

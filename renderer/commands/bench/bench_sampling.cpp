@@ -17,6 +17,7 @@
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/random.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/bench/bench_commands.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/film/equirect_film.h"
@@ -77,10 +78,8 @@ std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
   while (render.points_drawn() < samples_in_all) {
     render.pass_over(sampler, per_pass);
   }
-  std::vector<Ring> rings;
-  for (const double end_deg : ring_ends_deg) {
-    rings.push_back({.end_deg = end_deg});
-  }
+  std::vector<Ring> rings =
+      transformed(ring_ends_deg, [&](const double end_deg) { return Ring{.end_deg = end_deg}; });
   for (int y = 0; y < film_height; ++y) {
     for (int x = 0; x < film_width; ++x) {
       const Vec3 middle =

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/bench/bench_commands.h"
@@ -48,10 +48,7 @@ StabilityEffort effort_of(const StabilityArguments& arguments) {
 std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes,
                                           const std::string& only) {
   std::vector<StabilityCheck> checks = stability_checks(scenes);
-  std::vector<std::string> names;
-  for (const StabilityCheck& check : checks) {
-    names.push_back(check.name);
-  }
+  const std::vector<std::string> names = transformed(checks, &StabilityCheck::name);
   std::erase_if(checks,
                 [&](const auto& check) { return check.name.find(only) == std::string::npos; });
   if (checks.empty()) {
@@ -70,11 +67,7 @@ int thread_count(const StabilityArguments& arguments) {
 
 std::vector<SceneSource> found(const std::vector<std::string>& names,
                                const SceneFinder& find_scene) {
-  std::vector<SceneSource> scenes;
-  for (const std::string& name : names) {
-    scenes.push_back(find_scene(name));
-  }
-  return scenes;
+  return transformed(names, [&](const std::string& name) { return find_scene(name); });
 }
 
 nlohmann::json json_of(const StabilityFigure& figure) {
@@ -87,13 +80,10 @@ nlohmann::json json_of(const StabilityFigure& figure) {
 }
 
 void print_json(const std::vector<StabilityFigure>& figures, int threads, double duration_s) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const StabilityFigure& figure : figures) {
-    list.push_back(json_of(figure));
-  }
+  const nlohmann::json list(
+      transformed(figures, [&](const StabilityFigure& figure) { return json_of(figure); }));
   nlohmann::json json(bench_facts());
-  json.update(
-      {{"threads", threads}, {"seconds", measured_once(duration_s)}, {"figures", std::move(list)}});
+  json.update({{"threads", threads}, {"seconds", measured_once(duration_s)}, {"figures", list}});
   print_text("{}\n", json.dump(2));
 }
 
@@ -114,8 +104,8 @@ void print_table(const std::vector<StabilityFigure>& figures, double duration_s)
 }
 
 void require_all(const std::vector<StabilityFigure>& figures) {
-  const auto failures = std::count_if(figures.begin(), figures.end(),
-                                      [](const auto& figure) { return !figure.passes(); });
+  const auto failures =
+      std::ranges::count_if(figures, [](const auto& figure) { return !figure.passes(); });
   if (failures > 0) {
     throw Error("bench stability",
                 fmt::format("{} of {} figures exceed their bounds", failures, figures.size()),

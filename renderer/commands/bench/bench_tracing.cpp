@@ -12,6 +12,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
@@ -203,10 +204,9 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
 
 void print_json(const std::vector<TracingFigures>& runs, const TracingArguments& arguments,
                 const RenderSettings& settings) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const TracingFigures& figures : runs) {
-    list.push_back(json_of(figures, settings.budget.samples));
-  }
+  const nlohmann::ordered_json list(transformed(runs, [&](const TracingFigures& figures) {
+    return json_of(figures, settings.budget.samples);
+  }));
   nlohmann::ordered_json json = bench_facts();
   json.update({{"scene", arguments.scene},
                {"method", settings.method},
@@ -215,7 +215,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
                {"max_depth", settings.progressive.trace.max_depth},
                {"paths", settings.budget.samples},
                {"repetitions", arguments.repetitions},
-               {"runs", std::move(list)}});
+               {"runs", list}});
   print_text("{}\n", json.dump(2));
 }
 

@@ -6,18 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "renderer/command_line/cli_fwd.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/gaze/profiles.h"
-#include "renderer/progressive/picture.h"
 #include "renderer/window/live/preview_controls.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foveola {
 

@@ -1,5 +1,3 @@
-#include "renderer/commands/preview/preview_command.h"
-
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -13,17 +11,18 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/programs.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/preview/preview_arguments.h"
 #include "renderer/commands/preview/preview_head.h"
 #include "renderer/commands/preview/preview_report.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/gaze/recordings.h"
 #include "renderer/headset/live_window.h"
-#include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/view/view_sampler.h"
 #include "renderer/window/live/live_preview.h"
 #include "renderer/window/live/preview_panels.h"
 
@@ -66,12 +65,10 @@ Json gaze_checks(const LivePreviewReport& report) {
 
 /// Changes of the scene that were shown or refused, in order.
 Json shown_changes(const LivePreviewReport& report) {
-  Json changes = Json::array();
-  for (const ShownChange& change : report.changes) {
-    changes.push_back(
-        {{"is_refused", change.is_refused}, {"seconds_to_first_frame", seconds(change.after)}});
-  }
-  return changes;
+  return transformed(report.changes, [&](const ShownChange& change) {
+    return Json{{"is_refused", change.is_refused},
+                {"seconds_to_first_frame", seconds(change.after)}};
+  });
 }
 
 /// Null unless drawing was found too slow for the window.
@@ -88,11 +85,8 @@ Json slow_drawing(const LivePreviewReport& report) {
 
 /// The headset's changes, in words and in order.
 Json headset_changes(const LivePreviewReport& report) {
-  Json changes = Json::array();
-  for (const HeadsetChange change : report.headset_changes) {
-    changes.push_back(words_for(change));
-  }
-  return changes;
+  return transformed(report.headset_changes,
+                     [&](const HeadsetChange change) { return words_for(change); });
 }
 
 WindowEyeTracker open_gaze_source(const PreviewRequest& request, LiveDisplay& display,
@@ -139,7 +133,7 @@ SceneChange change_of(ReloadedScene reloaded) {
     return change;
   }
   for (const std::string& warning : reloaded.scene->warnings) {
-    change.remarks.push_back(warning_line(warning));
+    change.remarks.push_back("foveola: warning: " + printable(warning));
   }
   change.warnings = reloaded.scene->warnings;
   change.has_studio_light = reloaded.scene->has_studio_light;
@@ -310,7 +304,7 @@ void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scen
                  const std::stop_token& stop) {
   const PreviewRequest request = preview_request(arguments, find_scene);
   keep_freed_memory();
-  print_method_notes(arguments.method);
+  print_notes(method_notes(arguments.method));
   silence_xr_loader();
   const SteadyClock clock;
   WindowEvents events;

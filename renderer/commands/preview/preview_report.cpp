@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "renderer/base/quantile.h"
+#include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/gaze/latency.h"
-#include "renderer/preview/live_frames.h"
 
 namespace foveola {
 namespace {
@@ -37,7 +36,7 @@ FrameFigure frame_figure(const PreviewRun& run, const std::string& name, const s
                          const Of& of) {
   std::vector<double> values(run.frames.size());
   std::transform(run.frames.begin(), run.frames.end(), values.begin(), of);
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return {.name = name,
           .unit = unit,
           .median = quantile(values, 0.5),
@@ -60,8 +59,7 @@ std::vector<FrameFigure> figures_of(const PreviewRun& run) {
 
 std::size_t late_frames(const PreviewRun& run) {
   return static_cast<std::size_t>(
-      std::count_if(run.frames.begin(), run.frames.end(),
-                    [](const LiveFrame& frame) { return frame.is_late(); }));
+      std::ranges::count_if(run.frames, [](const LiveFrame& frame) { return frame.is_late(); }));
 }
 
 /// Number of first frames after a restart that have samples, and of all first frames.
@@ -176,11 +174,7 @@ ReportJson json_of(const LatencySpread& row) {
 
 template <typename Row>
 ReportJson json_list(const std::vector<Row>& rows) {
-  ReportJson list = ReportJson::array();
-  for (const Row& row : rows) {
-    list.push_back(json_of(row));
-  }
-  return list;
+  return transformed(rows, [&](const Row& row) { return json_of(row); });
 }
 
 }  // namespace

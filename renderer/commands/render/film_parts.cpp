@@ -13,6 +13,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/transformed.h"
 #include "renderer/film/film_file.h"
 
 namespace foveola {
@@ -38,13 +39,12 @@ Json json_of(const RenderIdentity& identity) {
 }
 
 Json json_of(const RenderProgress& progress) {
-  Json non_finite = Json::array();
-  for (const DroppedSample& sample : progress.non_finite) {
-    non_finite.push_back({sample.pixel, sample.sample_number});
-  }
+  const Json non_finite(transformed(progress.non_finite, [&](const DroppedSample& sample) {
+    return Json{sample.pixel, sample.sample_number};
+  }));
   return {{"points_drawn", progress.points_drawn}, {"points", progress.points},
           {"samples", progress.samples},           {"rays", progress.rays},
-          {"seconds", progress.seconds},           {"non_finite", std::move(non_finite)}};
+          {"seconds", progress.seconds},           {"non_finite", non_finite}};
 }
 
 std::string text_of(const FilmOrigin& origin) {
@@ -255,11 +255,8 @@ void require_same_render(const std::filesystem::path& path, const FilmOrigin& fi
 }
 
 MergedRender merged(const std::vector<std::filesystem::path>& parts, const Workers& workers) {
-  std::vector<Source> sources;
-  sources.reserve(parts.size());
-  for (const std::filesystem::path& path : parts) {
-    sources.push_back(opened(path));
-  }
+  std::vector<Source> sources =
+      transformed(parts, [&](const std::filesystem::path& path) { return opened(path); });
   require_whole(sources);
   const FilmHeader& header = sources.front().film->header();
   if (static_cast<std::int64_t>(header.size.x) * header.size.y > max_pixels) {

@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/print.h"
 #include "renderer/base/words.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/progressive/render_limits.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola {
 namespace {
@@ -20,20 +22,20 @@ constexpr std::array splits{Word<RenderPart::By>{"tiles", RenderPart::By::tiles}
 constexpr double usual_samples_per_pixel = 32.0;
 constexpr double default_samples_per_pixel_of_panorama = 16.0;
 
+constexpr const char* panorama_group = "360-degree image";
+
 /// Whether a 360-degree image was requested: by name, or by an option that only it has.
-bool is_panorama(const CLI::App& command, const RenderArguments& arguments) {
-  constexpr std::array options = {"--method", "--gaze",      "--pointer",        "--lens",
-                                  "--view",   "--view-size", "--fill-unsampled", "--adaptive"};
-  return arguments.panorama || std::any_of(options.begin(), options.end(), [&](const char* name) {
-           return command.count(name) > 0;
-         });
+bool is_panorama(const CLI::App& command) {
+  return std::ranges::any_of(command.get_options(), [](const CLI::Option* option) {
+    return option->get_group() == panorama_group && option->count() > 0;
+  });
 }
 
 /// The method, with its pointer fixed at --pointer.
 std::string method_from(const RenderArguments& arguments) {
   const std::string& typed = arguments.settings.method;
   require_method(typed);
-  print_method_notes(typed);
+  print_notes(method_notes(typed));
   if (arguments.pointer.empty()) {
     return typed;
   }
@@ -92,50 +94,41 @@ PictureChoices picture_from(const RenderArguments& arguments) {
 }
 
 void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
-  command
-      .add_flag(
-          "--panorama", arguments.panorama,
-          "Make a 360-degree image instead of a picture; implied by each option of this group")
-      ->group("360-degree image");
-  command
-      .add_option("--method", arguments.settings.method,
-                  "Sampling method: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or "
-                  "a hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
-                  "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
-      ->group("360-degree image");
-  command
-      .add_option("--gaze", arguments.gaze,
-                  "Gaze: azimuth,elevation in degrees in the world (default: the head's direction)")
-      ->group("360-degree image");
-  command
-      .add_option("--pointer", arguments.pointer,
-                  "Direction of the method pointer: azimuth,elevation in degrees in the world "
-                  "(default: the gaze)")
-      ->group("360-degree image");
-  command
-      .add_option("--lens", arguments.lens,
-                  "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]")
-      ->group("360-degree image");
+  const std::string usual_group = command.option_defaults()->get_group();
+  command.option_defaults()->group(panorama_group);
+  command.add_flag(
+      "--panorama", arguments.panorama,
+      "Make a 360-degree image instead of a picture; implied by each option of this group");
+  command.add_option(
+      "--method", arguments.settings.method,
+      "Sampling method: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or "
+      "a hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
+      "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1");
+  command.add_option(
+      "--gaze", arguments.gaze,
+      "Gaze: azimuth,elevation in degrees in the world (default: the head's direction)");
+  command.add_option("--pointer", arguments.pointer,
+                     "Direction of the method pointer: azimuth,elevation in degrees in the world "
+                     "(default: the gaze)");
+  command.add_option("--lens", arguments.lens,
+                     "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]");
   CLI::Option* view = mark_output(command.add_option(
       "--view", arguments.view, "Also write the display's view, as .exr, .png or .jpg"));
-  view->group("360-degree image");
   command
       .add_option("--view-size", arguments.view_size,
                   "Size of the display's image in pixels, WIDTHxHEIGHT")
-      ->needs(view)
-      ->group("360-degree image");
+      ->needs(view);
   command
       .add_flag("--fill-unsampled", arguments.fill_unsampled,
                 "Fill unsampled pixels of the display's image from sampled ones around them; "
                 "otherwise they are black")
-      ->needs(view)
-      ->group("360-degree image");
-  command
-      .add_option("--adaptive", arguments.adaptive_contrast,
-                  "Adaptive sampling: take no more samples of pixels whose noise is below this "
-                  "contrast, for instance 0.01 at the gaze and more elsewhere, as acuity falls; 0: "
-                  "off")
-      ->group("360-degree image");
+      ->needs(view);
+  command.add_option(
+      "--adaptive", arguments.adaptive_contrast,
+      "Adaptive sampling: take no more samples of pixels whose noise is below this "
+      "contrast, for instance 0.01 at the gaze and more elsewhere, as acuity falls; 0: "
+      "off");
+  command.option_defaults()->group(usual_group);
 }
 
 void add_budget_options(CLI::App& command, RenderArguments& arguments) {
@@ -205,7 +198,7 @@ void require(bool valid, const std::string& option, const std::string& what) {
 RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
   RenderSettings settings = arguments.settings;
   ProgressiveSettings& progressive = settings.progressive;
-  const bool panorama = is_panorama(command, arguments);
+  const bool panorama = is_panorama(command);
   const SceneChoices viewpoint = scene_choices(arguments.look);
   settings.scene.camera = viewpoint.camera;
   settings.scene.camera_name = viewpoint.camera_name;

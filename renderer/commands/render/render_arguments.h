@@ -5,12 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "renderer/command_line/cli_fwd.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/headless_render.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foveola {
 

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
 #include "renderer/base/work/work_scope.h"

@@ -8,7 +8,6 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/print.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/image/tone_mapping.h"
 
 namespace foveola {
@@ -153,7 +152,7 @@ void print_report(const RenderReport& report, const RenderSettings& settings,
                   const RenderNames& names) {
   print_warnings(report.warnings);
   if (report.exposure.is_automatic) {
-    print_text(stderr, "foveola: note: {}\n", exposure_note(report.exposure));
+    print_notes({exposure_note(report.exposure)});
   }
   if (!report.non_finite.empty()) {
     const DroppedSample& first = report.non_finite.front();

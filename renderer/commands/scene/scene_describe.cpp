@@ -1,10 +1,7 @@
-#include "renderer/commands/scene/scene_describe.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
-#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,9 +14,9 @@
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
+#include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/scene/object_sheet.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"

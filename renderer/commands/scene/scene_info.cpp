@@ -15,6 +15,7 @@
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
 #include "renderer/base/work/work_scope.h"
+#include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
@@ -77,9 +78,7 @@ constexpr std::array<LightKind, 3> light_kinds = {
      {PunctualLight::Kind::directional, "directional", "W/m^2"}}};
 
 std::size_t count_of(PunctualLight::Kind kind, const std::vector<PunctualLight>& lights) {
-  return static_cast<std::size_t>(
-      std::count_if(lights.begin(), lights.end(),
-                    [kind](const PunctualLight& light) { return light.kind == kind; }));
+  return static_cast<std::size_t>(std::ranges::count(lights, kind, &PunctualLight::kind));
 }
 
 nlohmann::ordered_json json_kinds(const std::vector<PunctualLight>& lights) {
@@ -230,7 +229,7 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene, const std::s
   const auto look = std::make_shared<LookArguments>();
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command = scene.add_subcommand("info", "Print a scene's content and memory");
-  command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
+  add_scene_option(*command, *name);
   add_light_options(*command, *look);
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");

@@ -8,11 +8,11 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/print.h"
+#include "renderer/base/transformed.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
-#include "renderer/commands/scene_file_options.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"
@@ -85,7 +85,7 @@ RgbImage contact_sheet(const std::vector<SheetRow>& rows) {
   const int pitch = panorama.height + gap;
   RgbImage sheet(panorama.width + gap + rows.front().view.width,
                  static_cast<int>(rows.size()) * pitch - gap);
-  std::fill(sheet.pixels.begin(), sheet.pixels.end(), Rgb(1.0F));
+  std::ranges::fill(sheet.pixels, Rgb(1.0F));
   int top = 0;
   for (const SheetRow& row : rows) {
     paste(row.panorama, 0, top, sheet);
@@ -126,10 +126,9 @@ void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
   const RenderSettings settings = settings_from(arguments);
   require_image_extension(arguments.output);
   require_writable(arguments.output);
-  std::vector<SceneSource> sources;
-  for (const std::string& name : arguments.scenes) {
-    sources.push_back(lit_scene(name, arguments.look, find_scene));
-  }
+  const std::vector<SceneSource> sources = transformed(
+      arguments.scenes,
+      [&](const std::string& name) { return lit_scene(name, arguments.look, find_scene); });
   const std::vector<SheetRow> rows = render_rows(sources, settings, stop);
   if (rows.empty()) {
     throw Error(arguments.output, "is not written: no scene was finished", "let it run longer");

@@ -109,7 +109,7 @@ std::vector<HidDeviceInfo> list_hid_eye_trackers() {
                             device->usage == eye_tracker_usage && device->path != nullptr;
     // A device is listed once per collection.
     const auto has_its_path = [&](const HidDeviceInfo& info) { return info.path == device->path; };
-    if (is_tracker && std::none_of(trackers.begin(), trackers.end(), has_its_path)) {
+    if (is_tracker && std::ranges::none_of(trackers, has_its_path)) {
       trackers.push_back(info_from(*device));
     }
   }
@@ -137,9 +137,8 @@ HidConnection open_hid_device(const HidDeviceInfo& info) {
 
 std::optional<HidConnection> open_hid_eye_tracker(const HidDeviceChoice& choice) {
   const std::vector<HidDeviceInfo> trackers = list_hid_eye_trackers();
-  const auto chosen =
-      std::find_if(trackers.begin(), trackers.end(),
-                   [&](const HidDeviceInfo& tracker) { return is_chosen(tracker, choice); });
+  const auto chosen = std::ranges::find_if(
+      trackers, [&](const HidDeviceInfo& tracker) { return is_chosen(tracker, choice); });
   return chosen != trackers.end() ? std::optional(open_hid_device(*chosen)) : std::nullopt;
 }
 

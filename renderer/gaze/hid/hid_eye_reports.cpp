@@ -31,14 +31,13 @@ HidUsage usage_of(std::uint16_t id) { return {.page = eye_and_head_trackers_page
 using Within = std::initializer_list<std::uint16_t>;
 
 bool is_within(const HidField& field, std::uint16_t collection) {
-  return std::find(field.collections.begin(), field.collections.end(), usage_of(collection)) !=
-         field.collections.end();
+  return std::ranges::find(field.collections, usage_of(collection)) != field.collections.end();
 }
 
 bool is_within(const HidField& field, Within collections) {
   return is_within(field, eye_tracker_usage) &&
-         std::all_of(collections.begin(), collections.end(),
-                     [&](std::uint16_t collection) { return is_within(field, collection); });
+         std::ranges::all_of(
+             collections, [&](std::uint16_t collection) { return is_within(field, collection); });
 }
 
 /// The first numbers with the usage, if they can be read as the quantity. A repeated usage is one
@@ -139,12 +138,10 @@ auto first_of(const HidReportDescriptor& descriptor, HidReportKind kind, ReadAs 
 }
 
 bool describes_eye_tracker(const HidReportDescriptor& descriptor) {
-  return std::any_of(
-      descriptor.reports.begin(), descriptor.reports.end(), [](const HidReport& report) {
-        return std::any_of(report.fields.begin(), report.fields.end(), [](const HidField& field) {
-          return is_within(field, eye_tracker_usage);
-        });
-      });
+  return std::ranges::any_of(descriptor.reports, [](const HidReport& report) {
+    return std::ranges::any_of(
+        report.fields, [](const HidField& field) { return is_within(field, eye_tracker_usage); });
+  });
 }
 
 std::optional<double> read_number(const std::optional<HidNumber>& number,

@@ -1,7 +1,6 @@
 #include "renderer/gaze/hid/hid_eye_tracker.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <exception>
 #include <utility>
 
@@ -16,14 +15,14 @@ bool is_size_of_screen(const std::optional<double>& size_m) {
 /// The shape of the report at the beginning of `bytes`; null if none has this id.
 const HidReportShape* shape_at(const std::vector<HidReportShape>& shapes,
                                std::span<const std::uint8_t> bytes) {
-  const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const HidReportShape& shape) {
+  const auto found = std::ranges::find_if(shapes, [&](const HidReportShape& shape) {
     return fit_of(shape, bytes) != HidReportFit::wrong_id;
   });
   return found != shapes.end() ? &*found : nullptr;
 }
 
 bool is_padding(std::span<const std::uint8_t> bytes) {
-  return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+  return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
 }
 
 /// Maximum time before the thread can stop.

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "renderer/base/transformed.h"
 #include "renderer/gaze/hid/hid_items.h"
 
 namespace foveola {
@@ -244,14 +245,11 @@ class DescriptorParser {
   }
 
   std::vector<HidUsageRange> usages() const {
-    std::vector<HidUsageRange> complete;
-    complete.reserve(local_.usages.size());
-    for (const PartialRange& range : local_.usages) {
-      complete.push_back(
-          {.first = {.page = range.first.page.value_or(global_.usage_page), .id = range.first.id},
-           .last_id = range.last_id});
-    }
-    return complete;
+    return transformed(local_.usages, [&](const PartialRange& range) {
+      return HidUsageRange{
+          .first = {.page = range.first.page.value_or(global_.usage_page), .id = range.first.id},
+          .last_id = range.last_id};
+    });
   }
 
   void open_collection(const HidItem& item) {
@@ -271,7 +269,7 @@ class DescriptorParser {
 
   HidReport& report_of(HidReportKind kind) {
     std::vector<HidReport>& reports = descriptor_.reports;
-    const auto found = std::find_if(reports.begin(), reports.end(), [&](const HidReport& report) {
+    const auto found = std::ranges::find_if(reports, [&](const HidReport& report) {
       return report.kind == kind && report.id == global_.report_id;
     });
     return found != reports.end()
@@ -320,8 +318,7 @@ class DescriptorParser {
   bool all_or_none_have_ids() const {
     const auto has_id = [](const HidReport& report) { return report.id != 0; };
     const std::vector<HidReport>& reports = descriptor_.reports;
-    return std::all_of(reports.begin(), reports.end(), has_id) ||
-           std::none_of(reports.begin(), reports.end(), has_id);
+    return std::ranges::all_of(reports, has_id) || std::ranges::none_of(reports, has_id);
   }
 
   void set_sizes() {

@@ -43,7 +43,7 @@ bool take_blanks(std::string_view& text) {
 
 /// Removes a name from the front; empty if there is none.
 std::string_view take_name(std::string_view& text) {
-  const auto* const end = std::find_if_not(text.begin(), text.end(), is_name_character);
+  const auto* const end = std::ranges::find_if_not(text, is_name_character);
   const std::string_view name = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   text.remove_prefix(name.size());
   return name;
@@ -88,7 +88,7 @@ std::optional<Number> number(const OpenGazeElement& element, std::string_view ke
   }
   // Some programs write numbers in the computer's language.
   std::string decimal = *text;
-  std::replace(decimal.begin(), decimal.end(), ',', '.');
+  std::ranges::replace(decimal, ',', '.');
   Number value{};
   const char* const end = decimal.data() + decimal.size();
   const auto [stop, failure] = std::from_chars(decimal.data(), end, value);
@@ -126,7 +126,7 @@ std::string open_gaze_requests() {
 
 std::optional<OpenGazeElement> parse_open_gaze(std::string_view line) {
   std::string_view rest = trimmed(line);
-  if (std::any_of(rest.begin(), rest.end(), is_control) || !take("<", rest)) {
+  if (std::ranges::any_of(rest, is_control) || !take("<", rest)) {
     return std::nullopt;
   }
   const std::string_view name = take_name(rest);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/transformed.h"
 #include "renderer/scene/gltf/fault.h"
 
 namespace foveola {
@@ -274,12 +275,8 @@ std::vector<Vec4> read_colors(const GltfModel& model, int index, ElementList ele
   if (accessor.components == 4 && !accessor.is_matrix) {
     return read_vec4s(model, index, elements, place);
   }
-  std::vector<Vec4> colors;
-  colors.reserve(elements.size());
-  for (const Vec3& color : read_vec3s(model, index, elements, place)) {
-    colors.emplace_back(color, 1.0F);
-  }
-  return colors;
+  return transformed(read_vec3s(model, index, elements, place),
+                     [&](const Vec3& color) { return Vec4(color, 1.0F); });
 }
 
 void VertexReader::require_count(int index, const std::string& place) const {

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/gtc/quaternion.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "renderer/scene/gltf/accessor.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/made_up_names.h"
@@ -139,7 +138,7 @@ class Poser {
                       fmt::format("has {} times, but {} numbers of {} each", keys.times.size(),
                                   keys.numbers.size(), parts * keys.width));
     }
-    if (!std::is_sorted(keys.times.begin(), keys.times.end())) {
+    if (!std::ranges::is_sorted(keys.times)) {
       throw GltfFault(place, "has times that are not in order");
     }
     return value_at(keys, time_s_, is_rotation);
@@ -162,10 +161,8 @@ class Poser {
 };
 
 std::string listed(const std::vector<std::string>& names) {
-  std::vector<std::string> texts;
-  for (const std::string& name : names) {
-    texts.push_back(fmt::format("'{}'", sanitised(name)));
-  }
+  const std::vector<std::string> texts = transformed(
+      names, [&](const std::string& name) { return fmt::format("'{}'", sanitised(name)); });
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -181,7 +178,7 @@ std::vector<std::string> clip_names(const GltfModel& model) {
 
 void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings& warnings) {
   const std::vector<std::string> names = clip_names(model);
-  if (!clip.empty() && std::find(names.begin(), names.end(), clip) == names.end()) {
+  if (!clip.empty() && std::ranges::find(names, clip) == names.end()) {
     throw UsageError(
         "--clip", fmt::format("the file has no clip '{}'", sanitised(clip)),
         names.empty() ? "it has none at all: leave it out" : "it has " + listed(names));

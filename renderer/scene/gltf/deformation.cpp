@@ -1,7 +1,6 @@
 #include "renderer/scene/gltf/deformation.h"
 
 #include <algorithm>
-#include <span>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -122,7 +121,7 @@ bool is_skinned(const GltfModel& model, const GltfNode& node) {
     return false;
   }
   const auto& primitives = model.meshes[static_cast<std::size_t>(node.mesh)].primitives;
-  return std::all_of(primitives.begin(), primitives.end(), names_joints);
+  return std::ranges::all_of(primitives, names_joints);
 }
 
 void separate_deformed_meshes(GltfModel& model) {

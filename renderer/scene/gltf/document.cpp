@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +21,7 @@ constexpr int deepest_nesting = 64;
 /// Line and column of the byte at `offset`, for people.
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset > 0 ? offset - 1 : 0);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto line = 1 + std::ranges::count(before, '\n');
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
   return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
 }
@@ -111,7 +110,7 @@ bool is_supported_extension(std::string_view name) {
       "KHR_materials_transmission", "KHR_materials_unlit",
       "KHR_materials_variants",     "KHR_materials_volume",
       "KHR_mesh_quantization",      "KHR_texture_transform"};
-  return std::find(supported.begin(), supported.end(), name) != supported.end();
+  return std::ranges::find(supported, name) != supported.end();
 }
 
 std::string what_is_lost_without(std::string_view name) {
@@ -125,8 +124,7 @@ std::string what_is_lost_without(std::string_view name) {
        {"KHR_materials_dispersion", ": glass refracts all colours alike"},
        {"KHR_materials_iridescence", ": thin films have no colours"},
        {"KHR_texture_basisu", ": KTX2 images are not read, export them as PNG or JPEG"}}};
-  const auto* const known = std::find_if(losses.begin(), losses.end(),
-                                         [&](const Loss& loss) { return loss.extension == name; });
+  const auto* const known = std::ranges::find(losses, name, &Loss::extension);
   return known == losses.end() ? "" : known->what;
 }
 

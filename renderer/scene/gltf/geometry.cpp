@@ -83,7 +83,7 @@ std::vector<std::uint32_t> vertices_used_of_many(const std::vector<Triangle>& tr
   for (const Triangle& triangle : triangles) {
     used.insert(used.end(), triangle.begin(), triangle.end());
   }
-  std::sort(used.begin(), used.end());
+  std::ranges::sort(used);
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;
 }

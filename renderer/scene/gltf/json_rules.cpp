@@ -72,9 +72,8 @@ Rule boolean() {
 
 Rule one_of(std::vector<std::string> texts) {
   return [texts = std::move(texts)](const Json& value, const Place& place) {
-    require(
-        value.is_string() && std::count(texts.begin(), texts.end(), value.get<std::string>()) > 0,
-        place, fmt::format("must be one of {}", fmt::join(texts, ", ")));
+    require(value.is_string() && std::ranges::count(texts, value.get<std::string>()) > 0, place,
+            fmt::format("must be one of {}", fmt::join(texts, ", ")));
   };
 }
 

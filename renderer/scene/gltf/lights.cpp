@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>

@@ -58,7 +58,7 @@ TextureUse MaterialContext::use_of(const GltfValues& info, int texture) {
   }
   const GltfValues transform = info.extension("KHR_texture_transform");
   const int uv_set = transform.integer("texCoord", info.integer("texCoord", 0));
-  const auto known = std::find(uv_sets_.begin(), uv_sets_.end(), uv_set);
+  const auto known = std::ranges::find(uv_sets_, uv_set);
   const auto number = static_cast<int>(known - uv_sets_.begin());
   if (known == uv_sets_.end()) {
     uv_sets_.push_back(uv_set);

@@ -1,7 +1,6 @@
 #include "renderer/scene/gltf/materials.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -214,8 +213,8 @@ Material default_material() {
 
 bool needs_default_material(const GltfModel& model) {
   const auto has_none = [](const GltfPrimitive& primitive) { return primitive.material < 0; };
-  return std::any_of(model.meshes.begin(), model.meshes.end(), [&](const GltfMesh& mesh) {
-    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), has_none);
+  return std::ranges::any_of(model.meshes, [&](const GltfMesh& mesh) {
+    return std::ranges::any_of(mesh.primitives, has_none);
   });
 }
 

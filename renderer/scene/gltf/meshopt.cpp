@@ -1,6 +1,4 @@
-#include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>

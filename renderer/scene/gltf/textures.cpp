@@ -1,8 +1,6 @@
 #include "renderer/scene/gltf/textures.h"
 
-#include <span>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +9,6 @@
 #include "renderer/base/files/files.h"
 #include "renderer/scene/gltf/fault.h"
 #include "renderer/scene/gltf/values.h"
-#include "renderer/scene/references.h"
 #include "renderer/scene/sanitised.h"
 #include "renderer/scene/textures/decoded_memory.h"
 #include "renderer/scene/textures/image_channels.h"

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/obj/polygon.h"
@@ -32,11 +32,11 @@ class MeshBuilder {
  public:
   MeshBuilder(const ObjFile& obj, const ObjPart& part, bool is_textured)
       : obj_(obj),
-        has_normals_(std::any_of(part.corners.begin(), part.corners.end(),
-                                 [](const ObjCorner& corner) { return corner.normal >= 0; })),
-        has_uvs_(is_textured &&
-                 std::any_of(part.corners.begin(), part.corners.end(),
-                             [](const ObjCorner& corner) { return corner.uv >= 0; })) {
+        has_normals_(std::ranges::any_of(
+            part.corners, [](const ObjCorner& corner) { return corner.normal >= 0; })),
+        has_uvs_(is_textured && std::ranges::any_of(part.corners, [](const ObjCorner& corner) {
+                   return corner.uv >= 0;
+                 })) {
     mesh_.name = part.object;
     if (has_uvs_) {
       mesh_.uv_sets.resize(1);
@@ -44,13 +44,10 @@ class MeshBuilder {
   }
 
   void add_face(std::span<const ObjCorner> corners) {
-    std::vector<Vec3> positions;
-    positions.reserve(corners.size());
-    for (const ObjCorner& corner : corners) {
-      positions.push_back(position_of(corner));
-    }
-    const bool is_flat = has_normals_ && std::any_of(corners.begin(), corners.end(),
-                                                     [](const auto& c) { return c.normal < 0; });
+    std::vector<Vec3> positions =
+        transformed(corners, [&](const ObjCorner& corner) { return position_of(corner); });
+    const bool is_flat =
+        has_normals_ && std::ranges::any_of(corners, [](const auto& c) { return c.normal < 0; });
     const int plane = is_flat ? add_plane(positions) : -1;
     for (const auto& triangle : triangulate(positions)) {
       std::array<std::uint32_t, 3> vertices{};

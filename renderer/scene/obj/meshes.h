@@ -1,8 +1,6 @@
 // Converts the parts of an OBJ file to meshes.
 #pragma once
 
-#include <string>
-
 #include "renderer/scene/obj/file.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"

@@ -47,9 +47,7 @@ Map map_in(std::string_view text) {
   Map map{.options = {}, .file = text};
   for (;;) {
     const Statement first = statement_in(map.file);
-    const auto* const option =
-        std::find_if(map_options.begin(), map_options.end(),
-                     [&](const MapOption& known) { return known.name == first.keyword; });
+    const auto* const option = std::ranges::find(map_options, first.keyword, &MapOption::name);
     if (option == map_options.end()) {
       return map;
     }
@@ -76,7 +74,7 @@ constexpr std::array<std::string_view, 12> single_numbers = {
 /// Number of numbers of a statement; 0 for statements without numbers.
 std::size_t numbers_of(std::string_view keyword) {
   const auto is_in = [&](const auto& keywords) {
-    return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+    return std::ranges::find(keywords, keyword) != keywords.end();
   };
   return is_in(colours) ? 3 : is_in(single_numbers) ? 1 : 0;
 }

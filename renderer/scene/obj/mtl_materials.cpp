@@ -43,7 +43,7 @@ class MaterialReader {
  private:
   bool has(std::string_view statement) const { return source_.has(statement); }
   bool has_illum(std::initializer_list<int> models) const {
-    return has("illum") && std::find(models.begin(), models.end(), values_.illum) != models.end();
+    return has("illum") && std::ranges::find(models, values_.illum) != models.end();
   }
 
   /// Clamped to a value's range, with a warning if it was outside.

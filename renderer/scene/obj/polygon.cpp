@@ -1,10 +1,11 @@
 #include "renderer/scene/obj/polygon.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
+
+#include "renderer/base/transformed.h"
 
 namespace foveola {
 namespace {
@@ -20,17 +21,12 @@ std::vector<DVec2> flattened(std::span<const Vec3> corners) {
   const int right = (axis + 1) % 3;
   const int up = (axis + 2) % 3;
   const double turn = normal[axis] < 0.0 ? -1.0 : 1.0;
-  std::vector<DVec2> flat;
-  flat.reserve(corners.size());
-  for (const Vec3& corner : corners) {
-    flat.emplace_back(turn * corner[right], corner[up]);
-  }
-  return flat;
+  return transformed(corners,
+                     [&](const Vec3& corner) { return DVec2(turn * corner[right], corner[up]); });
 }
 
 bool are_finite(std::span<const Vec3> corners) {
-  return std::all_of(corners.begin(), corners.end(),
-                     [](const Vec3& corner) { return is_finite(corner); });
+  return std::ranges::all_of(corners, [](const Vec3& corner) { return is_finite(corner); });
 }
 
 /// Twice the signed area of a triangle: positive where it turns counter-clockwise.
@@ -99,7 +95,7 @@ class EarCutter {
     if (!(turn_of(a, b, c) > 0.0)) {
       return false;
     }
-    return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t index) {
+    return std::ranges::none_of(left_, [&](std::uint32_t index) {
       const DVec2& p = corners_[index];
       return p != a && p != b && p != c && turn_of(a, b, p) >= 0.0 && turn_of(b, c, p) >= 0.0 &&
              turn_of(c, a, p) >= 0.0;

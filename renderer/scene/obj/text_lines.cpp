@@ -1,6 +1,5 @@
 #include "renderer/scene/obj/text_lines.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace {
 /// Removes the digits at the front of `text`, and returns their number.
 std::size_t take_digits(std::string_view& text) {
   const auto* const end =
-      std::find_if_not(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+      std::ranges::find_if_not(text, [](char c) { return c >= '0' && c <= '9'; });
   const auto count = static_cast<std::size_t>(end - text.begin());
   text.remove_prefix(count);
   return count;

@@ -111,7 +111,7 @@ void write_next_level(std::vector<std::uint8_t>& texels, const MipLevel& level,
   Carry carry{};
   for (const Cover& rows : covers(level.height, next.height)) {
     throw_if_work_stopped();
-    std::fill(sums.begin(), sums.end(), 0.0F);
+    std::ranges::fill(sums, 0.0F);
     for (std::size_t i = 0; i < rows.count; ++i) {
       add_row(sums, texels.data() + level.offset + (rows.first + i) * row_bytes, rows.weights[i],
               codec);

@@ -1,6 +1,5 @@
 #include "renderer/scene/textures/srgb.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace foveola {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -164,7 +163,7 @@ void CoincidentSurfaces::add_overlaps(const SceneTriangle& place,
     }
   }
   if (has_others) {
-    std::sort(overlap.emitters.begin(), overlap.emitters.end());
+    std::ranges::sort(overlap.emitters);
     is_concerned_[place.object] = true;
     Overlap& kept = overlaps_[place];
     kept.emitters = std::move(overlap.emitters);

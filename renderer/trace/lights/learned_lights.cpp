@@ -1,7 +1,5 @@
 #include "renderer/trace/lights/learned_lights.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>

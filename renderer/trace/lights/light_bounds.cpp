@@ -1,9 +1,5 @@
 #include "renderer/trace/lights/light_bounds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace foveola {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "renderer/trace/lights/light_choice.h"
 
-#include <algorithm>
 #include <cassert>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "renderer/trace/lights/light_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <deque>
@@ -124,9 +123,9 @@ class LightTree::Builder {
   std::vector<Group> children_of(const Group& group) {
     std::vector<Group> children{group};
     while (children.size() < width) {
-      const auto costliest = std::max_element(
-          children.begin(), children.end(),
-          [](const Group& a, const Group& b) { return cost_to_keep(a) < cost_to_keep(b); });
+      const auto costliest = std::ranges::max_element(children, [](const Group& a, const Group& b) {
+        return cost_to_keep(a) < cost_to_keep(b);
+      });
       if (costliest->lights.size() == 1) {
         break;
       }
@@ -295,7 +294,7 @@ LightTree::Lanes LightTree::importance(const Node& node, const ShadingPoint& sha
     const float received = incidence.cosine >= -slack ? emitted : 0.0F;
     cosines[i] = sine == inside ? 1.0F : received;
   }
-  const float nearest = *std::min_element(squared_distance.begin(), squared_distance.end());
+  const float nearest = *std::ranges::min_element(squared_distance);
   Lanes result;
   for (std::size_t i = 0; i < width; ++i) {
     const float value = node.intensity[i] * (nearest / squared_distance[i]) * cosines[i];

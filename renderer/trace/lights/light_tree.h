@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/vec.h"
 #include "renderer/trace/lights/light_bounds.h"
 #include "renderer/trace/lights/light_sampling.h"
 

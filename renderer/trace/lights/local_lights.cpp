@@ -32,7 +32,7 @@ LocalLights::LocalLights(const Scene& scene, const LightSampling& sampling,
     return;
   }
   const auto has_power = [](double power) { return power > 0.0; };
-  size_ = static_cast<std::size_t>(std::count_if(powers.begin(), powers.end(), has_power));
+  size_ = static_cast<std::size_t>(std::ranges::count_if(powers, has_power));
   switch (sampling.selection) {
     case LightSelection::usual:
       choice_.emplace(powers, bounds, max_in_table);

@@ -6,8 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/trace/lights/light_bounds.h"
-
 namespace foveola {
 namespace {
 
@@ -130,7 +128,7 @@ LocalLightSample sample_sphere(const View& view, const Vec2& u) {
 }  // namespace
 
 PunctualLights::PunctualLights(const Scene& scene) {
-  std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights_), shines);
+  std::ranges::copy_if(scene.lights, std::back_inserter(lights_), shines);
   for (PunctualLight& light : lights_) {
     if (!std::isfinite(light.radius_m) || light.radius_m < 0.0F) {
       light.radius_m = 0.0F;

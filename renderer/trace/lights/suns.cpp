@@ -66,7 +66,7 @@ Suns::Suns(const Scene& scene, LightSelection selection) {
 
 std::size_t Suns::sizeless() const {
   return static_cast<std::size_t>(
-      std::count_if(suns_.begin(), suns_.end(), [](const Sun& sun) { return sun.is_delta; }));
+      std::ranges::count_if(suns_, [](const Sun& sun) { return sun.is_delta; }));
 }
 
 Suns::Sample Suns::sample(const Vec2& u_choice, const Vec2& u) const {

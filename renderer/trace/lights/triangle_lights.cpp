@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <limits>
-#include <numbers>
 
+#include "renderer/base/transformed.h"
 #include "renderer/trace/rays/mesh_attributes.h"
 #include "renderer/trace/rays/opacity.h"
 #include "renderer/trace/surfaces/surface.h"
@@ -156,11 +155,7 @@ TriangleLights::TriangleLights(const Scene& scene, bool by_area)
 }
 
 void TriangleLights::heed_coincidence() {
-  std::vector<SceneTriangle> places;
-  places.reserve(emitters_.size());
-  for (const Emitter& emitter : emitters_) {
-    places.push_back(emitter.place);
-  }
+  const std::vector<SceneTriangle> places = transformed(emitters_, &Emitter::place);
   coincident_.emplace(scene_, places);
   if (coincident_->empty()) {
     return;

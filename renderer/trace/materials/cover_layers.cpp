@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "renderer/base/turns.h"
-#include "renderer/trace/materials/bsdf_value.h"
 #include "renderer/trace/materials/opaque_layers.h"
 
 namespace foveola {

@@ -1,8 +1,5 @@
 #include "renderer/trace/materials/ggx_albedo.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "renderer/trace/materials/visible_normals.h"
 
 namespace foveola {
@@ -46,7 +43,7 @@ SchlickAlbedo mean_of(const GgxAlbedo::Row& row) {
 bool GgxAlbedo::is_needed(std::size_t number, std::span<const RoughnessInterval> needed) {
   const auto first = static_cast<int>(number) - 1;
   return first == 0 || first >= roughness_steps - 1 ||
-         std::any_of(needed.begin(), needed.end(), [&](const RoughnessInterval& some) {
+         std::ranges::any_of(needed, [&](const RoughnessInterval& some) {
            return NodePosition(some.least, roughness_steps).below <= first &&
                   first <= NodePosition(some.most, roughness_steps).below + 1;
          });

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "renderer/trace/materials/bsdf_value.h"
-#include "renderer/trace/materials/ggx.h"
-#include "renderer/trace/materials/ggx_albedo.h"
 #include "renderer/trace/materials/visible_normals.h"
 
 namespace foveola {
@@ -97,9 +95,8 @@ ScatteringTables::ScatteringTables(std::span<const Material> materials, const Wo
     if (!sheen_ && max_component(material.sheen_color) > 0.0F) {
       sheen_.emplace(workers);
     }
-    const bool is_known = std::any_of(glass_.begin(), glass_.end(), [&](const GlassAlbedo& glass) {
-      return glass.ior() == material.ior;
-    });
+    const bool is_known = std::ranges::any_of(
+        glass_, [&](const GlassAlbedo& glass) { return glass.ior() == material.ior; });
     if (material.is_solid && material.transmission > 0.0F && !is_known &&
         is_rough_glass(material.ior, material.roughness)) {
       glass_.emplace_back(material.ior, workers);
@@ -108,8 +105,8 @@ ScatteringTables::ScatteringTables(std::span<const Material> materials, const Wo
 }
 
 const GlassAlbedo& ScatteringTables::glass(float ior) const {
-  const auto found = std::find_if(glass_.begin(), glass_.end(),
-                                  [=](const GlassAlbedo& glass) { return glass.ior() == ior; });
+  const auto found =
+      std::ranges::find_if(glass_, [=](const GlassAlbedo& glass) { return glass.ior() == ior; });
   assert(found != glass_.end());
   return *found;
 }

@@ -51,7 +51,7 @@ class VisibleNormals {
                    for (double& end : ends) {
                      end = std::clamp(end, arc.range.begin, arc.range.end);
                    }
-                   std::sort(ends.begin(), ends.end());
+                   std::ranges::sort(ends);
                    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
                      integrate<10>(arc, {ends[i], ends[i + 1]}, visit);
                    }

@@ -1,13 +1,9 @@
 #include "renderer/trace/paths/block_tracer.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "renderer/trace/materials/bsdf.h"
-#include "renderer/trace/paths/vertex_rules.h"
 #include "renderer/trace/rays/mesh_attributes.h"
-#include "renderer/trace/surfaces/surface.h"
 
 namespace foveola {
 
@@ -15,7 +11,7 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
                              std::span<Rgb> radiance) {
   assert(jobs.size() <= max_paths);
   radiance_ = radiance;
-  std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+  std::ranges::fill(radiance, Rgb(0.0F));
   start(viewpoint, jobs);
   for (vertex_ = 1; active_ > 0; ++vertex_) {
     find_hits();

@@ -77,7 +77,7 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
   assert(jobs.size() == radiance.size());
   const TracedScene& traced = implementation_->traced;
   if (traced.is_dark) {
-    std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+    std::ranges::fill(radiance, Rgb(0.0F));
     return {};
   }
   std::atomic<std::uint64_t> primary{0};

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -129,10 +125,9 @@ Rgb TracedScene::absorption_at(const Vec3& place) const {
 std::optional<std::string> TracedScene::warning_of_lights_without_size() const {
   const std::size_t points = lights.sizeless_points();
   const std::size_t suns = lights.sizeless_suns();
-  const bool hides_them =
-      std::any_of(objects.begin(), objects.end(), [&](const TracedObject& object) {
-        return is_smooth_glass_or_mirror(material_of(scene, *object.view.mesh));
-      });
+  const bool hides_them = std::ranges::any_of(objects, [&](const TracedObject& object) {
+    return is_smooth_glass_or_mirror(material_of(scene, *object.view.mesh));
+  });
   if (points + suns == 0 || !hides_them) {
     return std::nullopt;
   }

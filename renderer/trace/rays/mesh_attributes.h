@@ -46,7 +46,7 @@ inline void prefetch_vertices(const Mesh& mesh, std::uint32_t triangle) {
     prefetch(mesh.positions);
     prefetch(mesh.normals);
     prefetch(mesh.tangents);
-    std::for_each(mesh.uv_sets.begin(), mesh.uv_sets.end(), prefetch);
+    std::ranges::for_each(mesh.uv_sets, prefetch);
   }
 }
 

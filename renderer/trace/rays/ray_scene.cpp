@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <span>
 #include <string>
 #include <utility>

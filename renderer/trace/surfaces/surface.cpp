@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/trace/materials/bsdf_value.h"
-#include "renderer/trace/rays/mesh_attributes.h"
-#include "renderer/trace/surfaces/triangle.h"
-
 namespace foveola {
 namespace {
 

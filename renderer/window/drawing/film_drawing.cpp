@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/transformed.h"
+
 namespace foveola {
 namespace {
 
@@ -41,9 +43,9 @@ bool have_same_size(const ViewImage& a, const ViewImage& b) {
 FilmDrawer default_drawer(std::string_view graphics) {
   constexpr std::array<std::string_view, 4> software = {"llvmpipe", "softpipe", "SWR",
                                                         "Software Rasterizer"};
-  const bool is_software = std::any_of(
-      software.begin(), software.end(),
-      [&](std::string_view name) { return graphics.find(name) != std::string_view::npos; });
+  const bool is_software = std::ranges::any_of(software, [&](std::string_view name) {
+    return graphics.find(name) != std::string_view::npos;
+  });
   return is_software ? FilmDrawer::processor : FilmDrawer::graphics_card;
 }
 
@@ -108,11 +110,9 @@ ShownFrame head_frame(const WindowArea& window, const ViewGeometry& geometry, co
 }
 
 FilmUpdate update_for(const ShownFrame& frame, const EquirectFilm& film, FilmMirror& mirror) {
-  std::vector<Viewport> viewports;
-  for (const ShownView& view : frame.views) {
-    viewports.push_back(frame.late_turn_rad > 0.0 ? widened(view.viewport, frame.late_turn_rad)
-                                                  : view.viewport);
-  }
+  const std::vector<Viewport> viewports = transformed(frame.views, [&](const ShownView& view) {
+    return frame.late_turn_rad > 0.0 ? widened(view.viewport, frame.late_turn_rad) : view.viewport;
+  });
   const int levels = frame.look.fill_unsampled
                          ? film.levels()
                          : levels_shown(frame.views.front().viewport, frame.views.front().part.size,

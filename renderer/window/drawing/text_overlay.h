@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "renderer/window/drawing/view_overlays.h"
 #include "renderer/window/screens/panel_layout.h"

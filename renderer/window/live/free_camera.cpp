@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #define GLFW_INCLUDE_NONE
@@ -13,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "renderer/base/quantile.h"
-#include "renderer/gaze/head_tracker.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/live/steering.h"
@@ -63,8 +61,7 @@ constexpr std::array modifier_keys = {GLFW_KEY_LEFT_SHIFT,   GLFW_KEY_RIGHT_SHIF
                                       GLFW_KEY_LEFT_ALT,     GLFW_KEY_RIGHT_ALT};
 
 const MovingKey* moving_key(int key) {
-  const auto found = std::find_if(moving_keys.begin(), moving_keys.end(),
-                                  [key](const MovingKey& one) { return one.key == key; });
+  const auto found = std::ranges::find(moving_keys, key, &MovingKey::key);
   return found != moving_keys.end() ? &*found : nullptr;
 }
 
@@ -194,7 +191,7 @@ bool FreeCamera::moves_while_held(int key) const {
 }
 
 bool FreeCamera::steer(Nanoseconds time, const KeyMoved& key) {
-  if (std::find(modifier_keys.begin(), modifier_keys.end(), key.key) != modifier_keys.end()) {
+  if (std::ranges::find(modifier_keys, key.key) != modifier_keys.end()) {
     key.is_down ? void(modifiers_.insert(key.key)) : void(modifiers_.erase(key.key));
     return false;
   }

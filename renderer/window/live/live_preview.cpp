@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "renderer/window/live/preview_panels.h"
-
 namespace foveola {
 namespace {
 

@@ -64,9 +64,7 @@ constexpr double share_step = 0.1;
 }  // namespace
 
 std::optional<PreviewAction> action_of(const CharacterTyped& typed) {
-  const auto found = std::find_if(letters.begin(), letters.end(), [&](const LetterMeaning& one) {
-    return one.letter == typed.character;
-  });
+  const auto found = std::ranges::find(letters, typed.character, &LetterMeaning::letter);
   return found != letters.end() ? std::optional(found->action) : std::nullopt;
 }
 

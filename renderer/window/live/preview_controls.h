@@ -1,7 +1,6 @@
 // The keys of the live preview and their effects.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -9,9 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/preview/live_frames.h"
 #include "renderer/view/acuity.h"
-#include "renderer/window/drawing/view_overlays.h"
 
 namespace foveola {
 namespace {
@@ -105,8 +103,8 @@ std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
   if (last.empty()) {
     return {method};
   }
-  const auto late = std::count_if(last.begin(), last.end(),
-                                  [](const LiveFrame& frame) { return frame.is_late(); });
+  const auto late =
+      std::ranges::count_if(last, [](const LiveFrame& frame) { return frame.is_late(); });
   return {
       method,
       fmt::format("{} frames in the last second, {} late", last.size(), late),

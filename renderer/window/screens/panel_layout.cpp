@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "renderer/base/utf8.h"
@@ -77,9 +76,9 @@ class Places {
     for (const ScreenRect& one : taken_) {
       tops.push_back(is_at_bottom ? one.low.y - size.y : one.high.y);
     }
-    std::sort(tops.begin(), tops.end());
+    std::ranges::sort(tops);
     if (is_at_bottom) {
-      std::reverse(tops.begin(), tops.end());
+      std::ranges::reverse(tops);
     }
     const float low_y = view_.low.y + panel_margin_px;
     for (const float top : tops) {
@@ -110,8 +109,7 @@ class Places {
 
  private:
   bool is_free(const ScreenRect& rect) const {
-    return std::none_of(taken_.begin(), taken_.end(),
-                        [&](const ScreenRect& one) { return overlap(rect, one); });
+    return std::ranges::none_of(taken_, [&](const ScreenRect& one) { return overlap(rect, one); });
   }
 
   ScreenRect view_;

@@ -153,8 +153,7 @@ std::vector<PointRow> point_rows(const ScreenColumn& column, const ScreenField& 
     for (std::size_t first = 0; first < points; first += in_a_row) {
       rows.emplace_back(column, field, first, in_a_row);
     }
-    if (std::all_of(rows.begin(), rows.end(),
-                    [&](const PointRow& row) { return row.fits(column); })) {
+    if (std::ranges::all_of(rows, [&](const PointRow& row) { return row.fits(column); })) {
       return rows;
     }
   }
@@ -186,7 +185,7 @@ void add_list(ScreenColumn& column, const ScreenField& field) {
     const float top_px = column.bottom_px();
     put_ring(column, field.chosen == i);
     std::string label = field.labels[i];
-    std::replace(label.begin(), label.end(), '\n', ' ');
+    std::ranges::replace(label, '\n', ' ');
     column.write_between(1.4F * column.text_px(), column.width_px(), label, Align::left, Ink::text);
     if (field.has_focus && field.chosen.value_or(0) == i) {
       column.put_focus({0.0F, top_px}, {column.width_px(), column.bottom_px() - top_px});

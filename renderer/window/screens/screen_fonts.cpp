@@ -114,8 +114,8 @@ bool is_known(char32_t character) {
 /// The characters that are not in every atlas.
 Characters unknown_of(const Characters& characters) {
   Characters unknown;
-  std::copy_if(characters.begin(), characters.end(), std::inserter(unknown, unknown.end()),
-               [](char32_t character) { return !is_known(character); });
+  std::ranges::copy_if(characters, std::inserter(unknown, unknown.end()),
+                       [](char32_t character) { return !is_known(character); });
   return unknown;
 }
 
@@ -175,13 +175,13 @@ Characters characters_of(const ScreenPage& page) {
   const auto add = [&](std::string_view text) { all.merge(characters_of(text)); };
   add(page.title);
   add(page.keys);
-  std::for_each(page.paragraphs.begin(), page.paragraphs.end(), add);
+  std::ranges::for_each(page.paragraphs, add);
   for (const ScreenField& field : page.fields) {
     add(field.question);
     add(field.typed);
     add(field.note);
     add(field.fault);
-    std::for_each(field.labels.begin(), field.labels.end(), add);
+    std::ranges::for_each(field.labels, add);
   }
   return all;
 }
@@ -207,7 +207,7 @@ bool ScreenFonts::add_characters(const Characters& characters) {
 }
 
 void ScreenFonts::add_other(const LetterFont& font) {
-  auto other = std::find_if(others_.begin(), others_.end(), [&](const OtherFont& known) {
+  auto other = std::ranges::find_if(others_, [&](const OtherFont& known) {
     return known.font.path == font.path && known.font.face == font.face;
   });
   if (other == others_.end()) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
+#include "renderer/base/transformed.h"
 #include "renderer/window/screens/screen_fields.h"
 
 namespace foveola {
@@ -93,10 +93,7 @@ ScreenLayout moved(ScreenLayout layout, float down_px) {
 
 /// Indivisible parts: lines, and shapes except frames.
 std::vector<ScreenRect> things_of(const ScreenLayout& layout) {
-  std::vector<ScreenRect> things;
-  for (const PlacedText& text : layout.texts) {
-    things.push_back(text.rect);
-  }
+  std::vector<ScreenRect> things = transformed(layout.texts, &PlacedText::rect);
   for (const PlacedShape& shape : layout.shapes) {
     if (!shape.is_frame) {
       things.push_back(shape.rect);
@@ -169,9 +166,7 @@ void add_scrolled(ScreenLayout& layout, const ScreenColumn& content, const Scree
   const Span shown = span_between_things(room, things);
   // Frames extend a little beyond their content.
   add_shown(layout, all, {shown.top_px - 0.4F * text_px, shown.bottom_px + 0.4F * text_px});
-  const auto is_any = [&](auto is_outside) {
-    return std::any_of(things.begin(), things.end(), is_outside);
-  };
+  const auto is_any = [&](auto is_outside) { return std::ranges::any_of(things, is_outside); };
   if (is_any([&](const ScreenRect& rect) { return rect.low.y < shown.top_px - 1.0F; })) {
     add_more_mark(layout, PlacedShape::Kind::triangle_up, place, room.top_px - 0.8F * text_px);
   }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/transformed.h"
 #include "study/participant/injected_effects/drawn_trial.h"
 #include "study/protocol/measure.h"
 
@@ -22,7 +22,7 @@ constexpr double least_mark_ratio = 2.0;
 /// Throws UsageError if `id` is not one of `there`, all ids of the protocol's `kind`.
 void require_known(const std::string& where, const std::string& kind, const std::string& id,
                    const std::vector<std::string>& there) {
-  if (std::find(there.begin(), there.end(), id) == there.end()) {
+  if (std::ranges::find(there, id) == there.end()) {
     throw UsageError(where, fmt::format("the protocol has no {} '{}'", kind, id),
                      there.empty() ? fmt::format("the protocol has no {}; remove this effect", kind)
                                    : fmt::format("choose one of {}", fmt::join(there, ", ")));
@@ -31,11 +31,7 @@ void require_known(const std::string& where, const std::string& kind, const std:
 
 template <typename Entries>
 std::vector<std::string> ids_of(const Entries& entries) {
-  std::vector<std::string> ids;
-  for (const auto& entry : entries) {
-    ids.push_back(entry.id);
-  }
-  return ids;
+  return transformed(entries, [&](const auto& entry) { return entry.id; });
 }
 
 void require_drawable_shifts(const std::string& where, const Question& rating,
@@ -100,11 +96,8 @@ void require_drawable(const InjectedEffect& effect, const Protocol& protocol) {
       const std::string& wanted = id;
       require_known(where, "rating", id, ids_of(protocol.ratings));
       require_known(where, "method", method, protocol.methods);
-      require_drawable_shifts(
-          where,
-          *std::find_if(protocol.ratings.begin(), protocol.ratings.end(),
-                        [&](const Question& rating) { return rating.id == wanted; }),
-          shifts);
+      require_drawable_shifts(where, *std::ranges::find(protocol.ratings, wanted, &Question::id),
+                              shifts);
     }
   }
 }

@@ -1,7 +1,6 @@
 #include "study/participant/injected_effects/injected_effect.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -129,7 +128,7 @@ InjectedEffect parse_injected_effect(const std::string& text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view part = std::string_view(text).substr(begin, end - begin);
     const std::string_view kind = words_of(part).kind;
-    if (!is_of_a_method(kind) && std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
+    if (!is_of_a_method(kind) && std::ranges::find(kinds, kind) != kinds.end()) {
       refuse(part, "is given twice");
     }
     add(part, effect);

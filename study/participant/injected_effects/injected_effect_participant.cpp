@@ -4,7 +4,6 @@
 
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
-#include "study/participant/injected_effects/drawn_trial.h"
 
 namespace foveola::study {
 
@@ -49,9 +48,8 @@ std::vector<Answer> InjectedEffectParticipant::rate(const std::vector<Question>&
   std::vector<Answer> answers = draw_answers(ratings, background_, random);
   for (const Question& rating : ratings) {
     if (effect_.shifted_ratings.contains(rating.id)) {
-      std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
-        return answer.question == rating.id;
-      })->value = drawn_rating(effect_, rating, drawn());
+      std::ranges::find(answers, rating.id, &Answer::question)->value =
+          drawn_rating(effect_, rating, drawn());
     }
   }
   return answers;

@@ -29,7 +29,6 @@ class InjectedEffectParticipant final : public SimulatedParticipant {
 
   /// The first glance of an attempt counts as its first frame. Catch trials have no marks.
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
-  bool looks() const override { return false; }
 
  private:
   /// Number of trials before withdrawing; empty for a participant who stays.

@@ -1,9 +1,7 @@
 #include "study/participant/observer/cells.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "renderer/base/angles.h"

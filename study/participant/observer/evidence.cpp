@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "renderer/base/transformed.h"
 
 namespace foveola::study {
 namespace {
@@ -83,12 +84,9 @@ std::vector<double> scales_deg(const Vision& vision, double finest_cell_deg) {
 }
 
 std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, double radius_deg) {
-  std::vector<Cells> cells;
-  for (const double cell_deg : scales_deg(vision, vision.material_cell_deg)) {
-    cells.push_back(
-        Cells::around(object, radius_deg, cell_deg, vision.object_patch_deg, block_of(vision)));
-  }
-  return cells;
+  return transformed(scales_deg(vision, vision.material_cell_deg), [&](const double cell_deg) {
+    return Cells::around(object, radius_deg, cell_deg, vision.object_patch_deg, block_of(vision));
+  });
 }
 
 Cells cells_around(const Vision& vision, const Vec3& place, double radius_deg, double cell_deg) {
@@ -99,11 +97,9 @@ Cells cells_around(const Vision& vision, const Vec3& place, double radius_deg, d
 }
 
 std::vector<Cells> glance_cells(const Vision& vision, const Vec3& gaze) {
-  std::vector<Cells> cells;
-  for (const double cell_deg : scales_deg(vision, vision.view_cell_deg)) {
-    cells.push_back(cells_around(vision, gaze, vision.looked_at_deg, cell_deg));
-  }
-  return cells;
+  return transformed(scales_deg(vision, vision.view_cell_deg), [&](const double cell_deg) {
+    return cells_around(vision, gaze, vision.looked_at_deg, cell_deg);
+  });
 }
 
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,

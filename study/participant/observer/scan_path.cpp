@@ -1,7 +1,6 @@
 #include "study/participant/observer/scan_path.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "study/participant/chance.h"

@@ -3,10 +3,8 @@
 
 #include <filesystem>
 #include <future>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/film/equirect_film.h"

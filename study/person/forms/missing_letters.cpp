@@ -7,7 +7,6 @@
 
 #include "renderer/base/print.h"
 #include "renderer/base/utf8.h"
-#include "renderer/window/screens/screen_fonts.h"
 
 namespace foveola::study {
 namespace {

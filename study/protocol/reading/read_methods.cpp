@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
+#include "renderer/base/transformed.h"
 #include "study/protocol/measure.h"
 #include "study/protocol/reading/read_settings.h"
 
@@ -47,11 +48,9 @@ double largest_margin(const Measure& measure) {
 std::string read_measure(TomlReader& reader, const std::vector<Measure>& measures) {
   const std::string id =
       reader.require_text("measure", "The id of a mark, or of a numeric rating.");
-  std::vector<std::string> known;
-  for (const Measure& measure : measures) {
-    known.push_back(measure.id());
-  }
-  if (std::find(known.begin(), known.end(), id) == known.end()) {
+  std::vector<std::string> known =
+      transformed(measures, [&](const Measure& measure) { return measure.id(); });
+  if (std::ranges::find(known, id) == known.end()) {
     reader.fail(reader.source("measure"),
                 fmt::format("'{}' is not the id of a mark or a numeric rating", id),
                 fmt::format("choose one of {}", fmt::join(known, ", ")));
@@ -96,8 +95,8 @@ std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protoc
   for (const TomlReader& entry :
        reader.tables("primary", "The primary comparisons of the study.")) {
     const PlannedComparison next = read_comparison(entry, protocol, measures);
-    if (std::any_of(comparisons.begin(), comparisons.end(),
-                    [&](const PlannedComparison& other) { return is_same(other, next); })) {
+    if (std::ranges::any_of(comparisons,
+                            [&](const PlannedComparison& other) { return is_same(other, next); })) {
       entry.fail(entry.source(), "this comparison is planned twice", "remove one of them");
     }
     comparisons.push_back(next);
@@ -141,7 +140,7 @@ std::vector<std::string> read_background(TomlReader& reader, const Protocol& pro
            "Numeric questions of the questionnaire background. Their mean is a participant's "
            "background. Its correlation with the speed-up in the first primary comparison of "
            "times is tested. Default: none, and no correlation.")) {
-    if (std::find(known.begin(), known.end(), id.value) == known.end()) {
+    if (std::ranges::find(known, id.value) == known.end()) {
       reader.fail(
           id.source,
           fmt::format("the questionnaire background has no numeric question '{}'", id.value),
@@ -223,24 +222,23 @@ std::string name_of(SceneEffects scenes) { return word_for(scene_effects, scenes
 std::string name_of(RatingAnalysis analysis) { return word_for(rating_analyses, analysis); }
 
 std::vector<SceneEntry> read_scenes(TomlReader& reader) {
-  std::vector<SceneEntry> scenes;
-  for (const TomlReader::Text& scene : reader.require_texts(
-           "scenes",
-           "The scenes, without duplicates: by names of descriptors (NAME.toml) or scene files in "
-           "the protocol's folder, by names that `foveola scene list` shows, or by paths that "
-           "begin in the protocol's folder.")) {
-    scenes.push_back({.name = scene.value,
-                      .line = static_cast<int>(scene.source.begin.line),
-                      .column = static_cast<int>(scene.source.begin.column)});
-  }
-  return scenes;
+  return transformed(
+      reader.require_texts(
+          "scenes",
+          "The scenes, without duplicates: by names of descriptors (NAME.toml) or scene files in "
+          "the protocol's folder, by names that `foveola scene list` shows, or by paths that "
+          "begin in the protocol's folder."),
+      [&](const TomlReader::Text& scene) {
+        return SceneEntry{.name = scene.value,
+                          .line = static_cast<int>(scene.source.begin.line),
+                          .column = static_cast<int>(scene.source.begin.column)};
+      });
 }
 
 const MethodFile* find_method_file(const std::vector<MethodFile>& files, const std::string& method,
                                    const std::string& file) {
-  const auto found = std::find_if(files.begin(), files.end(), [&](const MethodFile& known) {
-    return known.method == method && known.file == file;
-  });
+  const auto found = std::ranges::find_if(
+      files, [&](const MethodFile& known) { return known.method == method && known.file == file; });
   return found != files.end() ? &*found : nullptr;
 }
 

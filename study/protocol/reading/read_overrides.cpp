@@ -42,15 +42,15 @@ std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) 
            "Settings of one scene, of one method, or of both: a scene's override applies first, "
            "then a method's, then that of both, each only for the keys that it has.")) {
     Override next = read_place(entry, protocol);
-    if (std::any_of(overrides.begin(), overrides.end(), [&](const Override& other) {
+    if (std::ranges::any_of(overrides, [&](const Override& other) {
           return other.scene == next.scene && other.method == next.method;
         })) {
       entry.fail(entry.source(), "another override has the same scope", "put both into one");
     }
     overrides.push_back(std::move(next));
   }
-  std::stable_sort(overrides.begin(), overrides.end(),
-                   [](const Override& a, const Override& b) { return a.rank() < b.rank(); });
+  std::ranges::stable_sort(
+      overrides, [](const Override& a, const Override& b) { return a.rank() < b.rank(); });
   return overrides;
 }
 

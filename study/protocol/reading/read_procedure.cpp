@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/built_in_texts.h"
 #include "study/protocol/reading/read_questions.h"
 #include "study/protocol/reading/read_settings.h"
@@ -28,7 +27,7 @@ constexpr std::array orders{
 void require_known_names(const TomlReader& reader, const std::string& id, const std::string& text) {
   const std::vector<std::string> known = names_in(text_of({}, id));
   for (const std::string& name : names_in(text)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    if (std::ranges::find(known, name) == known.end()) {
       reader.fail(reader.source(id), fmt::format("{{{}}} is not a name of this text", name),
                   known.empty()
                       ? "remove it"
@@ -62,7 +61,7 @@ Texts read_words(TomlReader reader) {
 
 bool is_language_tag(const std::string& text) {
   return !text.empty() && text.front() != '-' && text.back() != '-' &&
-         std::all_of(text.begin(), text.end(), [](char c) {
+         std::ranges::all_of(text, [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                   c == '-';
          });
@@ -133,8 +132,8 @@ LookingSettings read_looking(TomlReader reader) {
 bool has_consent(const Protocol& protocol) { return !text_of(protocol.texts, "consent").empty(); }
 
 bool has_questionnaire(const Protocol& protocol, const std::string& id) {
-  return std::any_of(protocol.questionnaires.begin(), protocol.questionnaires.end(),
-                     [&](const Questionnaire& known) { return known.id == id; });
+  return std::ranges::any_of(protocol.questionnaires,
+                             [&](const Questionnaire& known) { return known.id == id; });
 }
 
 /// Returns all possible phases of this protocol in their default order: questionnaires come last
@@ -161,11 +160,7 @@ std::vector<PhaseEntry> possible_phases(const Protocol& protocol) {
 }
 
 std::vector<std::string> names_of(const std::vector<PhaseEntry>& phases) {
-  std::vector<std::string> names;
-  for (const PhaseEntry& phase : phases) {
-    names.push_back(name_of(phase));
-  }
-  return names;
+  return transformed(phases, [&](const PhaseEntry& phase) { return name_of(phase); });
 }
 
 std::string remedy_for(const std::string& phase, const std::vector<PhaseEntry>& possible) {
@@ -181,9 +176,8 @@ std::string remedy_for(const std::string& phase, const std::vector<PhaseEntry>& 
 
 PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
                         const std::vector<PhaseEntry>& possible) {
-  const auto found = std::find_if(possible.begin(), possible.end(), [&](const PhaseEntry& phase) {
-    return name_of(phase) == name.value;
-  });
+  const auto found = std::ranges::find_if(
+      possible, [&](const PhaseEntry& phase) { return name_of(phase) == name.value; });
   if (found == possible.end()) {
     reader.fail(name.source, fmt::format("'{}' is not a phase of this protocol", name.value),
                 remedy_for(name.value, possible));
@@ -195,8 +189,8 @@ PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
 void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::Text>& chosen,
                         const std::vector<PhaseEntry>& possible) {
   for (const std::string& name : names_of(possible)) {
-    if (std::none_of(chosen.begin(), chosen.end(),
-                     [&](const TomlReader::Text& text) { return text.value == name; })) {
+    if (std::ranges::none_of(chosen,
+                             [&](const TomlReader::Text& text) { return text.value == name; })) {
       reader.fail(reader.source("phases"), fmt::format("'{}' is in no phase", name),
                   "add it to phases, or remove its description");
     }
@@ -272,10 +266,7 @@ std::vector<MarkEntry> read_marks(TomlReader& reader) {
 }
 
 std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks) {
-  std::vector<std::string> taken;
-  for (const MarkEntry& mark : marks) {
-    taken.push_back(mark.id);
-  }
+  std::vector<std::string> taken = transformed(marks, &MarkEntry::id);
   std::vector<Question> ratings =
       read_questions(reader, "rating", taken,
                      "Questions after the marks. Default: artifacts, from 1 to 5, as published.");
@@ -283,7 +274,7 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
     return ratings;
   }
   ratings = published_ratings();
-  const auto same = std::find(taken.begin(), taken.end(), ratings.front().id);
+  const auto same = std::ranges::find(taken, ratings.front().id);
   if (same != taken.end()) {
     const TomlReader mark = reader.tables("mark")[static_cast<std::size_t>(same - taken.begin())];
     mark.fail(mark.source("id"), fmt::format("'{}' is the id of the built-in rating", *same),

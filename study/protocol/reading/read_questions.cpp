@@ -104,7 +104,7 @@ void read_options(TomlReader& reader, Question& question) {
   for (const TomlReader& entry :
        reader.tables("options", "The options of a choice, at least two.")) {
     const Option option = read_option(entry);
-    if (std::any_of(question.options.begin(), question.options.end(), [&](const Option& other) {
+    if (std::ranges::any_of(question.options, [&](const Option& other) {
           return other.label == option.label || (option.value && other.value == option.value);
         })) {
       entry.fail(entry.source(), fmt::format("the option '{}' is not unique", option.label),
@@ -245,7 +245,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
   std::vector<std::string> names;
   for (const fs::path& ready : questionnaire_folders(folder)) {
     const std::vector<std::string> there = toml_names_if_any(ready);
-    if (std::find(there.begin(), there.end(), name_or_path) != there.end()) {
+    if (std::ranges::find(there, name_or_path) != there.end()) {
       return ready / (name_or_path + ".toml");
     }
     names.insert(names.end(), there.begin(), there.end());
@@ -284,11 +284,11 @@ Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files
 std::string read_new_id(TomlReader& reader, std::string_view meaning,
                         const std::vector<std::string>& taken) {
   const std::string id = reader.require_text("id", meaning, "^[A-Za-z0-9_-]+$");
-  if (!std::all_of(id.begin(), id.end(), is_id_character)) {
+  if (!std::ranges::all_of(id, is_id_character)) {
     reader.fail(reader.source("id"), fmt::format("'{}' is not an id", id),
                 "use letters, digits, - and _ only");
   }
-  if (std::find(taken.begin(), taken.end(), id) != taken.end()) {
+  if (std::ranges::find(taken, id) != taken.end()) {
     reader.fail(reader.source("id"), fmt::format("the id '{}' is used twice", id),
                 "give each an id of its own");
   }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -313,8 +311,8 @@ std::string read_scene_name(TomlReader& reader, const TomlKeyName& key, const Pr
                             std::string_view meaning) {
   std::string name;
   reader.read(key, name, meaning);
-  const bool is_known = std::any_of(protocol.scenes.begin(), protocol.scenes.end(),
-                                    [&](const SceneEntry& scene) { return scene.name == name; });
+  const bool is_known = std::ranges::any_of(
+      protocol.scenes, [&](const SceneEntry& scene) { return scene.name == name; });
   if (reader.has(key) && !is_known) {
     reader.fail(reader.source(key),
                 fmt::format("the scene '{}' is not one of the protocol's", name),
@@ -328,7 +326,7 @@ std::string read_method_name(TomlReader& reader, const TomlKeyName& key, const P
   std::string name;
   reader.read(key, name, meaning);
   const std::vector<std::string>& methods = protocol.methods;
-  if (reader.has(key) && std::find(methods.begin(), methods.end(), name) == methods.end()) {
+  if (reader.has(key) && std::ranges::find(methods, name) == methods.end()) {
     reader.fail(reader.source(key),
                 fmt::format("the method '{}' is not one of the protocol's", name),
                 "write it as in the protocol's methods");

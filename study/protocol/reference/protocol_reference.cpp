@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/transformed.h"
 #include "study/protocol/reference/protocol_keys.h"
 
 namespace foveola::study {
@@ -99,10 +99,8 @@ std::string number_text(double number) {
 }
 
 std::string range_of(const TomlKey& key) {
-  std::vector<std::string> words;
-  for (const std::string& word : key.words) {
-    words.push_back(code(is_text(key) ? quoted(word) : word));
-  }
+  const std::vector<std::string> words = transformed(
+      key.words, [&](const std::string& word) { return code(is_text(key) ? quoted(word) : word); });
   if (!words.empty()) {
     return fmt::format("{}", fmt::join(words, ", "));
   }

@@ -31,11 +31,11 @@ TEST(Configurations, ChangeOneThingEach) {
   const std::vector<Configuration> configurations = make_configurations(
       {"od"}, {"clamp", "adaptive", "no-fast-path", "no-hierarchy", "no-learning"});
   ASSERT_EQ(configurations.size(), 6U);
-  EXPECT_FALSE(configurations[0].adaptive_contrast);
+  EXPECT_FALSE(configurations[0].render.adaptive);
   EXPECT_EQ(configurations[1].largest_radiance, 10.0F);
-  EXPECT_FALSE(configurations[1].adaptive_contrast);
+  EXPECT_FALSE(configurations[1].render.adaptive);
   EXPECT_GT(configurations[2].largest_radiance, 1e30F);
-  EXPECT_EQ(configurations[2].adaptive_contrast, 0.01);
+  EXPECT_EQ(configurations[2].render.adaptive.value().contrast, 0.01);
   EXPECT_FALSE(configurations[2].uses_general_path);
   EXPECT_TRUE(configurations[3].uses_general_path);
   EXPECT_EQ(configurations[3].light_sampling, LightSampling{});
@@ -52,14 +52,15 @@ TEST(Configurations, OfPlainPathsAreTheirPartsTogether) {
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     const Configuration& configuration = configurations[i];
     const bool is_plain = i >= 7;
-    EXPECT_EQ(configuration.numbers == RandomNumbers::independent, i == 1 || is_plain);
+    EXPECT_EQ(configuration.render.numbers == RandomNumbers::independent, i == 1 || is_plain);
     EXPECT_EQ(configuration.light_sampling.selection == LightSelection::uniform,
               i == 2 || is_plain);
     EXPECT_EQ(configuration.light_sampling.triangles_by_area, i == 3 || is_plain);
     EXPECT_EQ(configuration.light_sampling.environment_by_cosine, i == 4 || is_plain);
-    EXPECT_EQ(configuration.light_samples_alone, i == 5 || i == 7);
-    EXPECT_EQ(configuration.vertices_before_roulette == no_roulette, i == 6 || is_plain);
-    EXPECT_EQ(configuration.largest_light_sample == 3.0F, i == 9);
+    EXPECT_EQ(configuration.render.trace.light_samples_alone, i == 5 || i == 7);
+    EXPECT_EQ(configuration.render.trace.vertices_before_roulette == no_roulette,
+              i == 6 || is_plain);
+    EXPECT_EQ(configuration.render.trace.largest_light_sample == 3.0F, i == 9);
   }
 }
 

@@ -97,9 +97,10 @@ TEST_F(ProgressiveRunTest, IsAdaptiveAsThePreviewIs) {
   preview.restart("od", 7);
   preview.render_frame(Nanoseconds(0), batch);
   preview.render_frame(Nanoseconds(0), batch);
-  ProgressiveRun adaptive(subject_, plan_,
-                          {.name = "od", .method = "od", .adaptive_contrast = contrast}, aim_, 7,
-                          workers_);
+  ProgressiveRun adaptive(
+      subject_, plan_,
+      {.name = "od", .method = "od", .render = {.adaptive = VisibleNoise{.contrast = contrast}}},
+      aim_, 7, workers_);
   adaptive.advance(2 * batch);
   EXPECT_LT(adaptive.film().total_samples(), 2 * batch);
   EXPECT_EQ(adaptive.film().resolve().color.pixels, preview.film().resolve().color.pixels);
@@ -140,9 +141,10 @@ TEST_F(ProgressiveRunTest, WaysOfTracingShowTheSame) {
 TEST_F(ProgressiveRunTest, CutsLightSamplesAsTheDisplayShowsThem) {
   const auto lightness = [&](float largest, double exposure_stops) {
     loaded_.source.exposure_stops = exposure_stops;
-    ProgressiveRun cut(subject_, plan_,
-                       {.name = "od", .method = "od", .largest_light_sample = largest}, aim_, 7,
-                       workers_);
+    ProgressiveRun cut(
+        subject_, plan_,
+        {.name = "od", .method = "od", .render = {.trace = {.largest_light_sample = largest}}},
+        aim_, 7, workers_);
     cut.advance(20'000);
     return mean(cut.film()).g;
   };

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "study/participant/observer/simulated_observer.h"
+#include "study/participant/participant.h"
 
 namespace foveola::study {
 
 /// Chooses the last object, looks straight ahead unless its eye is to turn, and presses `thought`
 /// after as many looks at a task as it needs.
-class FakeParticipant final : public SimulatedObserver {
+class FakeParticipant final : public Participant {
  public:
   // What it does.
   Nanoseconds reaction = std::chrono::milliseconds(300);
@@ -88,12 +88,9 @@ class FakeParticipant final : public SimulatedObserver {
     }
     return answers;
   }
-  bool looks() const override { return false; }
-  ScanPath& path() override { return path_; }
 
  private:
   int looks_left_ = 0;  ///< until it presses
-  ScanPath path_{GazeHabits{}, 0};
 };
 
 }  // namespace foveola::study

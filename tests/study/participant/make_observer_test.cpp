@@ -7,6 +7,7 @@
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
 #include "study/participant/injected_effects/drawn_trial.h"
+#include "study/participant/injected_effects/injected_effect_participant.h"
 #include "study/participant/population_file.h"
 
 namespace foveola::study {
@@ -21,15 +22,15 @@ const Plan plan{{.scene = "arcade", .method = "od"},
 
 KnownScene knows_nothing(const std::string& /*scene*/) { return {}; }
 
-std::unique_ptr<SimulatedObserver> injected(const std::string& effect, std::uint64_t seed = 4,
-                                            int row = 0) {
+std::unique_ptr<Participant> injected(const std::string& effect, std::uint64_t seed = 4,
+                                      int row = 0) {
   return make_observer(read_people("adults").population, parse_injected_effect(effect),
                        knows_nothing,
                        {.seed = seed, .row = row, .plan = plan, .marks = {"outline", "material"}});
 }
 
 /// The marks of a trial, in seconds after its first look, with looks every 100 ms.
-std::vector<double> marks_s(SimulatedObserver& observer, const Attempt& attempt) {
+std::vector<double> marks_s(Participant& observer, const Attempt& attempt) {
   constexpr Nanoseconds first = milliseconds(1014);
   observer.begin_attempt(attempt);
   observer.turn_to("arcade", {.name = "Ball"}, Nanoseconds(0));
@@ -53,8 +54,8 @@ std::vector<double> marks_s(SimulatedObserver& observer, const Attempt& attempt)
 TEST(MakeObserver, WithoutAnEffectItLooks) {
   const auto observer = make_observer(read_people("adults").population, std::nullopt, knows_nothing,
                                       {.seed = 4, .plan = plan});
-  EXPECT_TRUE(observer->looks());
-  EXPECT_FALSE(injected("none")->looks());
+  EXPECT_EQ(dynamic_cast<InjectedEffectParticipant*>(observer.get()), nullptr);
+  EXPECT_NE(dynamic_cast<InjectedEffectParticipant*>(injected("none").get()), nullptr);
 }
 
 TEST(InjectedEffectParticipant, PressesAtTheTimesThatAreDrawn) {

@@ -35,6 +35,7 @@ class PredictedAttemptTest : public testing::Test {
     VirtualClock clock;
     clock.advance(ms(1000));
     BufferedRecorder recorder;
+    std::optional<Nanoseconds> pressed;
     const std::unique_ptr<TrialAttempt> attempt =
         make(TrialAttemptSetting{.stage = stage_,
                                  .protocol = protocol_,
@@ -44,15 +45,13 @@ class PredictedAttemptTest : public testing::Test {
                                  .participant = observer,
                                  .correction = std::nullopt,
                                  .clock = clock,
-                                 .recorder = recorder},
-             observer);
+                                 .recorder = recorder,
+                                 .key = {},
+                                 .pressed = pressed});
     attempt->begin(Task::mark_outline);
     attempt->show(clock.now());
-    std::optional<Nanoseconds> pressed;
     while (!pressed || clock.now() < *pressed + ms(130)) {
-      const std::optional<Nanoseconds> press =
-          attempt->show(pressed ? *pressed + ms(130) : ms(100'000));
-      pressed = pressed ? pressed : press;
+      attempt->show(pressed ? *pressed + ms(130) : ms(100'000));
     }
     return {.looks = observer.look_times, .end = clock.now(), .samples = attempt->samples()};
   }
@@ -65,14 +64,12 @@ class PredictedAttemptTest : public testing::Test {
 };
 
 TEST_F(PredictedAttemptTest, IsLookedAtWhenARenderedOneIs) {
-  const Course rendered = course_of([&](const TrialAttemptSetting& setting, SimulatedObserver&) {
+  const Course rendered = course_of([&](const TrialAttemptSetting& setting) {
     return std::make_unique<RenderedAttempt>(setting, workers_);
   });
-  const Course predicted =
-      course_of([](const TrialAttemptSetting& setting, SimulatedObserver& observer) {
-        return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
-                                                  make_view_sampler("od"));
-      });
+  const Course predicted = course_of([](const TrialAttemptSetting& setting) {
+    return std::make_unique<PredictedAttempt>(setting, nullptr, nullptr, make_view_sampler("od"));
+  });
   EXPECT_GT(rendered.looks.size(), 4U);
   EXPECT_EQ(predicted, rendered);
 }
