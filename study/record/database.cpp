@@ -84,7 +84,7 @@ SQLite::Database open_copy(const fs::path& path) {
 
 /// A file with a log beside it.
 SQLite::Database open_with_log(const fs::path& path) {
-  if (has_journal(path)) {
+  if (has_playable_journal(path)) {
     throw Error(path.string(),
                 "has a journal and a log beside it (-journal, -wal), of which only one "
                 "can be its own",

@@ -216,7 +216,8 @@ bool is_written_with_log(SQLite::Database& study) {
 std::optional<std::string> size_fault(SQLite::Database& database) {
   const OpenFile file = OpenFile::database(database);
   const Header header(file);
-  if (!header.is_whole() || header.page_size() == 0) {
+  // A log has the pages that a loss of power left half-written in the file.
+  if (!header.is_whole() || header.page_size() == 0 || has_log(database)) {
     return std::nullopt;
   }
   const std::uintmax_t size = file.size();
@@ -224,7 +225,7 @@ std::optional<std::string> size_fault(SQLite::Database& database) {
     return fmt::format("has {} bytes, which are no whole number of its pages of {} bytes", size,
                        header.page_size());
   }
-  if (!has_log(database) && header.pages() != 0 && size != header.pages() * header.page_size()) {
+  if (header.pages() != 0 && size != header.pages() * header.page_size()) {
     return fmt::format("has {} bytes, and its {} pages of {} bytes have {}", size, header.pages(),
                        header.page_size(), header.pages() * header.page_size());
   }

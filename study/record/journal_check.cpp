@@ -1,5 +1,8 @@
 #include "study/record/journal_check.h"
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -62,6 +65,13 @@ bool is_own(std::string_view journal, const std::string& study) {
 }  // namespace
 
 bool has_journal(const fs::path& study) { return fs::exists(study.string() + "-journal"); }
+
+bool has_playable_journal(const fs::path& study) {
+  std::ifstream journal(study.string() + "-journal", std::ios::binary);
+  std::array<char, journal_magic.size()> beginning{};
+  journal.read(beginning.data(), beginning.size());
+  return journal && std::ranges::equal(beginning, journal_magic);
+}
 
 void require_own_journal(const fs::path& study) {
   if (!has_journal(study)) {

@@ -226,6 +226,21 @@ TEST_F(Database, LogOfACrashIsReadAndSurvivesARefusal) {
   EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "2");
 }
 
+// What a loss of power leaves while the log is folded in: a page written in half, and a journal
+// whose content never came to the disk. SQLite reads the page from the log and ignores the journal.
+TEST_F(Database, HalfAPageUnderALogAndAJournalWithoutContentAreNoDamage) {
+  const StudyStore store(path_, small_protocol());
+  const TemporaryFolder left;
+  const fs::path path = left / "study.sqlite";
+  fs::copy(path_, path);
+  fs::copy(path_.string() + "-wal", path.string() + "-wal");
+  overwrite(path, static_cast<std::int64_t>(fs::file_size(path)), "half a page");
+  write_bytes(path.string() + "-journal", std::string(512, '\0'));
+
+  EXPECT_THAT(read_study(path).sessions, IsEmpty());
+  EXPECT_THAT(StudyStore(path, small_protocol()).sessions(), IsEmpty());
+}
+
 TEST_F(Database, ReadsInAFolderThatCannotBeWritten) {
   write_small_study(path_);
   fs::permissions(path_, fs::perms(0644));
