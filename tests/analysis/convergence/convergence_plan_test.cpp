@@ -21,10 +21,10 @@ TEST(Configurations, AreTheMethodsAndTheBaselineWithEachOption) {
       make_configurations({"od", "fv"}, {"independent"});
   ASSERT_EQ(configurations.size(), 3U);
   EXPECT_EQ(configurations[1].name, "fv");
-  EXPECT_EQ(configurations[1].numbers, RandomNumbers::low_discrepancy);
+  EXPECT_EQ(configurations[1].render.numbers, RandomNumbers::low_discrepancy);
   EXPECT_EQ(configurations[2].name, "od, independent numbers");
   EXPECT_EQ(configurations[2].method, "od");
-  EXPECT_EQ(configurations[2].numbers, RandomNumbers::independent);
+  EXPECT_EQ(configurations[2].render.numbers, RandomNumbers::independent);
 }
 
 TEST(Configurations, ChangeOneThingEach) {
@@ -32,12 +32,12 @@ TEST(Configurations, ChangeOneThingEach) {
       {"od"}, {"clamp", "adaptive", "no-fast-path", "no-hierarchy", "no-learning"});
   ASSERT_EQ(configurations.size(), 6U);
   EXPECT_FALSE(configurations[0].render.adaptive);
-  EXPECT_EQ(configurations[1].largest_radiance, 10.0F);
+  EXPECT_EQ(configurations[1].render.trace.largest_radiance, 10.0F);
   EXPECT_FALSE(configurations[1].render.adaptive);
-  EXPECT_GT(configurations[2].largest_radiance, 1e30F);
+  EXPECT_GT(configurations[2].render.trace.largest_radiance, 1e30F);
   EXPECT_EQ(configurations[2].render.adaptive.value().contrast, 0.01);
-  EXPECT_FALSE(configurations[2].uses_general_path);
-  EXPECT_TRUE(configurations[3].uses_general_path);
+  EXPECT_FALSE(configurations[2].render.trace.uses_general_path);
+  EXPECT_TRUE(configurations[3].render.trace.uses_general_path);
   EXPECT_EQ(configurations[3].light_sampling, LightSampling{});
   EXPECT_EQ(configurations[4].light_sampling.selection, LightSelection::by_power_alone);
   EXPECT_TRUE(configurations[4].light_sampling.learns);

@@ -22,7 +22,7 @@ class ProgressiveRunTest : public testing::Test {
   ProgressiveRun run(const std::string& method,
                      RandomNumbers numbers = RandomNumbers::low_discrepancy,
                      std::uint32_t seed = 7) const {
-    return {subject_, plan_, {.name = method, .method = method, .numbers = numbers},
+    return {subject_, plan_, {.name = method, .method = method, .render = {.numbers = numbers}},
             aim_,     seed,  workers_};
   }
 
@@ -107,8 +107,10 @@ TEST_F(ProgressiveRunTest, IsAdaptiveAsThePreviewIs) {
 }
 
 TEST_F(ProgressiveRunTest, CutsSamples) {
-  ProgressiveRun cut(subject_, plan_, {.name = "od", .method = "od", .largest_radiance = 0.6F},
-                     aim_, 7, workers_);
+  ProgressiveRun cut(
+      subject_, plan_,
+      {.name = "od", .method = "od", .render = {.trace = {.largest_radiance = 0.6F}}}, aim_, 7,
+      workers_);
   cut.advance(10'000);
   float largest = 0.0F;
   for (const Rgb& pixel : cut.film().resolve().color.pixels) {
@@ -197,9 +199,10 @@ TEST_F(ProgressiveRunTest, IndependentPathsConvergeLikeChance) {
 
 TEST_F(ProgressiveRunTest, IndependentNumbersDoNotDependOnThreads) {
   const Workers one(1);
-  ProgressiveRun alone(subject_, plan_,
-                       {.name = "od", .method = "od", .numbers = RandomNumbers::independent}, aim_,
-                       7, one);
+  ProgressiveRun alone(
+      subject_, plan_,
+      {.name = "od", .method = "od", .render = {.numbers = RandomNumbers::independent}}, aim_, 7,
+      one);
   ProgressiveRun two = run("od", RandomNumbers::independent);
   alone.advance(20'000);
   two.advance(20'000);
