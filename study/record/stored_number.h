@@ -60,13 +60,14 @@ Number place_in(const SQLite::Column& column, std::size_t count) {
   return place;
 }
 
-/// The number of a column. Throws SQLite::Exception as above for one that is not finite.
+/// The number of a column, never -0, which tables do not keep and views of JSON do. Throws
+/// SQLite::Exception as above for one that is not finite.
 inline double finite_number(const SQLite::Column& column) {
   const double number = column.getDouble();
   if (!std::isfinite(number)) {
     throw SQLite::Exception(fmt::format("{} is not finite", column.getName()), SQLITE_CORRUPT);
   }
-  return number;
+  return number + 0.0;
 }
 
 /// The same of JSON. Throws std::invalid_argument for one that `Number` does not hold, and

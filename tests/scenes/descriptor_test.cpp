@@ -258,16 +258,16 @@ TEST(Descriptor, ObjectsHaveNamesAndDirectionsOfTheirOwn) {
   const std::string again =
       "\n[[object]]\nname = \"Organ\"\nposition = [1, 2, 0]\nradius_deg = 4\n";
   EXPECT_THAT(error_of(good + again),
-              AllOf(HasSubstr("hall.toml:27:8"), HasSubstr("two objects are called \"Organ\"")));
+              AllOf(HasSubstr("hall.toml:27:8"), HasSubstr("two objects are named \"Organ\"")));
   EXPECT_THAT(error_of(with(good, "position = [4.0, 2.0, -3.0]", "position = [1.0, 2.0, 3.0]")),
               AllOf(HasSubstr("hall.toml:23:12"), HasSubstr("where the camera is")));
 }
 
 TEST(Descriptor, BuiltinScenesThatDoNotExistAreRefused) {
   EXPECT_THAT(error_of(with(good, "counterpart = \"church\"", "counterpart = \"castle\"")),
-              AllOf(HasSubstr("hall.toml:6:15"), HasSubstr("no built-in scene is called castle")));
+              AllOf(HasSubstr("hall.toml:6:15"), HasSubstr("no built-in scene is named castle")));
   EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", "builtin = true")),
-              AllOf(HasSubstr("hall.toml:4:11"), HasSubstr("no built-in scene is called hall")));
+              AllOf(HasSubstr("hall.toml:4:11"), HasSubstr("no built-in scene is named hall")));
 }
 
 TEST(Descriptor, OneThatCannotBeReadDoesNotHideTheOthers) {

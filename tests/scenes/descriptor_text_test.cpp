@@ -158,7 +158,7 @@ TEST(DescriptorText, IsRefusedIfNobodyCouldReadIt) {
   refusal(source, "environment_strength is out of range");
   source = kitchen();
   source.objects[1].name = "Cup";
-  refusal(source, "two objects are called \"Cup\"");
+  refusal(source, "two objects are named \"Cup\"");
 }
 
 TEST(DescriptorText, HoldsTheNamesOfFilesAsTheyAre) {

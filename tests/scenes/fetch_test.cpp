@@ -257,7 +257,7 @@ TEST_F(FetchTest, AFullDiskIsSaid) {
   fs::create_directories(part().parent_path());
   fs::create_symlink("/dev/full", part());
   EXPECT_THAT(fetch(hall_at(server.address("/hall.glb"))),
-              AllOf(HasSubstr("No space left"), HasSubstr("make room")));
+              AllOf(HasSubstr("No space left"), HasSubstr("free space")));
   EXPECT_FALSE(fs::exists(target()));
 }
 
