@@ -64,7 +64,7 @@ TEST_F(BenchConvergence, RefusesBadWishesBeforeTheWork) {
     EXPECT_FALSE(fs::exists(folder_ / "cache"));
   };
   expect_refused({"-o", results(), "--methods", "od,nonsense"}, 1, "nonsense");
-  expect_refused({"-o", results(), "--options", "magic"}, 2, "there is no option 'magic'");
+  expect_refused({"-o", results(), "--options", "magic"}, 2, "'magic' is not an option");
   expect_refused({"-o", results(), "--spp", "1"}, 2, "--spp");
   expect_refused({"-o", (folder_ / "no" / "where").string()}, 1, "where");
   expect_refused({"-o", (folder_ / "room.gltf").string()}, 1, "is read by the command, too");

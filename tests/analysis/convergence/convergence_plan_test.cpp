@@ -67,11 +67,11 @@ TEST(Configurations, OfPlainPathsAreTheirPartsTogether) {
 TEST(Configurations, RefuseWhatMakesNoSense) {
   EXPECT_THAT([] { (void)make_configurations({"od", "dov"}, {}); },
               ThrowsMessage<Error>(HasSubstr("dov")));
-  EXPECT_THAT(
-      [] { (void)make_configurations({"od"}, {"no-magic"}); },
-      ThrowsMessage<UsageError>(HasSubstr("no option 'no-magic'; choose from: independent")));
+  EXPECT_THAT([] { (void)make_configurations({"od"}, {"no-magic"}); },
+              ThrowsMessage<UsageError>(
+                  HasSubstr("'no-magic' is not an option; choose from: independent")));
   EXPECT_THAT([] { (void)make_configurations({"od", "fv", "od"}, {}); },
-              ThrowsMessage<UsageError>(HasSubstr("'od' comes twice")));
+              ThrowsMessage<UsageError>(HasSubstr("'od' is repeated")));
   EXPECT_THROW((void)make_configurations({}, {}), UsageError);
 }
 

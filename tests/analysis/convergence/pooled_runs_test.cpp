@@ -87,7 +87,7 @@ TEST_F(PooledRunsTest, DifferInScenesOrSeedsAlone) {
                  R"(processor is "Z80", not null)");
   std::vector<GazeMeasurement> others = all_measurements();
   others[0].scene_sha256 = "another's";
-  expect_refused({first, run("edited", others)}, "has measured another scene as aula at 10,0");
+  expect_refused({first, run("edited", others)}, "has another scene named aula at 10,0");
   others[0].configurations[1] = "vp";
   expect_refused({first, run("method", others)}, "has other configurations");
 }

@@ -42,7 +42,7 @@ class Rehearsal : public StudyRun {
 TEST_F(Rehearsal, ShowsTheSceneAsItChanges) {
   begin({"--pilot"});
   participant_.replace_scene(hall_in("0.6,0.0,0.0"));
-  wait_for_note("scene hall has changed, ");
+  wait_for_note("scene hall has changed; from here on its SHA-256 is ");
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
   EXPECT_GT(redness(participant_.picture()), 0.6);
   participant_.type("Return");
@@ -52,7 +52,7 @@ TEST_F(Rehearsal, ShowsTheSceneAsItChanges) {
   participant_.replace_scene("not a scene");
   EXPECT_THAT(wait_for_note("changed scene hall cannot be shown: "), HasSubstr("hall.glb"));
   participant_.replace_scene(hall_in("0.0,0.6,0.0"));
-  wait_for_note("scene hall has changed, ");
+  wait_for_note("scene hall has changed; from here on its SHA-256 is ");
   EXPECT_EQ(participant_.wait_for_page(), "marking");
   EXPECT_LT(redness(participant_.picture()), 0.2);
   participant_.type("space");
