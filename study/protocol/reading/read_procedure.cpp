@@ -110,7 +110,7 @@ ReactionSettings read_reaction(TomlReader reader) {
     reader.fail(reader.source(has_longest ? "longest_wait_s" : "shortest_wait_s"),
                 fmt::format("the range of waits from {} to {} seconds is empty",
                             reaction.shortest_wait_s, reaction.longest_wait_s),
-                "make the maximum wait longer than the minimum");
+                "make longest_wait_s longer than shortest_wait_s");
   }
   return reaction;
 }

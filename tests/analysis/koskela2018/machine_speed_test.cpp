@@ -110,7 +110,7 @@ TEST(MachineSpeed, NeedsEveryCell) {
     return std::vector{cell("bmw", "outline", 1.0, 2.0), cell("sponza", "outline", 1.0, {})};
   };
   EXPECT_THAT([&] { fit_machine_speed(compare, 1e6); },
-              ThrowsMessage<Error>(HasSubstr("no times with OD until the mark outline in sponza")));
+              ThrowsMessage<Error>(HasSubstr("no times with OD to the mark outline in sponza")));
 }
 
 TEST(MachineSpeed, IsNotGuessedWhereTimesDoNotDependOnIt) {

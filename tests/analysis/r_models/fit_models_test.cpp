@@ -69,11 +69,11 @@ TEST(ReadModels, RefusesWhatTheScriptDoesNotWrite) {
   EXPECT_THAT(complaint("measure\noutline,fv\n"), HasSubstr("a row has 2 fields"));
   EXPECT_THAT(complaint("measure\noutline\n"), HasSubstr("has no column"));
   EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,x,,,,,,,,,,,,,,,,,\n"),
-              HasSubstr("\"x\" in the column estimate is no number"));
+              HasSubstr("\"x\" in the column estimate is not a number"));
   EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,stars,,,,,,,1,1,1,0,,,,,,,,\n"),
-              HasSubstr("\"stars\" is no scale"));
+              HasSubstr("\"stars\" is not a scale"));
   EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,,,,,,,Inf,1,1,0,,,,,,,,\n"),
-              HasSubstr("\"Inf\" in the column trials is no count"));
+              HasSubstr("\"Inf\" in the column trials is not a count"));
 }
 
 TEST(MissingFor, NamesThePackagesThatRDoesNotHave) {

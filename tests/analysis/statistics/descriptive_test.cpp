@@ -116,10 +116,10 @@ TEST(Descriptive, GeometricMeanNamesTheValueWithoutLogarithm) {
   const auto of = [](std::vector<double> values) {
     return [values = std::move(values)] { (void)geometric_mean(values); };
   };
-  EXPECT_THAT(of({1.0, 2.0, 0.0}),
-              ThrowsMessage<Error>(AllOf(HasSubstr("value 3 of 3"), HasSubstr("is 0"))));
-  EXPECT_THAT(of({-1.5, 2.0}),
-              ThrowsMessage<Error>(AllOf(HasSubstr("value 1 of 2"), HasSubstr("is -1.5"))));
+  EXPECT_THAT(of({1.0, 2.0, 0.0}), ThrowsMessage<Error>(AllOf(HasSubstr("value 3 of 3"),
+                                                              HasSubstr("0 is not above zero"))));
+  EXPECT_THAT(of({-1.5, 2.0}), ThrowsMessage<Error>(AllOf(HasSubstr("value 1 of 2"),
+                                                          HasSubstr("-1.5 is not above zero"))));
   EXPECT_THAT(of({1.0, std::numeric_limits<double>::quiet_NaN()}),
               ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
 }

@@ -121,7 +121,7 @@ TEST(PreflightChecks, AGateNamesAllThatMissesIt) {
     require_gate(check_preflight(bad_preflight(), {.max_gaze_loss = 0.1, .set_clock = true}));
     ADD_FAILURE() << "nothing was thrown";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("asks for: gaze lost, clock; nothing was begun"));
+    EXPECT_THAT(error.what(), HasSubstr("limits: gaze lost, clock; nothing was begun"));
   }
 }
 
@@ -184,7 +184,7 @@ TEST(PreflightBanner, OffersAMonitorForAHeadsetThatIsNotThere) {
   preflight.display.kind = DisplayKind::headset;
   const std::string offer = "--display desktop --tracker pointer";
   EXPECT_THAT(preflight_banner(preflight, true),
-              AllOf(HasSubstr("STANDS IN FOR THE HEADSET DESK"), HasSubstr(offer)));
+              AllOf(HasSubstr("REPLACES THE HEADSET DESK"), HasSubstr(offer)));
   EXPECT_THAT(preflight_banner(preflight, false), Not(HasSubstr(offer)));
 }
 

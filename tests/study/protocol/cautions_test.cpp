@@ -60,7 +60,7 @@ TEST_F(Cautions, FewScenesThatAPlanTakesForRandom) {
   const std::string plan = "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n";
   EXPECT_THAT(of(text + plan),
               ElementsAre(AllOf(StartsWith(path_.string() + ":5:"),
-                                HasSubstr("2 scenes are too few to speak of others like them"))));
+                                HasSubstr("2 scenes are too few to generalise to other scenes"))));
   EXPECT_THAT(of(text + "[analysis]\nscenes = \"fixed\"\n" + plan), IsEmpty());
   EXPECT_THAT(of(text), IsEmpty());
 }

@@ -343,7 +343,7 @@ TEST_F(Store, ChangesNothingWhenAnEventCannotBeRecorded) {
   const SessionState rating{.phase = Phase::rating, .step = 1};
   const SessionState next{.phase = Phase::ready, .step = 2};
   refusal([&] {
-    store.record(session,
+    store.record(session + 1,
                  EventEntry{.time = ms(1), .event = rated(3), .before = rating, .after = next});
   });
   EXPECT_EQ(stored("SELECT count(*) FROM event"), "0");

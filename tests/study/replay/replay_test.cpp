@@ -301,7 +301,7 @@ TEST_F(ChangedRecord, AnEventThatTheDriverMakesOtherwiseIsNamed) {
     EXPECT_EQ(
         difference("timed_out", time_set(time)),
         fmt::format("event {0} is recorded as timed_out {{\"time_ns\":{1}}} at {1} ns, but the "
-                    "session driven again makes timed_out {{\"time_ns\":{2}}} at {2} ns",
+                    "replayed session makes timed_out {{\"time_ns\":{2}}} at {2} ns",
                     number_of("timed_out"), time, deadline));
     EXPECT_THAT(report_.attempts, SizeIs(3)) << "it goes on by the record";
   }
