@@ -71,7 +71,7 @@ TEST(Expectations, WhatIsImpossibleIsRefused) {
   refused(outline, {.measures = {{"material", "fv", 20.0}}}, "the previous mark");
   refused(outline, {.measures = {{"outlines", "fv", 20.0}}}, "choose one of outline");
   refused(outline, {.measures = {{"outline", "xy", 20.0}}}, "choose one of od");
-  refused(outline, {.measures = {{"outline", "od", 20.0}}}, "compared with");
+  refused(outline, {.measures = {{"outline", "od", 20.0}}}, "this is the baseline");
   refused(outline, {.measures = {{"outline", "fv", -20.0}}}, "above 0");
   refused(planned_protocol({}), {}, "[[analysis.primary]]");
   refused(planned_protocol({{"comfort", "fv", "od"}}), {}, "--effect comfort:fv:1");
