@@ -13,6 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
+#include "study/record/controller_lock.h"
 #include "study/record/damage_remedy.h"
 #include "study/record/database_checks.h"
 #include "study/record/journal_check.h"
@@ -69,8 +70,8 @@ SQLite::Database open_immutable(const fs::path& path) {
   return {immutable_uri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI};
 }
 
-/// Where its folder cannot be written, SQLite cannot read a log: of a copy that has no name any
-/// more when this returns.
+/// Of a copy that has no name any more when this returns: where the folder cannot be written,
+/// SQLite cannot read a log; where a journal is beside it, SQLite would have to play it back first.
 SQLite::Database open_copy(const fs::path& path) {
   const ScratchFolder folder;
   const fs::path copy = folder / path.filename().string();
@@ -84,11 +85,10 @@ SQLite::Database open_copy(const fs::path& path) {
 
 /// A file with a log beside it.
 SQLite::Database open_with_log(const fs::path& path) {
-  if (has_playable_journal(path)) {
-    throw Error(path.string(),
-                "has a journal and a log beside it (-journal, -wal), of which only one "
-                "can be its own",
-                "move the journal away, and see whether foveola study verify finds a fault");
+  // Looking at the file itself would end the lock of a session in this process.
+  if (has_playable_journal(path) && !is_controlled(path)) {
+    require_own_journal(path);
+    return open_copy(path);
   }
   try {
     SQLite::Database database(path, SQLite::OPEN_READONLY, busy_timeout_ms);
