@@ -3,7 +3,10 @@
 
 #include <stop_token>
 
-#include "renderer/command_line/cli_fwd.h"
+// Not command_line/cli_fwd.h: this header is installed, that one is not.
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace foveola::scenes {
 
