@@ -112,11 +112,12 @@ TEST(Equation7, TheTableDoesNotSmearTheGap) {
 }
 
 constexpr AzimuthElevation heading{.azimuth_rad = 0.7, .elevation_rad = -0.3};
-const Vec3 gaze = direction_from(heading);
+const Vec3 heading_direction = direction_from(heading);
 
 std::unique_ptr<ViewSampler> aimed(const char* method) {
   std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
-  sampler->aim({.viewport = Viewport(head_orientation(heading), 1.7, 1.7), .gaze = gaze});
+  sampler->aim(
+      {.viewport = Viewport(head_orientation(heading), 1.7, 1.7), .gaze = heading_direction});
   return sampler;
 }
 
@@ -135,7 +136,7 @@ std::vector<double> counted(const char* method, std::size_t samples_in_all, std:
     }
     sampler->sample(points, samples);
     for (const ViewSample& sample : samples) {
-      counts[bin_of(degrees(angle_between(sample.direction, gaze)))] += 1.0;
+      counts[bin_of(degrees(angle_between(sample.direction, heading_direction)))] += 1.0;
     }
   }
   return counts;
@@ -179,7 +180,8 @@ TEST(Equation7, SamplesFollowItAndNotTheExactInverse) {
 // No part of a hybrid divides by the density of another.
 TEST(Equation7, AHybridHasTheOthersDensityInTheGap) {
   const Vec3 in_gap =
-      Frame(gaze).to_world(Vec3(std::sin(radians(5.7926)), 0.0, std::cos(radians(5.7926))));
+      Frame(heading_direction)
+          .to_world(Vec3(std::sin(radians(5.7926)), 0.0, std::cos(radians(5.7926))));
   EXPECT_EQ(aimed("fv-paper")->density_per_sr(in_gap), 0.0);
   EXPECT_EQ(aimed("hybrid:0.5*fv-paper+0.5*od")->density_per_sr(in_gap),
             0.5 * aimed("od")->density_per_sr(in_gap));
@@ -193,15 +195,16 @@ TEST(DensityAround, SeesBeyondAThinRing) {
     const double azimuth = 2.0 * pi * i / 16.0;
     for (const double e : {5.7905, 5.7926, 5.7948}) {
       const double radius = std::sin(radians(e));
-      const Vec3 in_gap = Frame(gaze).to_world(
-          Vec3(radius * std::cos(azimuth), radius * std::sin(azimuth), std::cos(radians(e))));
+      const Vec3 in_gap = Frame(heading_direction)
+                              .to_world(Vec3(radius * std::cos(azimuth), radius * std::sin(azimuth),
+                                             std::cos(radians(e))));
       ASSERT_EQ(paper->density_per_sr(in_gap), 0.0);
       EXPECT_NEAR(density_around(*paper, in_gap) / fv->density_per_sr(in_gap), 1.0, 0.03);
     }
   }
-  const Vec3 elsewhere = -gaze;
+  const Vec3 elsewhere = -heading_direction;
   EXPECT_EQ(density_around(*paper, elsewhere), 0.0);
-  EXPECT_EQ(density_around(*paper, gaze), paper->density_per_sr(gaze));
+  EXPECT_EQ(density_around(*paper, heading_direction), paper->density_per_sr(heading_direction));
 }
 
 using std::numbers::pi;
