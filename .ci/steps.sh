@@ -4,6 +4,7 @@ mkdir -p build
 echo kind,name,seconds,processor_seconds >"$minutes_csv"
 
 print_minutes() {
+  local status=$?
   awk -F'","|",|,"' '
     $1 == "step" {
       split($3, seconds, ",")
@@ -11,6 +12,7 @@ print_minutes() {
     }
     $1 == "skipped" {printf "CI:    skipped %s\n", $2}' "$minutes_csv"
   printf 'CI: %3d:%02d min in all\n' $((SECONDS / 60)) $((SECONDS % 60))
+  [ "$status" -eq 0 ] || printf 'CI: failed in: %s\n' "$running_step"
 }
 trap print_minutes EXIT
 
@@ -21,10 +23,13 @@ take_processor_s() {
   processor_s=$(((stat[15] + stat[16]) / 100))
 }
 
+running_step='what comes before the steps'
+
 # step NAME COMMAND...
 step() {
   local name=$1 began=$SECONDS processor_s began_s
   shift
+  running_step=$name
   printf 'CI: %s\n' "$name"
   take_processor_s
   began_s=$processor_s

@@ -37,19 +37,24 @@ run_tests() {
   ctest --preset "$preset" --no-tests=error --parallel "$(nproc)" --label-regex "^$(any_of "$@")\$"
 }
 
-# at_once FIRST SECOND: runs two functions, neither of which keeps two cores busy by itself, and shows
-# what FIRST prints when both have ended. FIRST ignores SIGINT, as a shell's background jobs do.
+# at_once FIRST SECOND: runs two functions, neither of which keeps two cores busy by itself, and then shows
+# what each printed, what failed last. FIRST ignores SIGINT, as a shell's background jobs do.
 at_once() {
-  local log first passed=yes
-  log=$(mktemp)
-  (set -e; "$1") >"$log" 2>&1 &
+  local first_log second_log first status=0
+  first_log=$(mktemp)
+  second_log=$(mktemp)
+  (set -e; "$1") >"$first_log" 2>&1 &
   first=$!
   set +e
-  (set -e; "$2")
-  [ $? -eq 0 ] || passed=no
-  wait "$first" || passed=no
+  (set -e; "$2") >"$second_log" 2>&1
+  status=$?
   set -e
-  cat "$log"
-  rm -f "$log"
-  [ "$passed" = yes ]
+  if wait "$first"; then
+    cat "$first_log" "$second_log"
+  else
+    status=1
+    cat "$second_log" "$first_log"
+  fi
+  rm -f "$first_log" "$second_log"
+  return "$status"
 }
