@@ -45,6 +45,7 @@ Error error_of(const fs::path& path, const SQLite::Exception& fault) {
     case SQLITE_NOTADB:
       return error("is no database", "name a study that foveola has written, or a new file");
     case SQLITE_CORRUPT:
+    case SQLITE_ERROR:  // The schema is known, so that only a value can make a statement fail.
       return error(fmt::format("is damaged ({})", fault.what()), damage_remedy);
     case SQLITE_CANTOPEN:
       return error("cannot be opened", "check its permissions and its folder's");

@@ -76,29 +76,13 @@ class SessionCheck {
         found_(found) {}
 
   void run() {
-    if (chain_holds()) {
-      check_events();
+    for (const auto check : {&SessionCheck::check_log, &SessionCheck::check_measurements,
+                             &SessionCheck::check_clock, &SessionCheck::list_gaps}) {
+      run_check(found_, participant_, [&] { (this->*check)(); });
     }
-    try {
-      check_chunks("frame_chunk");
-      check_chunks("gaze_chunk");
-      check_film_hashes();
-      check_owners();
-    } catch (const SQLite::Exception& damage) {
-      fault_of(damage);
-    }
-    check_clock();
-    list_gaps();
   }
 
  private:
-  /// A number that Foveola never writes is a fault of the session; all else is one of the file.
-  void fault_of(const SQLite::Exception& damage) {
-    if (damage.getErrorCode() != SQLITE_CORRUPT) {
-      throw damage;
-    }
-    fault(damage.what());
-  }
   void fault(const std::string& what) { found_.faults.push_back({participant_, what}); }
   void warning(const std::string& what) { found_.warnings.push_back({participant_, what}); }
   void gap(const std::string& what) { found_.gaps.push_back({participant_, what}); }
@@ -106,6 +90,18 @@ class SessionCheck {
   PreparedStatement rows(const std::string& sql) const { return rows(study_, sql); }
   PreparedStatement rows(PreparedStatements& statements, const std::string& sql) const {
     return {statements, sql, session_};
+  }
+
+  void check_log() {
+    if (chain_holds()) {
+      check_events();
+    }
+  }
+  void check_measurements() {
+    check_chunks("frame_chunk");
+    check_chunks("gaze_chunk");
+    check_film_hashes();
+    check_owners();
   }
 
   bool chain_holds() {
@@ -147,8 +143,6 @@ class SessionCheck {
       }
     } catch (const Error& error) {
       fault(error.what());
-    } catch (const SQLite::Exception& damage) {
-      fault_of(damage);
     }
   }
 
@@ -329,6 +323,25 @@ class SessionCheck {
 };
 
 }  // namespace
+
+void run_check(Verification& found, const std::string& participant,
+               const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const SQLite::Exception& damage) {
+    switch (damage.getErrorCode()) {
+      case SQLITE_CORRUPT:
+        found.faults.push_back({participant, damage.what()});
+        break;
+      case SQLITE_ERROR:
+        found.faults.push_back(
+            {participant, fmt::format("a value cannot be read ({})", damage.what())});
+        break;
+      default:
+        throw;
+    }
+  }
+}
 
 Verification check_sessions(PreparedStatements& study, std::span<const SessionKey> sessions) {
   Verification found{.sessions = sessions.size()};

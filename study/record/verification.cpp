@@ -43,12 +43,14 @@ SQLite::Database copy_to_verify(const fs::path& path) {
 Verification check_integrity(const fs::path& path) {
   Verification found;
   SQLite::Database study = copy_to_verify(path);
-  SQLite::Statement integrity(study, "PRAGMA integrity_check");
-  while (integrity.executeStep()) {
-    if (const std::string finding = integrity.getColumn(0).getString(); finding != "ok") {
-      found.faults.push_back({"", finding});
+  run_check(found, "", [&] {
+    SQLite::Statement integrity(study, "PRAGMA integrity_check");
+    while (integrity.executeStep()) {
+      if (const std::string finding = integrity.getColumn(0).getString(); finding != "ok") {
+        found.faults.push_back({"", finding});
+      }
     }
-  }
+  });
   SQLite::Statement foreign_keys(study, "PRAGMA foreign_key_check");
   while (foreign_keys.executeStep()) {
     found.faults.push_back({"", fmt::format("a row of {} refers to one of {} that is not there",
@@ -246,10 +248,9 @@ Verification verify(const fs::path& path) {
     }
     check_log(study, file, found);
     check_schema(study, path, found);
-    check_texts(study, found);
-    check_programs(study, found);
-    check_setups(study, found);
-    check_dates(study, found);
+    for (const auto check : {check_texts, check_programs, check_setups, check_dates}) {
+      run_check(found, "", [&] { check(study, found); });
+    }
     sessions = session_keys(study);
   }
   check_file_and_sessions(path, sessions, found);

@@ -88,6 +88,9 @@ const SqlChange changes[] = {
      "is not what was written"},
     {"UPDATE event SET utc = '2020' || substr(utc, 5) WHERE session = 1 AND sequence = 5",
      "event 5 is not"},
+    {"UPDATE event SET payload = '{' WHERE session = 1 AND sequence = 5",
+     "a value cannot be read (malformed JSON)"},
+    {"UPDATE session SET devices = '{' WHERE id = 1", "a value cannot be read (malformed JSON)"},
     {"UPDATE event SET trial = 1 WHERE session = 1 AND trial = 0", "is not what was written"},
     {"UPDATE event SET measured = NULL WHERE session = 1", "is not what was written"},
     // The study's facts.
