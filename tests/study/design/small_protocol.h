@@ -3,11 +3,12 @@
 
 #include "study/protocol/protocol.h"
 
-namespace foveola::study::test {
+namespace foveola::test {
 
 /// Scenes a, b, ...; methods x, y, z and no more; the phase of trials.
-inline Protocol small_protocol(int scenes, int methods, Order scene_order, Order method_order) {
-  Protocol protocol;
+inline study::Protocol small_protocol(int scenes, int methods, study::Order scene_order,
+                                      study::Order method_order) {
+  study::Protocol protocol;
   for (int i = 0; i < scenes; ++i) {
     protocol.scenes.push_back({.name = std::string(1, static_cast<char>('a' + i))});
   }
@@ -16,8 +17,8 @@ inline Protocol small_protocol(int scenes, int methods, Order scene_order, Order
   }
   protocol.scene_order = scene_order;
   protocol.method_order = method_order;
-  protocol.phases = {{PhaseEntry::Kind::trials}};
+  protocol.phases = {{study::PhaseEntry::Kind::trials}};
   return protocol;
 }
 
-}  // namespace foveola::study::test
+}  // namespace foveola::test

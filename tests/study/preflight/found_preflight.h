@@ -3,7 +3,7 @@
 
 #include "study/preflight/preflight.h"
 
-namespace foveola::study::test {
+namespace foveola::test {
 
 inline DisplayProfile stated_monitor() {
   return {.name = "desk",
@@ -16,14 +16,14 @@ inline DisplayProfile stated_monitor() {
           .viewing_distance_m = 0.6};
 }
 
-inline FoundDisplay found_monitor() {
+inline study::FoundDisplay found_monitor() {
   return {.window_px = {1280, 720},
           .monitor_px = {1920, 1080},
           .monitor_width_m = 0.53,
           .refresh_rate_hz = 59.9};
 }
 
-inline Preflight good_preflight() {
+inline study::Preflight good_preflight() {
   return {.speeds = {{.scene = "hall",
                       .method = "od",
                       .frames = 60,
@@ -45,4 +45,4 @@ inline Preflight good_preflight() {
           .is_clock_set = true};
 }
 
-}  // namespace foveola::study::test
+}  // namespace foveola::test

@@ -36,7 +36,7 @@ Colors dark() {
 }
 
 /// The relative luminance of "#rrggbb", as WCAG 2.2 defines it.
-double luminance(const std::string& color) {
+double luminance_of_hex(const std::string& color) {
   const long rgb = std::strtol(color.substr(1).c_str(), nullptr, 16);
   const auto linear = [](long byte) {
     const double value = static_cast<double>(byte & 0xff) / 255.0;
@@ -47,7 +47,7 @@ double luminance(const std::string& color) {
 
 /// The contrast ratio as WCAG 2.2 defines it, 1 to 21.
 double contrast(const std::string& a, const std::string& b) {
-  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  const auto [low, high] = std::minmax({luminance_of_hex(a), luminance_of_hex(b)});
   return (high + 0.05) / (low + 0.05);
 }
 
