@@ -258,8 +258,21 @@ std::string StudyStore::protocol_text() const {
 
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
-void StudyStore::mark_as_part(const SimulatedWhole& whole) {
-  implementation_->commit([&] { study::mark_as_part(implementation_->database, whole); });
+void StudyStore::mark_as_part(const std::optional<SimulatedWhole>& whole) {
+  implementation_->commit([&] {
+    SQLite::Database& database = implementation_->database;
+    const std::optional<SimulatedWhole> before = whole_of(database);
+    if (whole == before) {
+      return;
+    }
+    if (before) {
+      throw Error(implementation_->path.string(),
+                  fmt::format("is a part of a simulated study of {} participants with the seed {}",
+                              before->participants, before->seed),
+                  "name a new file, or simulate as when this file was begun");
+    }
+    study::mark_as_part(database, *whole);
+  });
 }
 
 bool StudyStore::has_participant(const std::string& code) const {
