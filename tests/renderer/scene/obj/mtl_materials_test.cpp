@@ -217,7 +217,7 @@ TEST_F(MtlMaterials, AMapOverBlackIsSeen) {
 TEST_F(MtlMaterials, AMapOfAZeroCounts) {
   grey("grey.png", 200);
   EXPECT_EQ(material("Ke 0 0 0\nmap_Ke grey.png\n").emission, Rgb(1.0F));
-  EXPECT_EQ(material("Ke 0 0 0\nmap_Ke none.png\n").emission, Rgb(0.0F));
+  EXPECT_EQ(read("Ke 0 0 0\nmap_Ke none.png\n").first.emission, Rgb(0.0F));
   EXPECT_EQ(material("Ke 0.5 0.5 0.5\nmap_Ke grey.png\n").emission, Rgb(0.5F));
   EXPECT_EQ(material("Pr 0.5\nPm 0\nmap_Pm grey.png\n").metallic, 1.0F);
   EXPECT_EQ(material("Pr 0\nPm 0.5\nmap_Pr grey.png\n").roughness, 1.0F);
