@@ -262,16 +262,14 @@ void StudyStore::mark_as_part(const std::optional<SimulatedWhole>& whole) {
   implementation_->commit([&] {
     SQLite::Database& database = implementation_->database;
     const std::optional<SimulatedWhole> before = whole_of(database);
-    if (whole == before) {
-      return;
-    }
-    if (before) {
+    if (whole) {
+      study::mark_as_part(database, *whole);
+    } else if (before) {
       throw Error(implementation_->path.string(),
                   fmt::format("is a part of a simulated study of {} participants with the seed {}",
                               before->participants, before->seed),
-                  "name a new file, or simulate as when this file was begun");
+                  "name a new file, or give --shard as when this file was begun");
     }
-    study::mark_as_part(database, *whole);
   });
 }
 

@@ -103,7 +103,7 @@ class StudyStore {
   const std::optional<Amendment>& amendment() const;
 
   /// Records that the file holds a part of the simulated study `whole`; empty: that it holds a
-  /// whole one. Throws Error if it holds a part of another.
+  /// whole one. Throws Error if `whole` is empty and the file holds a part.
   void mark_as_part(const std::optional<SimulatedWhole>& whole);
 
   /// Whether a participant of this code has a session.
