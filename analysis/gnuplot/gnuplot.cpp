@@ -72,7 +72,7 @@ std::string svg_terminal(int width, int height) {
       width, height);
 }
 
-constexpr const char* complete_gnuplot =
+constexpr const char* gnuplot_remedy =
     "check that gnuplot 5.4 or newer is installed, with its cairo terminals";
 
 std::string png_terminal(int width, int height) {
@@ -99,7 +99,7 @@ Figure split(const std::string& name, const std::string& script, const std::stri
   const std::size_t png = drawn.find(png_begin, drawn.find(svg_end));
   const std::size_t end = drawn.find(png_end, png);
   if (end == std::string::npos) {
-    throw Error("gnuplot", "drew no SVG or no PNG", complete_gnuplot);
+    throw Error("gnuplot", "drew no SVG or no PNG", gnuplot_remedy);
   }
   const std::size_t pdf = end + png_end.size();
   return {name, drawn.substr(0, png), drawn.substr(png, pdf - png), dateless_pdf(drawn.substr(pdf)),
@@ -118,10 +118,10 @@ Figure drawn_figure(const std::string& name, int width, int height, const std::s
 std::string run_gnuplot(const std::string& script) {
   const ProgramEnd end = end_of_gnuplot(script);
   if (end.status != 0) {
-    throw Error("gnuplot", "failed: " + end.errors, complete_gnuplot);
+    throw Error("gnuplot", "failed: " + end.errors, gnuplot_remedy);
   }
   if (end.output.empty()) {
-    throw Error("gnuplot", "drew nothing, and reported no fault", complete_gnuplot);
+    throw Error("gnuplot", "drew nothing, and reported no fault", gnuplot_remedy);
   }
   return end.output;
 }
