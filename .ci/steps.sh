@@ -59,5 +59,16 @@ branch_base() {
 has_changed() {
   local base
   base=$(branch_base) || return 0
-  git diff --name-only "$base" | grep -E "$1" >/dev/null
+  git diff --name-only "$base" -- . ':!.ci/base' | grep -E "$1" >/dev/null
+}
+
+# step_if_changed PATTERN NAME COMMAND...: a step that is skipped if has_changed PATTERN fails.
+step_if_changed() {
+  local pattern=$1
+  shift
+  if has_changed "$pattern"; then
+    step "$@"
+  else
+    skip_step "$1" "no file like $pattern has changed since $(branch_base)"
+  fi
 }

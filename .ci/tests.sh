@@ -58,3 +58,16 @@ at_once() {
   rm -f "$first_log" "$second_log"
   return "$status"
 }
+
+# --- Our files and programs beside those of others; what is missing is installed, by root ---
+
+read_trackers_through_a_kernel() { tests/kernel_hid/run_in_qemu --install || [ $? -eq 77 ]; }
+run_in_slurm() { tests/slurm/run_in_slurm --install || [ $? -eq 77 ]; }
+read_tables_in_r_and_pandas() {
+  tests/analysis/readers/check --install
+  ctest --preset release --no-tests=error --tests-regex '^csv_files_in_|/FitModels'
+}
+validate_bids() {
+  tests/analysis/bids/check --install
+  tests/analysis/bids/check build/release/foveola
+}
