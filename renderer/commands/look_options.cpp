@@ -155,6 +155,12 @@ void apply_light(const LookArguments& arguments, SceneSource& source) {
   source.environment_strength *= arguments.environment_strength;
   apply_scene_file_options(arguments.file, source);
   if (arguments.light_radius_m) {
+    constexpr double max_radius_m = 1e6;  // as of a glTF file's lights
+    if (!(*arguments.light_radius_m >= 0.0 && *arguments.light_radius_m <= max_radius_m)) {
+      throw UsageError("--light-radius",
+                       fmt::format("'{:g}' is not a radius", *arguments.light_radius_m),
+                       fmt::format("give metres from 0 to {:g}", max_radius_m));
+    }
     source.light_radius_m = static_cast<float>(*arguments.light_radius_m);
   }
   if (arguments.sun_radius_deg) {

@@ -15,11 +15,9 @@ namespace foveola {
 namespace {
 
 constexpr unsigned bit(ImageFormats use) { return 1U << static_cast<unsigned>(use); }
-constexpr unsigned for_pictures = bit(ImageFormats::picture);
-constexpr unsigned for_environments = for_pictures | bit(ImageFormats::environment);
+constexpr unsigned for_pictures = bit(ImageFormats::picture) | bit(ImageFormats::environment);
 constexpr unsigned for_obj = for_pictures | bit(ImageFormats::any_texture);
 constexpr unsigned for_textures = for_obj | bit(ImageFormats::gltf_texture);
-constexpr unsigned for_all = for_textures | for_environments;
 
 /// A file format, recognised by its first bytes, and its maximum compression.
 struct Format {
@@ -37,15 +35,15 @@ constexpr std::size_t any_number = std::numeric_limits<std::uint32_t>::max();
 /// bytes for each of four channels, one of 255 a BMP two bytes, one of 128 a TGA two bytes; the
 /// 4096 pixels that GIF's longest word stands for take 12 bits.
 constexpr std::array<Format, 10> formats = {
-    {{"png", "\x89PNG", for_all, 8 * 1032},
-     {"jpeg", "\xFF\xD8\xFF", for_all, 8 * 64},
+    {{"png", "\x89PNG", for_textures, 8 * 1032},
+     {"jpeg", "\xFF\xD8\xFF", for_textures, 8 * 64},
      {"webp", "RIFF", for_textures, any_number},
      {"bmp", "BM", for_obj, 128},
      {"gif", "GIF8", for_obj, 2731},
      {"tiff", {"II*\0", 4}, for_obj, 8 * 1032},
      {"tiff", {"MM\0*", 4}, for_obj, 8 * 1032},
-     {"openexr", "\x76\x2F\x31\x01", for_environments, 8 * 1032},
-     {"hdr", "#?", for_environments, 16},
+     {"openexr", "\x76\x2F\x31\x01", for_pictures, 8 * 1032},
+     {"hdr", "#?", for_pictures, 16},
      {"pnm", "P", for_pictures, 8}}};
 
 constexpr Format targa = {"targa", "", for_obj, 64};
@@ -62,10 +60,9 @@ bool is_targa(std::span<const unsigned char> encoded) {
 
 const char* refusal_of(ImageFormats allowed) {
   switch (allowed) {
-    case ImageFormats::environment:
-      return "is not an EXR, HDR, PNG or JPEG image";
     case ImageFormats::gltf_texture:
       return "is not a PNG, JPEG or WebP image";
+    case ImageFormats::environment:
     case ImageFormats::picture:
       return "is not an EXR, HDR, PNG, JPEG, WebP, BMP, GIF, TGA, TIFF or PNM image";
     case ImageFormats::any_texture:

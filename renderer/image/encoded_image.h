@@ -12,8 +12,8 @@ namespace foveola {
 enum class ImageFormats : std::uint8_t {
   gltf_texture,  ///< PNG, JPEG and WebP
   any_texture,   ///< and BMP, GIF, TGA and TIFF
-  environment,   ///< PNG, JPEG, EXR and HDR
-  picture,       ///< all of these, and PNM
+  environment,   ///< all of these, EXR, HDR and PNM
+  picture,       ///< the same, of more pixels on a side
 };
 
 /// Opens an image of one of the formats, recognised by its first bytes. `encoded` must outlive the

@@ -227,6 +227,9 @@ IVec2 image_size(const fs::path& path) {
 
 FilmImage read_film_image(const fs::path& path) {
   return with_picture(path, [](const OpenPicture& picture) {
+    if (!has_valid_primaries(picture.reader->header())) {
+      throw std::runtime_error("has primaries that span no colour space");
+    }
     FilmImage image{.color = read_linear_color(*picture.reader),
                     .samples = {},
                     .variances = picture.values_of("variance")};

@@ -90,32 +90,38 @@ DMat3 adaptation(const DVec3& from_white, const DVec3& to_white) {
          DMat3(DVec3(ratio.x, 0, 0), DVec3(0, ratio.y, 0), DVec3(0, 0, ratio.z)) * cones;
 }
 
-/// nullopt if the file's primaries are those of Rec. 709.
-std::optional<Mat3> rec709_from_file(const ImageHeader& header) {
+/// Not finite if the primaries or the white are invalid.
+Mat3 rec709_from_primaries(const std::array<float, 8>& chromaticities) {
   const DMat3 xyz_from_rec709 = xyz_from_rgb(rec709);
+  const DMat3 xyz_from_file = xyz_from_rgb(chromaticities);
+  const DVec3 white(1.0);
+  return Mat3(glm::inverse(xyz_from_rec709) *
+              adaptation(xyz_from_file * white, xyz_from_rec709 * white) * xyz_from_file);
+}
+
+/// nullopt if the file's primaries are those of Rec. 709, or invalid.
+std::optional<Mat3> rec709_from_file(const ImageHeader& header) {
   if (header.is_xyz) {
-    return Mat3(glm::inverse(xyz_from_rec709));
+    return Mat3(glm::inverse(xyz_from_rgb(rec709)));
   }
-  if (!header.chromaticities) {
+  if (!header.chromaticities || !has_valid_primaries(header)) {
     return std::nullopt;
   }
   constexpr float same = 1e-3F;
   const bool are_rec709 = std::equal(rec709.begin(), rec709.end(), header.chromaticities->begin(),
                                      [](float a, float b) { return std::abs(a - b) < same; });
-  if (are_rec709) {
-    return std::nullopt;
-  }
-  const DMat3 xyz_from_file = xyz_from_rgb(*header.chromaticities);
-  const DVec3 white(1.0);
-  const Mat3 matrix(glm::inverse(xyz_from_rec709) *
-                    adaptation(xyz_from_file * white, xyz_from_rec709 * white) * xyz_from_file);
-  if (!is_finite(matrix[0]) || !is_finite(matrix[1]) || !is_finite(matrix[2])) {
-    throw std::runtime_error("has primaries that span no colour space");
-  }
-  return matrix;
+  return are_rec709 ? std::nullopt : std::optional(rec709_from_primaries(*header.chromaticities));
 }
 
 }  // namespace
+
+bool has_valid_primaries(const ImageHeader& header) {
+  if (!header.chromaticities) {
+    return true;
+  }
+  const Mat3 matrix = rec709_from_primaries(*header.chromaticities);
+  return is_finite(matrix[0]) && is_finite(matrix[1]) && is_finite(matrix[2]);
+}
 
 RgbImage read_linear_color(ImageReader& image) {
   const ImageHeader& header = image.header();

@@ -13,4 +13,7 @@ namespace foveola {
 /// layer is unique.
 RgbImage read_linear_color(ImageReader& image);
 
+/// Whether the primaries that the file states, if any, span a colour space. Others are ignored.
+bool has_valid_primaries(const ImageHeader& header);
+
 }  // namespace foveola

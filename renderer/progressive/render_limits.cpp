@@ -7,6 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
+#include "renderer/scene/far_geometry.h"
 
 namespace foveola {
 namespace {
@@ -61,7 +62,6 @@ RenderBudget budget_of(const BudgetChoices& choices, const SettingNames& names) 
 }
 
 void require_possible(const RenderSettings& settings, const SettingNames& names) {
-  constexpr double max_coordinate_m = 1e18;  // Embree's own limit is 1.8e18.
   constexpr int max_threads = 1024;
   if (const std::optional<DVec3>& camera = settings.scene.camera) {
     require_range(

@@ -10,10 +10,10 @@
 
 namespace foveola {
 
-/// Loads an equirect EXR, HDR, PNG or JPEG image as environment. Negative and NaN pixels become
-/// black; infinite ones 65504, the maximum of a half float, or the brightest finite value if that
-/// is more. Both warn. Throws Error if it cannot be read or needs too much memory for its size: see
-/// require_modest_memory.
+/// Loads an equirect image of ImageFormats::environment. Negative and NaN pixels become black;
+/// infinite ones 65504, the maximum of a half float, or the brightest finite value if that is more.
+/// Both warn, and so do primaries that span no colour space. Throws Error if it cannot be read or
+/// needs too much memory for its size: see require_modest_memory.
 Environment load_environment(const std::filesystem::path& path, Warnings& warnings);
 
 /// The sky without the sun's disc, as an equirect map of 1024 x 512 texels: the model of Preetham,

@@ -242,7 +242,8 @@ Scene load_scene_file(const std::filesystem::path& path, const SceneReading& rea
   const bool is_obj = lower_case_extension(path) == ".obj";
   Scene scene = is_obj ? load_obj(path, reading) : load_gltf(path, reading);
   if (is_obj && reading.time_s) {
-    scene.warnings.emplace_back("the time of animations is ignored: an OBJ file has none");
+    scene.warnings.emplace_back(
+        "the time and clip of animations are ignored: an OBJ file has none");
   }
   if (const std::optional<std::string> warning = warning_of_nested_volumes(scene)) {
     scene.warnings.push_back(*warning);

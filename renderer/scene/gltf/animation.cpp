@@ -196,7 +196,11 @@ void pose_at(GltfModel& model, double time_s, const std::string& clip, Warnings&
       }
       const std::string path = channel.object("target").text("path");
       const std::size_t sampler = channel.natural("sampler");
-      const auto mover = last_mover.try_emplace({node, path}, i).first;
+      const auto [mover, is_new] = last_mover.try_emplace({node, path}, i);
+      if (!is_new && mover->second == i) {
+        warnings.add("a clip moves one property of a node twice, and the last channel wins",
+                     fmt::format("animations[{}].channels[{}]", i, k));
+      }
       overlaps |= std::exchange(mover->second, i) != i;
       poser.pose(model.nodes[static_cast<std::size_t>(node)], path,
                  animation.item("samplers", sampler),

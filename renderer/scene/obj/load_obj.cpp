@@ -144,11 +144,12 @@ class UsedMaterials {
     }
     const LibraryMaterial& source = found->second;
     const auto find_texture = [&](const std::string& texture) {
-      foreign_.add(texture, warnings_);
-      const std::string local = local_reference(trimmed(texture));
-      const bool is_beside_obj = is_foreign_reference(texture) && !source.folder.empty() &&
-                                 !file_if_there(folder_, source.folder + local, source.place);
-      return texture_file(is_beside_obj ? local : source.folder + local, source.place);
+      const std::string reference = reference_from(source.folder, trimmed(texture));
+      foreign_.add(reference, warnings_);
+      const std::string local = local_reference(reference);
+      const bool is_beside_mtl = is_foreign_reference(reference) &&
+                                 file_if_there(folder_, source.folder + local, source.place);
+      return texture_file(is_beside_mtl ? source.folder + local : local, source.place);
     };
     return material_of(source.values, find_texture, textures_, source.place, warnings_);
   }

@@ -137,7 +137,10 @@ MtlMaterial material_in(const std::string& lines) {
   MtlMaterial material;
   std::string readable_lines;
   for_each_line(lines, [&](std::string_view line) {
-    const Statement statement = statement_in(line);
+    Statement statement = statement_in(line);
+    if (statement.keyword == "map_Kn") {
+      statement.keyword = "norm";  // as Assimp reads it
+    }
     const auto readable_line = readable(statement, material);
     if (!readable_line) {
       return;

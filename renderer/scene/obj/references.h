@@ -9,10 +9,8 @@
 
 namespace foveola {
 
-/// The file inside `folder` that `name` refers to, as by local_reference(), with surrounding blanks
-/// removed. Without an exact match, a unique match in another case (ASCII) counts. nullopt if there
-/// is none. Throws std::runtime_error with the reason, as confined_file does, if `name` leads out
-/// of the folder.
+/// The file inside `folder` that `name` refers to, with surrounding blanks removed, as by
+/// confined_file_if_there().
 std::optional<std::filesystem::path> find_obj_reference(const std::filesystem::path& folder,
                                                         std::string_view name);
 

@@ -21,12 +21,19 @@
 namespace foveola {
 namespace {
 
-Environment decode(std::span<const unsigned char> encoded) {
+Environment decode(std::span<const unsigned char> encoded, const std::string& file,
+                   Warnings& warnings) {
   const std::unique_ptr<ImageReader> image = open_image(encoded, ImageFormats::environment);
   const ImageHeader& header = image->header();
   const std::size_t pixels = static_cast<std::size_t>(header.width) * header.height;
   // A block, which OpenImageIO holds as a whole, may be announced far larger than the image.
   require_modest_memory(std::max(pixels * sizeof(Rgb), header.block_bytes), encoded.size());
+  if (!has_valid_primaries(header)) {
+    warnings.add(
+        "the environment states primaries that span no colour space: it is taken for "
+        "Rec. 709",
+        file);
+  }
   RgbImage color = read_linear_color(*image);
   Environment environment;
   environment.map_width = color.width;
@@ -102,13 +109,14 @@ void repair(Environment& environment, const std::string& file, Warnings& warning
 Environment load_environment(const std::filesystem::path& path, Warnings& warnings) {
   const std::string bytes = read_file(path);
   try {
-    Environment environment =
-        decode({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
-    warn_of_other_projections(environment, path.filename().string(), warnings);
-    repair(environment, path.filename().string(), warnings);
+    const std::string file = path.filename().string();
+    Environment environment = decode(
+        {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, file, warnings);
+    warn_of_other_projections(environment, file, warnings);
+    repair(environment, file, warnings);
     return environment;
   } catch (const std::runtime_error& fault) {
-    throw Error(path.string(), fault.what(), "use a whole EXR, HDR, PNG or JPEG image");
+    throw Error(path.string(), fault.what(), "use a whole image, best an EXR or HDR");
   }
 }
 

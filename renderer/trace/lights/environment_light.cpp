@@ -10,6 +10,7 @@ namespace foveola {
 namespace {
 
 constexpr float uniform_sphere_pdf = 0.25F * std::numbers::inv_pi_v<float>;
+constexpr float bright_pdf = 16.0F * uniform_sphere_pdf;
 
 /// The second coordinate of map_position().
 float map_row(const Environment& environment, const Vec3& direction) {
@@ -102,11 +103,13 @@ EnvironmentLight::EnvironmentLight(const Environment& environment)
   const auto rows = static_cast<std::size_t>(environment.map_height) + 1;
   std::vector<float> weights;
   weights.reserve(width * rows);
+  float brightest = 0.0F;
   for (std::size_t row = 0; row < rows; ++row) {
     const auto solid_angle = static_cast<float>(cell_solid_angle(row));
     for (std::size_t column = 0; column < width; ++column) {
-      weights.push_back(solid_angle *
-                        mean_luminance(environment, Corners(environment, column, row)));
+      const float luminance = mean_luminance(environment, Corners(environment, column, row));
+      weights.push_back(solid_angle * luminance);
+      brightest = std::max(brightest, luminance);
     }
   }
   for (std::size_t row = 0; row < rows; ++row) {
@@ -114,6 +117,7 @@ EnvironmentLight::EnvironmentLight(const Environment& environment)
   }
   cells_.emplace(width, rows, weights);
   total_luminance_ = cells_->total();
+  has_bright_spots_ = brightest > 0.0F && brightest >= bright_pdf * total_luminance_;
 }
 
 double EnvironmentLight::cell_solid_angle(std::size_t row) const {
@@ -144,6 +148,12 @@ DistantLight EnvironmentLight::at(const Vec3& direction) const {
   const Cell cell = cell_at(environment_, map_position(environment_, map_from_world(direction)));
   return {.radiance = radiance_in(cell.column, cell.row, cell.within),
           .pdf = pdf_in(cell.row, cells_->probability(cell.column, cell.row))};
+}
+
+bool EnvironmentLight::is_bright(const Vec3& direction) const {
+  const DistantLight light = at(direction);
+  const Rgb& radiance = light.radiance;
+  return light.pdf >= bright_pdf && std::min({radiance.r, radiance.g, radiance.b}) > 0.0F;
 }
 
 Vec2 EnvironmentLight::place_of(const Vec3& direction) const {

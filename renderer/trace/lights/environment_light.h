@@ -34,6 +34,12 @@ class EnvironmentLight {
   /// The inverse of sample(): the u of this direction, up to rounding.
   Vec2 place_of(const Vec3& direction) const;
 
+  /// Whether a cell of the map is at least 16 times as bright as the mean over all directions. Such
+  /// cells cover less than a sixteenth of the sphere. The Sun's are 10 000 times as bright.
+  bool has_bright_spots() const { return has_bright_spots_; }
+  /// Whether the direction lies in one of them, with a radiance above 0 in all channels.
+  bool is_bright(const Vec3& direction) const;
+
   /// Luminance integrated over all directions, in radiance times steradian.
   double total_luminance() const { return total_luminance_; }
 
@@ -55,6 +61,7 @@ class EnvironmentLight {
   std::vector<double> border_sines_;          ///< sines of the elevations between the rows of cells
   std::vector<float> cells_per_sr_;           ///< per row
   double total_luminance_;
+  bool has_bright_spots_ = false;
 };
 
 }  // namespace foveola

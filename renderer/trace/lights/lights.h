@@ -104,10 +104,15 @@ class Lights {
   /// point. direction: unit length.
   DistantLight distant_light(const ShadingPoint& shading_point, const Vec3& direction) const;
 
-  /// Whether some suns are discs.
-  bool has_sun_discs() const { return suns_.sizeless() < suns_.size(); }
-  /// Whether the direction lies in the disc of a sun.
-  bool is_in_sun(const Vec3& direction) const { return suns_.at(direction).pdf > 0.0F; }
+  /// Whether the environment has bright spots, and is drawn by its brightness.
+  bool has_bright_spots() const { return draws_bright_sky_ && environment_->has_bright_spots(); }
+  /// Whether some suns are discs, or bright spots of the environment.
+  bool has_sun_discs() const { return suns_.sizeless() < suns_.size() || has_bright_spots(); }
+  /// Whether the direction lies in one of those.
+  bool is_in_sun(const Vec3& direction) const {
+    return suns_.at(direction).pdf > 0.0F ||
+           (has_bright_spots() && environment_->is_bright(direction));
+  }
 
   /// Whether rays may hit points and spots.
   bool has_spheres() const { return local_.has_spheres(); }

@@ -245,19 +245,14 @@ void BlockTracer::add_unblocked_light() {
       notes_.rays->shadow.push_back(shadow_ray(i));
     }
   }
-  if (traced_.follows_suns_through_glass) {
-    for (std::size_t i = 0; i < pending_.size(); ++i) {
-      pending_[i].is_towards_sun =
-          std::isinf(shadow_rays_.t_max(i)) && traced_.lights.is_in_sun(shadow_rays_.direction(i));
-    }
-  }
   traced_.rays.find_blocked(shadow_rays_);
   counts_.shadow += shadow_rays_.size();
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (shadow_rays_.is_blocked(i)) {
-      const Rgb passing = pending_[i].is_towards_sun
-                              ? glass_transmittance(shadow_ray(i), pending_[i].job)
-                              : Rgb(0.0F);
+      const bool may_pass_glass = traced_.follows_suns_through_glass && pending_[i].is_distant &&
+                                  traced_.lights.is_in_sun(shadow_rays_.direction(i));
+      const Rgb passing =
+          may_pass_glass ? glass_transmittance(shadow_ray(i), pending_[i].job) : Rgb(0.0F);
       if (passing == Rgb(0.0F)) {
         if (notes_.light_outcomes != nullptr) {
           (*notes_.light_outcomes)[pending_outcomes_[i]].gain = 0.0F;

@@ -61,7 +61,7 @@ class BlockTracer {
   struct PendingLight {
     std::uint32_t job;
     Rgb radiance;
-    bool is_towards_sun = false;  ///< followed through glass
+    bool is_distant;  ///< from infinity, and not of a delta light
   };
 
   /// The hits of at most eight paths, from the one at `first`.

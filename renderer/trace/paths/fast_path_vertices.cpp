@@ -118,7 +118,9 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
   Vec3Lanes radiance;
   radiance.store(gain);
   for_each_lane(arrives, [&](std::size_t lane) {
-    pending_.push_back({.job = paths_->job[group.first + lane], .radiance = radiance.at(lane)});
+    pending_.push_back({.job = paths_->job[group.first + lane],
+                        .radiance = radiance.at(lane),
+                        .is_distant = light.is_delta[lane] == 0 && std::isinf(light.t_max[lane])});
   });
 }
 

@@ -121,11 +121,13 @@ RayLog PathTracer::log_rays(const Vec3& viewpoint, std::span<const SampleJob> jo
 
 std::vector<std::string> PathTracer::warnings() const {
   std::vector<std::string> lines;
-  if (std::optional<std::string> overlap = implementation_->traced.lights.coincident().warning()) {
-    lines.push_back(std::move(*overlap));
-  }
-  if (std::optional<std::string> unmet = implementation_->traced.warning_of_lights_without_size()) {
-    lines.push_back(std::move(*unmet));
+  const TracedScene& traced = implementation_->traced;
+  for (std::optional<std::string> line :
+       {traced.lights.coincident().warning(), traced.warning_of_lights_without_size(),
+        traced.warning_of_lights_met_by_chance()}) {
+    if (line) {
+      lines.push_back(std::move(*line));
+    }
   }
   return lines;
 }

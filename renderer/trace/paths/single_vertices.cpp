@@ -188,7 +188,9 @@ void BlockTracer::queue_light(const Path& path, const Hit& hit, const SurfacePoi
       notes_.light_outcomes->back().gain = max_component(gain) / max_component(path.throughput);
       pending_outcomes_.push_back(notes_.light_outcomes->size() - 1);
     }
-    pending_.push_back({.job = path.job, .radiance = gain});
+    pending_.push_back({.job = path.job,
+                        .radiance = gain,
+                        .is_distant = !light->is_delta && std::isinf(light->t_max)});
     shadow_rays_.add(shadow_ray.origin, shadow_ray.direction, shadow_ray.t_max, shadow_ray.key);
   }
 }

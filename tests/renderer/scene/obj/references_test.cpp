@@ -36,7 +36,7 @@ TEST_F(ObjReferences, StayInTheFolder) {
   std::filesystem::create_directory(folder() / "inner");
   std::filesystem::create_symlink("../a.png", folder() / "inner" / "LINK.png");
   const auto find = [&](const char* name) { return find_obj_reference(folder() / "inner", name); };
-  EXPECT_THROW(find("..\\a.png"), std::runtime_error);
+  EXPECT_EQ(find("..\\a.png"), std::nullopt);
   EXPECT_EQ(find("C:\\a.png"), std::nullopt);
   EXPECT_EQ(find("/a.png"), std::nullopt);
   EXPECT_THROW(find("link.png"), std::runtime_error);

@@ -148,6 +148,36 @@ TEST_F(LoadEnvironment, StatedPrimariesAreConverted) {
   }
 }
 
+TEST_F(LoadEnvironment, PrimariesOfZerosAreTakenForRec709) {
+  std::string file = read_file(picture_file("aces.exr"));
+  const std::string name = std::string("chromaticities\0chromaticities\0", 30);
+  const std::size_t at = file.find(name);
+  ASSERT_NE(at, std::string::npos);
+  file.replace(at + name.size() + 4, 32, std::string(32, '\0'));
+  Warnings warnings;
+  const Environment environment = load_environment(write("zeros.exr", file), warnings);
+  EXPECT_THAT(warnings.lines(), Contains(HasSubstr("primaries that span no colour space")));
+  for (std::size_t i = 0; i < 3; ++i) {
+    Rgb primary(0.0F);
+    primary[static_cast<int>(i)] = 1.0F;
+    EXPECT_EQ(environment.map[i], primary);
+  }
+}
+
+/// The picture's colour (200, 100, 50) by IEC 61966-2-1, within a code.
+TEST_F(LoadEnvironment, ReadsThePicturesThatCompareReads) {
+  for (const char* name : {"float.tif", "associated.tif"}) {
+    Warnings warnings;
+    const Rgb above = load_environment(picture_file(name), warnings).map.at(0);
+    EXPECT_NEAR(above.r, 0.578, 0.007) << name;
+    EXPECT_NEAR(above.g, 0.127, 0.004) << name;
+    EXPECT_NEAR(above.b, 0.032, 0.004) << name;
+  }
+  Warnings warnings;
+  EXPECT_NEAR(load_environment(picture_file("tx_alpha128.webp"), warnings).map.at(0).r, 0.578,
+              0.007);
+}
+
 /// A picture of two rows, abc and def, as "File Formats" (Radiance 1997) says that scanlines run.
 TEST_F(LoadEnvironment, RadianceScanlinesRunAsTheirHeaderSays) {
   const std::vector<std::pair<std::string, std::string>> scanlines = {
@@ -208,7 +238,7 @@ TEST_F(LoadEnvironment, RefusesWhatIsNoImage) {
   EXPECT_THAT(error_of(folder() / "gone.exr"), HasSubstr("gone.exr: no such file"));
   EXPECT_THAT(error_of(folder()), HasSubstr("not a file"));
   EXPECT_THAT(error_of(write("text.exr", "this is no image")),
-              HasSubstr("text.exr: is not an EXR, HDR, PNG or JPEG image"));
+              HasSubstr("text.exr: is not an EXR, HDR, PNG, JPEG, WebP, BMP, GIF, TGA, TIFF"));
   EXPECT_THAT(error_of(write("empty.png", "")), HasSubstr("empty.png: "));
   const std::string whole =
       read_file(write_floats("whole.exr", 4, 4, 3, std::vector<float>(48, 1)));

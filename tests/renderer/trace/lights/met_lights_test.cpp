@@ -231,6 +231,54 @@ TEST(MetLightsTest, SunsThroughGlassCountOnce) {
               refracted_radiance(0.0, [&](const DVec3& w) { return sky + sun(w); }), 3e-3);
 }
 
+// --- Bright spots of environment images ------------------------------------------------------
+
+/// An image of one radiance, but for a texel in the sky, between whose centre and its neighbours'
+/// the radiance falls linearly.
+struct SpotInSky {
+  int width, height, column, row;
+  float sky, brightest;
+
+  Environment environment() const {
+    Environment image{.map_width = width, .map_height = height};
+    image.map.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Rgb(sky));
+    image.map[static_cast<std::size_t>(row * width + column)] = Rgb(brightest);
+    return image;
+  }
+  double elevation() const { return pi * (0.5 - (row + 0.5) / height); }
+  double radiance(const DVec3& w) const {
+    const double x = (std::atan2(w.x, -w.z) / (2.0 * pi) + 0.5) * width - 0.5 - column;
+    const double y = (0.5 - std::asin(w.y) / pi) * height - 0.5 - row;
+    const double share = std::max(0.0, 1.0 - std::abs(x)) * std::max(0.0, 1.0 - std::abs(y));
+    return sky + share * (brightest - sky);
+  }
+};
+
+/// Half a degree wide. A sun without a size in the same direction stays invisible.
+TEST(MetLightsTest, ASunInAnImageShinesThroughAPaneWithLittleNoise) {
+  const SpotInSky spot{722, 361, 180, 80, 0.0F, 10000.0F};
+  Scene scene = glazed_floor(0.0, 0.0);
+  scene.environment = spot.environment();
+  const double height = std::sin(spot.elevation());
+  const double irradiance = spot.brightest * std::cos(spot.elevation()) * 2.0 * pi * pi /
+                            (static_cast<double>(spot.width) * spot.height);
+  expect_mean(
+      floor_below_glass(scene, 3, 4096),
+      floor_albedo / pi * irradiance * height * std::pow(1.0 - plate_reflectance(height), 2.0),
+      2e-3);
+}
+
+TEST(MetLightsTest, SpotsOfAnImageThroughGlassCountOnce) {
+  const SpotInSky spot{64, 32, 16, 7, 0.7F, 200.0F};
+  for (const double wedge : {0.0, radians(10.0)}) {
+    Scene scene = glazed_floor(wedge, 0.0);
+    scene.lights.clear();
+    scene.environment = spot.environment();
+    expect_mean(floor_below_glass(scene, 3, 100000),
+                refracted_radiance(wedge, [&](const DVec3& w) { return spot.radiance(w); }), 3e-3);
+  }
+}
+
 // --- Lights without a size -------------------------------------------------------------------
 
 TEST(MetLightsTest, LightsThatNoPathFindsAreWarnedOfOnce) {
@@ -246,11 +294,32 @@ TEST(MetLightsTest, LightsThatNoPathFindsAreWarnedOfOnce) {
   scene.materials[1] = metal(1.0F, 0.0F);
   EXPECT_EQ(warnings(scene).size(), 1U);
   scene.materials[1] = glass(0.3F);
-  EXPECT_EQ(warnings(scene).size(), 0U);
+  ASSERT_EQ(warnings(scene).size(), 1U);
+  EXPECT_EQ(warnings(scene)[0].find("invisible"), std::string::npos);
   scene.materials[1] = glass();
   scene.lights[0].angular_radius_rad = 0.01F;
   scene.lights[1].radius_m = 0.1F;
   EXPECT_EQ(warnings(scene).size(), 0U);
+}
+
+TEST(MetLightsTest, SmallLightsBehindGlassAreWarnedOf) {
+  const auto noise = [](const Scene& scene) {
+    const std::vector<std::string> lines = PathTracer(scene, workers()).warnings();
+    return lines.size() == 1 ? lines[0].substr(0, lines[0].find(" glass")) : "";
+  };
+  Scene scene = glazed_floor(0.0, radians(0.27));
+  EXPECT_EQ(noise(scene), "");
+  scene.lights.push_back({.position = {0, 3, 0}, .intensity = Rgb(1.0F), .radius_m = 0.01F});
+  EXPECT_EQ(noise(scene), "small lights (1) behind solid");
+  scene.materials.push_back(emitter(10.0F));
+  scene.meshes.push_back(quad(Vec3(0, 3, 0), Vec3(0.04F, 0, 0), Vec3(0, 0, 0.04F), 2));
+  EXPECT_EQ(noise(scene), "small lights (2) behind solid");
+  scene.materials[1] = glass(0.1F);
+  EXPECT_EQ(noise(scene), "small lights (3) behind rough or solid");
+  scene.environment = SpotInSky{722, 361, 180, 80, 0.1F, 10000.0F}.environment();
+  EXPECT_EQ(noise(scene), "small lights (4) behind rough or solid");
+  scene.materials[1] = matte(Rgb(0.5F));
+  EXPECT_EQ(noise(scene), "");
 }
 
 }  // namespace
