@@ -91,9 +91,12 @@ TEST_F(GltfAnimation, OfTwoTheLaterHolds) {
   animated.add("translation", {0}, {1, 0, 0}, 3);
   animated.add("translation", {0}, {2, 0, 0}, 3);
   EXPECT_EQ(origin_at(animated, 0.0), Vec3(2, 0, 0));
+  auto& first = animated.glb.document["animations"][0];
+  first["channels"].push_back(first["channels"][0]);
   EXPECT_THAT(at(animated, 0.0).warnings,
               ElementsAre("a clip moves one property of a node twice, and the last channel wins "
-                          "(animations[0].channels[1])"));
+                          "(animations[0].channels[1])",
+                          HasSubstr("the clips 'clip 1', 'clip 2' move the same nodes")));
 }
 
 TEST_F(GltfAnimation, MovesMorphTargets) {
