@@ -1,6 +1,7 @@
 // The Python module `foveola`: three functions that load a scene, render it, and read a study's
 // file as data frames.
 #include <exception>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -157,6 +158,8 @@ void define_errors(py::module_& module) {
       raise(usage_error, fault);
     } catch (const Error& fault) {
       raise(error, fault);
+    } catch (const std::bad_alloc&) {
+      PyErr_SetString(PyExc_MemoryError, "not enough memory; try a smaller image or scene");
     }
   });
 }

@@ -201,6 +201,17 @@ sys.exit(3)
                                    timeout=600)
             self.assertEqual((ended.returncode, ended.stderr), (3, ""))
 
+    def test_an_image_beyond_memory_is_an_error_that_says_so(self):
+        script = f"""
+import resource, warnings, foveola
+warnings.simplefilter("ignore")
+scene = foveola.load_scene({str(room)!r})
+resource.setrlimit(resource.RLIMIT_AS, (2**34, 2**34))  # 2**32 pixels need more
+foveola.render(scene, "od", size=(65536, 65536), samples=10)
+"""
+        ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        self.assertIn("MemoryError: not enough memory; try a smaller image", ended.stderr)
+
     def test_an_interrupt_stops_it_soon(self):
         # It would be ignored where a shell has started this in the background.
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
