@@ -13,8 +13,9 @@
 #         r_versions.csv         the versions of R and of the packages that were used
 #
 # What cannot be fitted has a row without P, whose columns say so: `status` failed or singular, and
-# `note` why. Nothing ends in an error but files that are not there. Needs lme4 and lmerTest for times
-# and scales, survival for right-censored times, ordinal for points; without a package its rows say so.
+# `note` why. Nothing ends in an error but files that are not there. Needs lme4 and lmerTest for
+# times and scales, survival for right-censored times, ordinal for points; without a package its rows
+# say so.
 
 confidence <- 0.95
 
