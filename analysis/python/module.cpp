@@ -1,6 +1,7 @@
 // The Python module `foveola`: three functions that load a scene, render it, and read a study's
 // file as data frames.
 #include <exception>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -71,10 +72,16 @@ py::tuple degrees_of(const AzimuthElevation& angles) {
   return py::make_tuple(degrees(angles.azimuth_rad), degrees(angles.elevation_rad));
 }
 
+/// Makes `__new__`, which would leave an object without a value, a TypeError.
+void forbid_construction(const py::handle& type) {
+  reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = nullptr;
+}
+
 void define_scene(py::module_& module) {
   using Scene = std::unique_ptr<SceneForPython, DeleteUnlessForked>;
-  py::class_<SceneForPython, Scene>(module, "Scene", "A scene that load_scene() loaded.")
-      .def_property_readonly("name",
+  py::class_<SceneForPython, Scene> type(module, "Scene", "A scene that load_scene() loaded.");
+  forbid_construction(type);
+  type.def_property_readonly("name",
                              [](const SceneForPython& scene) { return scene.loaded.source.name; })
       .def_property_readonly(
           "camera_m",
@@ -102,8 +109,9 @@ void define_scene(py::module_& module) {
 }
 
 void define_render(py::module_& module) {
-  py::class_<RenderForPython>(module, "Rendering", "The result of render().")
-      .def_readonly("radiance", &RenderForPython::radiance,
+  py::class_<RenderForPython> type(module, "Rendering", "The result of render().");
+  forbid_construction(type);
+  type.def_readonly("radiance", &RenderForPython::radiance,
                     "Linear Rec. 709, float32, of shape (height, width, 3); the first row is the "
                     "top. Black where there are no samples.")
       .def_readonly("samples", &RenderForPython::samples,
@@ -150,6 +158,8 @@ void define_errors(py::module_& module) {
       raise(usage_error, fault);
     } catch (const Error& fault) {
       raise(error, fault);
+    } catch (const std::bad_alloc&) {
+      PyErr_SetString(PyExc_MemoryError, "not enough memory; try a smaller image or scene");
     }
   });
 }
@@ -162,6 +172,7 @@ PYBIND11_MODULE(foveola, module) {
   // Imports numpy now, as its types need it. Otherwise, of two threads that need it first, one
   // imports it and waits for the lock of the other, which waits for that import.
   (void)py::dtype::of<float>();
+  py::module_::import("atexit").attr("register")(py::cpp_function(end_renders));
   define_errors(module);
   define_scene(module);
   define_render(module);

@@ -1,8 +1,10 @@
 #include "analysis/python/scene_renders.h"
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <stop_token>
+#include <thread>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -76,15 +78,54 @@ RenderSettings settings_of(const RenderArguments& arguments) {
   return settings;
 }
 
+std::atomic<int> running_renders = 0;
+std::atomic<std::thread::id> last_thread;  // in which the interpreter ends; no thread before
+
+bool is_interpreter_ending() {
+  const std::thread::id last = last_thread;
+  return last != std::thread::id() && last != std::this_thread::get_id();
+}
+
+/// Counts a render until its thread holds Python's lock again. At the interpreter's end Python
+/// unwinds daemon threads that want the lock, through destructors, which aborts the process. Such a
+/// thread stays asleep instead.
+class RunningRender {
+ public:
+  RunningRender() {
+    ++running_renders;
+    if (is_interpreter_ending()) {
+      const py::gil_scoped_release unlocked;
+      sleep_forever();
+    }
+  }
+  ~RunningRender() { --running_renders; }
+  RunningRender(const RunningRender&) = delete;
+  RunningRender& operator=(const RunningRender&) = delete;
+
+  /// To be called without Python's lock.
+  [[noreturn]] static void sleep_forever() {
+    --running_renders;
+    while (true) {
+      ::pause();
+    }
+  }
+};
+
 /// Renders on another thread, because only this one receives Python's Ctrl-C.
 Rendering render_interruptibly(const SceneForPython& scene, const RenderSettings& settings) {
   constexpr auto between_looks = std::chrono::milliseconds(50);
+  const RunningRender running;
   std::stop_source stop;
   std::future<Rendering> rendering = std::async(std::launch::async, [&] {
     return render(scene.loaded, settings, scene.workers, stop.get_token());
   });
   const py::gil_scoped_release unlocked;
   while (rendering.wait_for(between_looks) != std::future_status::ready) {
+    if (is_interpreter_ending()) {
+      stop.request_stop();
+      rendering.wait();
+      RunningRender::sleep_forever();
+    }
     const py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) {
       stop.request_stop();
@@ -111,6 +152,17 @@ std::vector<std::array<std::uint32_t, 3>> places_of(const std::vector<DroppedSam
 bool is_forked() {
   static const pid_t loading_process = ::getpid();
   return ::getpid() != loading_process;
+}
+
+void end_renders() {
+  if (is_forked()) {
+    return;
+  }
+  last_thread = std::this_thread::get_id();
+  const py::gil_scoped_release unlocked;
+  while (running_renders > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 void DeleteUnlessForked::operator()(const SceneForPython* scene) const {

@@ -32,6 +32,10 @@ struct SceneForPython {
 /// a fork, and a render would wait for them forever.
 bool is_forked();
 
+/// Stops the renders of other threads, for ever, and waits for their end. To be called once, when
+/// the interpreter ends.
+void end_renders();
+
 /// Leaks a scene in a forked process, which cannot end its threads.
 struct DeleteUnlessForked {
   void operator()(const SceneForPython* scene) const;

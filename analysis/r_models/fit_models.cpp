@@ -122,6 +122,7 @@ FittedModel model_of(const NamedRow& row) {
           .method = row.text("method"),
           .reference = row.text("reference"),
           .scale = row.scale(),
+          .status = row.text("status"),
           .fit = fit_of(row),
           .trials = row.count("trials"),
           .participants = row.count("participants"),

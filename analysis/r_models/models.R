@@ -12,9 +12,10 @@
 # writes  r_models.csv           a row for each model of each comparison
 #         r_versions.csv         the versions of R and of the packages that were used
 #
-# What cannot be fitted has a row whose column `note` says why; nothing ends in an error but files
-# that are not there. Needs lme4 and lmerTest for times and scales, survival for right-censored
-# times, ordinal for points; without a package its rows say so.
+# What cannot be fitted has a row without P, whose columns say so: `status` failed or singular, and
+# `note` why. Nothing ends in an error but files that are not there. Needs lme4 and lmerTest for
+# times and scales, survival for right-censored times, ordinal for points; without a package its rows
+# say so.
 
 confidence <- 0.95
 
@@ -31,11 +32,11 @@ result <- function(comparison, model, estimate = NA, standard_error = NA, degree
                    half = qt((1 + confidence) / 2, degrees_of_freedom) * standard_error,
                    low = estimate - half, high = estimate + half,
                    p = 2 * pt(-abs(estimate / standard_error), degrees_of_freedom),
-                   leave_one_out = NULL) {
+                   status = if (is.na(p)) "failed" else "fitted", leave_one_out = NULL) {
   if (is.null(leave_one_out)) leave_one_out <- no_leave_one_out
   data.frame(measure = comparison$measure, method = comparison$method,
              reference = comparison$reference, model = model, scale = scale_of(comparison),
-             note = note, estimate = estimate, standard_error = standard_error,
+             status = status, note = note, estimate = estimate, standard_error = standard_error,
              degrees_of_freedom = degrees_of_freedom, low = low, high = high, p = p,
              trials = trials, participants = participants, scenes = scenes, censored = censored,
              participant_sd = participant_sd, scene_sd = scene_sd, residual_sd = residual_sd,
@@ -77,10 +78,14 @@ guarded <- function(comparison, model, packages, fit) {
   # if the optimizer stopped near a zero variance, where t has P = 1.
   freedom <- row$degrees_of_freedom
   failed <- isTRUE(freedom < 0.9)
-  if (failed) row[c("standard_error", "degrees_of_freedom", "low", "high", "p")] <- NA
+  if (failed) {
+    row[c("standard_error", "degrees_of_freedom", "low", "high", "p")] <- NA
+    row$status <- "failed"
+  }
   notes <- unique(c(row$note, if (failed) sprintf("the fit failed (%.1g degrees of freedom)", freedom),
                     warned))
   row$note <- gsub("[[:space:]]+", " ", paste(notes[nzchar(notes)], collapse = "; "))
+  if (is.na(row$p) && grepl("Hessian.*singular", row$note)) row$status <- "singular"
   row
 }
 
@@ -277,7 +282,7 @@ ordinal_model <- function(rows, comparison) {
   wald <- row[["Std. Error"]]
   # If a far smaller effect, an odds ratio of e^10, is as likely, there is no maximum.
   is_separated <- abs(estimate) > 10 && root_at(sign(estimate) * 10) < 0.2
-  is_singular <- !is.finite(wald)
+  if (!is.finite(wald) && !is_separated) stop("the model's Hessian is singular")
   variances <- ordinal::VarCorr(fit)
   # Returns the variance of the difference between two methods.
   of_difference <- function(group) {
@@ -285,7 +290,7 @@ ordinal_model <- function(rows, comparison) {
   }
   gain <- list(participant = of_difference("participant:method"),
                scene = of_difference("scene:method"))
-  error <- if (is_separated || is_singular) {
+  error <- if (is_separated) {
     error_without_hessian(gain, counts(rows))
   } else {
     latent <- error_of_latent(wald^2, gain, counts(rows))
@@ -294,7 +299,7 @@ ordinal_model <- function(rows, comparison) {
   p <- 2 * pt(-root_at(0) / error$scale, error$degrees_of_freedom)
   ends <- if (comparison$detail == "full") {
     limit <- qt((1 + confidence) / 2, error$degrees_of_freedom) * error$scale
-    step <- if (is_separated || is_singular) 2 else limit * wald  # Wald's limit
+    step <- if (is_separated) 2 else limit * wald  # Wald's limit
     c(profile_end(root_at, estimate, -step, limit, is_separated && estimate < 0),
       profile_end(root_at, estimate, step, limit, is_separated && estimate > 0))
   } else {
@@ -304,11 +309,10 @@ ordinal_model <- function(rows, comparison) {
   if (is_separated) {
     estimate <- sign(estimate) * Inf
     note <- c(note, "the methods' ratings are separated: the odds ratio has no largest value")
-  } else if (is_singular) {
-    note <- c(note, "the model's Hessian is singular")
   }
   do.call(result, c(list(comparison, "ordinal", estimate, error$standard_error,
                          error$degrees_of_freedom, low = ends[1], high = ends[2], p = p,
+                         status = if (is_separated) "separated" else "fitted",
                          participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene),
                          note = paste(note[nzchar(note)], collapse = "; ")), counts(rows)))
 }

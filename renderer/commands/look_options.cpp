@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
@@ -123,8 +125,10 @@ void add_film_size_option(CLI::App& command, IVec2& size) {
 
 void add_path_options(CLI::App& command, TraceSettings& trace) {
   add_max_depth_option(command, trace.max_depth);
-  command.add_option("--seed", trace.seed,
-                     "Seed of the random numbers; another seed gives other noise");
+  command
+      .add_option("--seed", trace.seed,
+                  "Seed of the random numbers; another seed gives other noise")
+      ->check(CLI::Range(std::uint32_t{0}, std::numeric_limits<std::uint32_t>::max()));
 }
 
 SceneChoices scene_choices(const LookArguments& arguments) {

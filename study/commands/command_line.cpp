@@ -44,7 +44,8 @@ void add_simulated_studies(CLI::App* command, SimulatedBenchArguments& arguments
 
 void add_effort_and_json(CLI::App* command, SimulatedBenchArguments& arguments) {
   add_threads_option(*command, arguments.simulation.threads);
-  command->add_option("--jobs", arguments.simulation.jobs, "As in study simulate");
+  command->add_option("--jobs", arguments.simulation.jobs, "As in study simulate")
+      ->check(CLI::Range(1, max_jobs));
   add_json_option(*command, arguments.json);
 }
 

@@ -15,6 +15,7 @@
 namespace foveola::study {
 
 inline constexpr int most_participants = 100'000;
+inline constexpr int max_jobs = 1024;
 
 /// Adds a subcommand of `study` or `bench`. example: without the program and the parent, "check
 /// demo".

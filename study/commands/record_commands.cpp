@@ -326,7 +326,9 @@ void add_merge(CLI::App& study) {
   CLI::App* command = add_command(study, "merge", "Merge the files of several sites into one study",
                                   "merge helsinki.sqlite tampere.sqlite -o study.sqlite");
   command
-      ->add_option("DB", arguments->sources, "The sites' database files, all of the same protocol")
+      ->add_option("DB", arguments->sources,
+                   "The sites' database files, all of the same protocol; a session that several of "
+                   "them hold is taken once and named, or refused if its copies differ")
       ->required()
       ->expected(1, -1);
   command

@@ -168,10 +168,11 @@ void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
       "Simulate only the Kth of N parts of the participants, as K/N, in a file of its own: "
       "foveola study merge makes one study of all of them, as if they had been "
       "simulated together");
-  command->add_option(
-      "--jobs", arguments->settings.jobs,
-      "The number of concurrent sessions; with more than one, a session is written to the "
-      "disk at its end");
+  command
+      ->add_option("--jobs", arguments->settings.jobs,
+                   "The number of concurrent sessions; with more than one, a session is written to "
+                   "the disk at its end")
+      ->check(CLI::Range(1, max_jobs));
   command->add_option(
       "--scale", arguments->settings.scale,
       "Divide the pixels and the samples per second by this, for speed: a pixel's noise at "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cctype>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -97,43 +98,69 @@ void require_true_keys(const Protocol& protocol) {
   }
 }
 
-/// Throws Error for ids of marks and ratings that cannot be parts of an analysis's file names.
-void require_names_of_files(const Protocol& protocol) {
+bool is_same_in_any_case(const std::string& a, const std::string& b) {
+  return ::strcasecmp(a.c_str(), b.c_str()) == 0;
+}
+
+/// Adds the name of a column or a file. Throws Error if a known one differs in letter case only:
+/// for SQLite, SPSS and many file systems they are one.
+void add_name(const std::string& name, const std::string& place, std::vector<std::string>& known) {
+  const auto same = std::ranges::find_if(
+      known, [&](const std::string& other) { return is_same_in_any_case(other, name); });
+  if (same != known.end()) {
+    throw Error(place,
+                fmt::format("'{}' differs from '{}' in letter case only, and so would the "
+                            "analysis's columns or files",
+                            name, *same),
+                "give each a name of its own");
+  }
+  known.push_back(name);
+}
+
+/// Throws Error for names that cannot be parts of the names of an analysis's columns and files.
+void require_names_of_columns(const Protocol& protocol) {
   constexpr std::size_t max_id_length = 64;
   const ProtocolPlaces places(protocol);
-  std::vector<std::string> known;
-  const auto require = [&](const std::string& id, const std::string& key) {
+  std::vector<std::string> measures;
+  const auto add_measure = [&](const std::string& id, const std::string& key) {
     if (id.size() > max_id_length) {
       throw Error(places.of(key),
                   fmt::format("the id '{}' has {} characters, and the analysis names files by it",
                               id, id.size()),
                   fmt::format("shorten it to at most {}", max_id_length));
     }
-    const bool is_of_response = id == looking_around_id ||
+    const bool is_of_response = is_same_in_any_case(id, looking_around_id) ||
                                 std::ranges::any_of(protocol.ratings, [&](const Question& rating) {
-                                  return id == rating.id + response_suffix;
+                                  return is_same_in_any_case(id, rating.id + response_suffix);
                                 });
     if (is_of_response) {
-      throw Error(places.of(key), fmt::format("the id '{}' is that of a response time", id),
+      throw Error(places.of(key),
+                  fmt::format("the id '{}' is that of a response time, in any letter case", id),
                   "choose another id");
     }
-    const auto same = std::ranges::find_if(known, [&](const std::string& other) {
-      return ::strcasecmp(other.c_str(), id.c_str()) == 0;
-    });
-    if (same != known.end()) {
-      throw Error(places.of(key),
-                  fmt::format("the id '{}' differs from '{}' in letter case only, and so would "
-                              "the analysis's files",
-                              id, *same),
-                  "give each an id of its own");
-    }
-    known.push_back(id);
+    add_name(id, places.of(key), measures);
   };
   for (std::size_t i = 0; i < protocol.marks.size(); ++i) {
-    require(protocol.marks[i].id, fmt::format("mark[{}].id", i));
+    add_measure(protocol.marks[i].id, fmt::format("mark[{}].id", i));
   }
   for (std::size_t i = 0; i < protocol.ratings.size(); ++i) {
-    require(protocol.ratings[i].id, fmt::format("rating[{}].id", i));
+    add_measure(protocol.ratings[i].id, fmt::format("rating[{}].id", i));
+  }
+  // `key`: of the item's name, with {} for its number.
+  const auto require_distinct = [&](const auto& items, const auto& name, const std::string& key) {
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      add_name(std::invoke(name, items[i]), places.of(fmt::format(fmt::runtime(key), i)), known);
+    }
+  };
+  require_distinct(protocol.scenes, &SceneEntry::name, "scenes[{}]");
+  require_distinct(protocol.methods, std::identity(), "methods[{}]");
+  require_distinct(protocol.questionnaires, &Questionnaire::id, "questionnaire[{}].id");
+  for (std::size_t i = 0; i < protocol.questionnaires.size(); ++i) {
+    const Questionnaire& questionnaire = protocol.questionnaires[i];
+    require_distinct(questionnaire.questions, &Question::id,
+                     fmt::format("questionnaire[{}].{}", i,
+                                 questionnaire.file.empty() ? "question[{}].id" : "file"));
   }
 }
 
@@ -164,7 +191,7 @@ fs::path find_protocol(const std::string& name_or_path) {
 Protocol load_protocol(const fs::path& path) {
   Protocol protocol = read_protocol(read_toml_file(path), path);
   require_true_keys(protocol);
-  require_names_of_files(protocol);
+  require_names_of_columns(protocol);
   return protocol;
 }
 

@@ -51,6 +51,12 @@ class Scenes(unittest.TestCase):
             with self.assertRaises(foveola.UsageError):
                 function(str(room) + "\0")
 
+    def test_objects_without_a_value_are_refused(self):
+        for made in (foveola.Scene, foveola.Rendering):
+            for construct in (made, lambda: made.__new__(made), type("Derived", (made,), {})):
+                with self.subTest(made), self.assertRaises(TypeError):
+                    construct()
+
     def test_camera_and_head_are_where_they_are_put(self):
         scene = foveola.load_scene(str(room), camera_m=(0.5, 1.0, 0.25), head_deg=(30.0, -10.0))
         numpy.testing.assert_allclose(scene.camera_m, (0.5, 1.0, 0.25), atol=1e-6)
@@ -170,6 +176,41 @@ assert codes == [0] * 8, codes
 render()
 """
         subprocess.run([sys.executable, "-c", script], check=True, timeout=600)
+
+    def test_the_interpreter_ends_while_daemon_threads_render(self):
+        """Python unwinds such threads; in a render that aborted the process."""
+        for samples_per_pixel in (1, 1e7):
+            script = f"""
+import sys, threading, time, warnings, foveola
+warnings.simplefilter("ignore")
+scene = foveola.load_scene({str(room)!r})
+began = threading.Barrier(4)
+
+def render_for_ever():
+    began.wait()
+    while True:
+        foveola.render(scene, "od", size=(64, 32), samples_per_pixel={samples_per_pixel})
+
+for _ in range(3):
+    threading.Thread(target=render_for_ever, daemon=True).start()
+began.wait()
+time.sleep(0.2)
+sys.exit(3)
+"""
+            ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
+                                   timeout=600)
+            self.assertEqual((ended.returncode, ended.stderr), (3, ""))
+
+    def test_an_image_beyond_memory_is_an_error_that_says_so(self):
+        script = f"""
+import resource, warnings, foveola
+warnings.simplefilter("ignore")
+scene = foveola.load_scene({str(room)!r})
+resource.setrlimit(resource.RLIMIT_AS, (2**34, 2**34))  # 2**32 pixels need more
+foveola.render(scene, "od", size=(65536, 65536), samples=10)
+"""
+        ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        self.assertIn("MemoryError: not enough memory; try a smaller image", ended.stderr)
 
     def test_an_interrupt_stops_it_soon(self):
         # It would be ignored where a shell has started this in the background.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <strings.h>
 
 #include "analysis/dataset/wording.h"
 #include "analysis/tables/table_formats.h"
@@ -135,7 +136,11 @@ std::string readme(const StudyTables& tables) {
 }  // namespace
 
 std::vector<std::string> bids_labels(const Dataset& set) {
-  std::set<std::string> taken;
+  // Many file systems take names for one that differ in letter case only.
+  const auto precedes = [](const std::string& a, const std::string& b) {
+    return ::strcasecmp(a.c_str(), b.c_str()) < 0;
+  };
+  std::set<std::string, decltype(precedes)> taken;
   std::vector<std::string> labels;
   for (const std::string& code : set.participants) {
     const std::string plain = letters_and_digits(code);

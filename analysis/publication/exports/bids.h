@@ -11,7 +11,7 @@
 namespace foveola::analysis {
 
 /// Returns the participants' unique labels in BIDS, in the order of tables.set.participants: the
-/// letters and digits of the code, with a number appended where codes share them.
+/// letters and digits of the code, with a number appended where codes share them in any case.
 std::vector<std::string> bids_labels(const Dataset& set);
 
 /// Returns bids/README, dataset_description.json, participants.tsv with its sidecar,

@@ -316,6 +316,11 @@ Table models_table(const StudyTables& tables, const Comparisons& comparisons) {
        &M::model},
       {"scale", "", "Scale of estimate: ratio of times, odds ratio of a higher rating, or points",
        &M::scale},
+      {"status", "",
+       "fitted; separated: all ratings of one method are higher, with an infinite odds ratio; "
+       "singular: the estimates are not determined by the data (singular Hessian); failed: no fit, "
+       "for the reason in note. Singular and failed models have no P",
+       &M::status},
       {"estimate", "", "Natural logarithm of the ratio or odds ratio, or points",
        path(&M::fit, &Fit::estimate)},
       {"standard_error", "", "Standard error of estimate", path(&M::fit, &Fit::standard_error)},

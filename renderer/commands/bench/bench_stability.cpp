@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -153,9 +155,11 @@ void add_bench_stability(CLI::App& bench, const std::vector<std::string>& scenes
   add_threads_option(*command, arguments->threads);
   command->add_option("--paths", arguments->scene_paths,
                       "Number of paths over the scenes (default: by --quick and --full)");
-  command->add_option(
-      "--seed", arguments->scene_seed,
-      "Seed of these paths: many can be traced in several runs, each with its own seed");
+  command
+      ->add_option("--seed", arguments->scene_seed,
+                   "Seed of these paths: many can be traced in several runs, each with its own "
+                   "seed")
+      ->check(CLI::Range(std::uint32_t{0}, std::numeric_limits<std::uint32_t>::max()));
   add_json_option(*command, arguments->json);
   command->footer("Example: foveola bench stability --quick");
   command->callback([arguments, scenes, find_scene, stop] {

@@ -23,7 +23,8 @@ namespace {
 using testing::Pair;
 
 constexpr const char* heading =
-    "measure,method,reference,model,scale,estimate,standard_error,degrees_of_freedom,low,high,p,"
+    "measure,method,reference,model,scale,status,estimate,standard_error,degrees_of_freedom,low,"
+    "high,p,"
     "trials,participants,scenes,censored,participant_sd,scene_sd,residual_sd,without_one_low,"
     "low_without,without_one_high,high_without,note\n";
 constexpr const char* no_versions = "name,version\n";
@@ -31,11 +32,11 @@ constexpr const char* no_versions = "name,version\n";
 TEST(ReadModels, HasWhatTheScriptWrote) {
   const FittedModels models = read_models(
       std::string(heading) +
-          "outline,fv,od,tobit,ratio,-0.7,0.1,15,-0.9,-0.5,1e-05,160,16,5,21,,,0.4,"
+          "outline,fv,od,tobit,ratio,fitted,-0.7,0.1,15,-0.9,-0.5,1e-05,160,16,5,21,,,0.4,"
           "-0.8,P3,-0.6,P1,\n"
-          "artifacts,\"fv\",od,ordinal,odds ratio,,,,,,,160,16,5,0,,,,,,,,\"all, answers "
+          "artifacts,\"fv\",od,ordinal,odds ratio,failed,,,,,,,160,16,5,0,,,,,,,,\"all, answers "
           "are the same\"\n"
-          "comfort,fv,od,ordinal,odds ratio,-Inf,,79,-Inf,-2.5,1e-08,160,16,5,0,,,,,,,,"
+          "comfort,fv,od,ordinal,odds ratio,separated,-Inf,,79,-Inf,-2.5,1e-08,160,16,5,0,,,,,,,,"
           "separated\n",
       "name,version\nR,4.2.2\nsurvival,3.5.3\n");
   ASSERT_EQ(models.models.size(), 3U);
@@ -55,6 +56,7 @@ TEST(ReadModels, HasWhatTheScriptWrote) {
   EXPECT_FALSE(models.find("ordinal", "artifacts", "fv", "od")->fit);
   EXPECT_EQ(models.find("ordinal", "artifacts", "vp", "od"), nullptr);
   EXPECT_EQ(models.models[1].note, "all, answers are the same");
+  EXPECT_EQ(models.models[1].status, "failed");
   EXPECT_THAT(models.versions, ElementsAre(Pair("R", "4.2.2"), Pair("survival", "3.5.3")));
 }
 
@@ -71,11 +73,11 @@ TEST(ReadModels, RefusesWhatTheScriptDoesNotWrite) {
   EXPECT_THAT(complaint(""), HasSubstr("r_models.csv: is empty"));
   EXPECT_THAT(complaint("measure\noutline,fv\n"), HasSubstr("a row has 2 fields"));
   EXPECT_THAT(complaint("measure\noutline\n"), HasSubstr("has no column"));
-  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,x,,,,,,,,,,,,,,,,,\n"),
+  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,fitted,x,,,,,,,,,,,,,,,,,\n"),
               HasSubstr("\"x\" in the column estimate is not a number"));
-  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,stars,,,,,,,1,1,1,0,,,,,,,,\n"),
+  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,stars,failed,,,,,,,1,1,1,0,,,,,,,,\n"),
               HasSubstr("\"stars\" is not a scale"));
-  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,,,,,,,Inf,1,1,0,,,,,,,,\n"),
+  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,failed,,,,,,,Inf,1,1,0,,,,,,,,\n"),
               HasSubstr("\"Inf\" in the column trials is not a count"));
 }
 
@@ -228,6 +230,7 @@ TEST(FitModels, SeparatedRatingsHaveALikelihoodRatio) {
   EXPECT_GT(model->fit->p, 1e-12);
   EXPECT_FALSE(model->fit->standard_error);
   EXPECT_THAT(model->note, HasSubstr("ratings are separated"));
+  EXPECT_EQ(model->status, "separated");
 }
 
 // Each participant has one ratio, to the last digit, in both scenes: lmerTest gives 0.015 degrees
@@ -247,6 +250,26 @@ TEST(FitModels, AFitThatFailedHasNoP) {
   const FittedModel* model = fitted.front().find("crossed", "outline", "fv", "od");
   EXPECT_FALSE(model->fit);
   EXPECT_THAT(model->note, HasSubstr("the fit failed ("));
+  EXPECT_EQ(model->status, "failed");
+}
+
+// Everybody rates every image alike: the likelihood rises with the variance between participants,
+// for ever, so it has no curvature at a maximum. P was 1, with an interval from -Inf to Inf.
+TEST(FitModels, ASingularHessianGivesNoP) {
+  study::StudyRecords records = complete_study(6);
+  records.protocol.analysis.primary = {{"artifacts", "fv", "od"}};
+  records.protocol.analysis.scenes = study::SceneEffects::fixed;
+  change_values(records, "artifacts", [&, i = std::size_t{0}](Value& value) mutable {
+    value = measured(1.0 + static_cast<double>((records.trials[i++].session + 1) % 4));
+  });
+  const std::vector<FittedModels> fitted = fit_studies({records});
+  if (const std::string why = missing_for(fitted.front()); !why.empty()) {
+    GTEST_SKIP() << why;
+  }
+  const FittedModel* model = fitted.front().find("ordinal", "artifacts", "fv", "od");
+  EXPECT_FALSE(model->fit);
+  // Other releases of ordinal may stop before they look at the Hessian.
+  EXPECT_THAT(model->status, testing::AnyOf("singular", "failed")) << model->note;
 }
 
 TEST(FitModels, WhatCannotBeFittedSaysWhy) {

@@ -83,6 +83,15 @@ TEST_F(Render, TheImageDependsOnTheSeedAndNotOnTheThreads) {
   EXPECT_FALSE(one == image("s.exr", {"--seed", "1"}));
 }
 
+// Seeds of renders have 32 bits: the largest is 2^32 - 1.
+TEST_F(Render, AWholeNumberBeyondItsOptionIsRefusedWithTheRange) {
+  EXPECT_THAT(render("a.exr", {"--seed", "4294967296"}).errors, HasSubstr(" 0 to 4294967295"));
+  EXPECT_THAT(
+      run_foveola({"study", "simulate", "demo", "--participants", "2", "--jobs", "99999999999"})
+          .errors,
+      HasSubstr("--jobs: Value 99999999999 not in range 1 to 1024"));
+}
+
 TEST_F(Render, SecondsBoundTheTime) {
   const ProgramResult result = succeeded(
       render("a.png", {"--size", "64x32", "--seconds", "0.2", "--json", "--max-depth", "1"}));

@@ -31,10 +31,9 @@ TEST_F(ProtocolFile, IdsNameFilesOnEveryFileSystem) {
     EXPECT_THAT([&] { (void)load(of_rating(std::string(length, 'x'))); },
                 ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:6:"), HasSubstr("at most 64"))));
   }
-  EXPECT_THAT(
-      [&] { (void)load(of_rating("if") + of_rating("IF").substr(minimal.size())); },
-      ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:9:"),
-                                 HasSubstr("the id 'IF' differs from 'if' in letter case"))));
+  EXPECT_THAT([&] { (void)load(of_rating("if") + of_rating("IF").substr(minimal.size())); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:9:"),
+                                         HasSubstr("'IF' differs from 'if' in letter case"))));
   EXPECT_THAT(
       [&] {
         (void)load(of_rating("if") + "[[mark]]\nid = \"if_response\"\ninstruction = \"Now.\"\n");
@@ -43,6 +42,49 @@ TEST_F(ProtocolFile, IdsNameFilesOnEveryFileSystem) {
   // A record that has such ids can be read.
   EXPECT_NO_THROW((void)read_protocol(of_rating(std::string(65, 'x')), "p.toml"));
 }
+
+struct AlikeNames {
+  std::string text;
+  std::string place;
+  std::string name;
+};
+void PrintTo(const AlikeNames& alike, std::ostream* out) { *out << alike.name; }
+
+class NamesOfColumns : public ProtocolFolder, public testing::WithParamInterface<AlikeNames> {};
+
+const std::string of_q =
+    "[[questionnaire]]\nid = \"q\"\ntitle = \"Q\"\n"
+    "[[questionnaire.question]]\nid = \"age\"\ntext = \"Age?\"\n";
+
+// SQLite 3 refuses a table with the columns q.age and Q.AGE: "duplicate column name".
+TEST_P(NamesOfColumns, DifferInMoreThanLetterCase) {
+  folder_.write("case.toml",
+                "title = \"Case\"\n[[question]]\nid = \"a\"\ntext = \"?\"\n"
+                "[[question]]\nid = \"A\"\ntext = \"?\"\n");
+  EXPECT_THAT([&] { (void)load(GetParam().text); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("p.toml:" + GetParam().place),
+                                         HasSubstr("'" + GetParam().name + "' "),
+                                         HasSubstr("letter case"))));
+  EXPECT_NO_THROW((void)read_protocol(GetParam().text, path_)) << "as a record may have it";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfEachKind, NamesOfColumns,
+    testing::Values(
+        AlikeNames{minimal + of_q +
+                       "[[questionnaire]]\nid = \"Q\"\ntitle = \"Q\"\n"
+                       "[[questionnaire.question]]\nid = \"AGE\"\ntext = \"?\"\n",
+                   "12:6:", "Q"},
+        AlikeNames{minimal + of_q + "[[questionnaire.question]]\nid = \"AGE\"\ntext = \"?\"\n",
+                   "12:6:", "AGE"},
+        AlikeNames{minimal + "[[questionnaire]]\nid = \"q\"\nfile = \"case\"\n", "7:8:", "A"},
+        AlikeNames{"name = \"a\"\ntitle = \"b\"\nscenes = [\"hall\", \"Hall\"]\n"
+                   "methods = [\"od\"]\n",
+                   "3:19:", "Hall"},
+        AlikeNames{minimal + "[[mark]]\nid = \"Looking_Around\"\ninstruction = \"Now.\"\n",
+                   "6:6:", "Looking_Around"},
+        AlikeNames{of_rating("if") + "[[mark]]\nid = \"IF_response\"\ninstruction = \"Now.\"\n",
+                   "9:6:", "IF_response"}));
 
 // Records of 0.1.0 have them.
 TEST(ProtocolText, OfARecordNamesTheKeysThatItsProgramHad) {

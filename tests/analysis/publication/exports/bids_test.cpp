@@ -120,5 +120,14 @@ TEST(Bids, CodesThatCannotBeLabelsStayApart) {
   EXPECT_TRUE(names.contains("bids/sub-P1n2/beh/sub-P1n2_task-preview_beh.tsv"));
 }
 
+// APFS and NTFS take sub-P001 and sub-p001 for one folder. BIDS: a label has a letter or digit.
+TEST(Bids, LabelsDifferInMoreThanLetterCaseAndAreNotEmpty) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[0].participant = "P001";
+  records.sessions[1].participant = "p001";
+  records.sessions[2].participant = "_";
+  EXPECT_THAT(bids_labels(select_for_analysis(records)), ElementsAre("P001", "x", "p001n2"));
+}
+
 }  // namespace
 }  // namespace foveola::analysis
