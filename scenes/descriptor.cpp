@@ -282,22 +282,22 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   return descriptor;
 }
 
-toml::table parse_descriptor(const fs::path& file, const std::string& text) {
+toml::table parse_descriptor_table(const fs::path& file, const std::string& text) {
   return parse_toml(file.string(), text, "see scenes/arcade/arcade.toml for an example");
 }
 
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  return descriptor_of_text(file, read_toml_file(file));
+  return parse_descriptor(file, read_toml_file(file));
 }
 
-Descriptor descriptor_of_text(const fs::path& file, const std::string& text) {
-  return descriptor_from(file, parse_descriptor(file, text));
+Descriptor parse_descriptor(const fs::path& file, const std::string& text) {
+  return descriptor_from(file, parse_descriptor_table(file, text));
 }
 
 bool is_descriptor(const fs::path& file) {
-  const toml::table table = parse_descriptor(file, read_toml_file(file));
+  const toml::table table = parse_descriptor_table(file, read_toml_file(file));
   return table.contains("file") || table.contains("builtin") || table.contains("camera");
 }
 

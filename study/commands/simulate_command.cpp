@@ -87,7 +87,7 @@ nlohmann::json json_report(const SimulateArguments& arguments, const PrepareRepo
 }
 
 std::string text_of(const SimulateArguments& arguments, const PrepareReport& report) {
-  if (!report.has_looks) {
+  if (!report.simulates_viewing) {
     return "Nothing to prepare: participants with an injected effect do not look at pictures\n";
   }
   if (report.stopped) {

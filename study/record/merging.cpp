@@ -264,7 +264,7 @@ class Merging {
   }
 
   void require_same_whole(SQLite::Database& study, const fs::path& path) {
-    const std::optional<SimulatedWhole> whole = whole_of(study);
+    const std::optional<ShardedStudy> whole = read_sharded_study(study);
     if (whole && whole_ && *whole != *whole_) {
       throw Error(path.string(),
                   fmt::format("is a part of {} simulated participants with seed {}, and another "
@@ -340,7 +340,7 @@ class Merging {
   int schema_ = study_schema_version;
   std::set<std::string> forgotten_;  ///< SHA-256 of the sessions' UUIDs
   std::optional<Simulation> simulation_;
-  std::optional<SimulatedWhole> whole_;
+  std::optional<ShardedStudy> whole_;
   std::optional<SQLite::Database> open_;  ///< the file of the session that is added
   std::size_t open_source_ = 0;
   Merge result_;

@@ -61,8 +61,8 @@ constexpr std::array setup_facts{
 Json mean_speed_in(const Json& devices) {
   double sum = 0.0;
   int count = 0;
-  for (const Json& speed : member(member(devices, "preflight"), "speeds")) {
-    if (const Json samples = member(speed, "samples_per_second");
+  for (const Json& speed : member_or_null(member_or_null(devices, "preflight"), "speeds")) {
+    if (const Json samples = member_or_null(speed, "samples_per_second");
         samples.is_number() && samples.get<double>() > 0.0) {
       sum += std::log(samples.get<double>());
       ++count;
@@ -73,7 +73,7 @@ Json mean_speed_in(const Json& devices) {
 
 /// One value for each fact; null where the devices say nothing. No filter is one, too.
 std::vector<Json> values_in(const std::string& devices) {
-  Json json = json_in(devices);
+  Json json = parse_json(devices);
   if (!json.is_object()) {
     return std::vector<Json>(setup_facts.size());
   }
@@ -119,7 +119,7 @@ std::string in_words(const Json& value) {
 /// `devices` with the processor and the program of the session's row, where it says neither.
 std::string with_row(const std::string& devices, const std::string& processor,
                      const BuildInfo& build) {
-  Json json = json_in(devices);
+  Json json = parse_json(devices);
   if (!json.is_object() || json.contains("machine")) {
     return devices;
   }

@@ -310,7 +310,7 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
     return std::nullopt;
   }
   const SQLite::Column speed = rows.getColumn("samples_per_second");
-  const std::optional<SimulatedWhole> whole = whole_of(database);
+  const std::optional<ShardedStudy> whole = read_sharded_study(database);
   return SimulationFacts{
       .scale = rows.getColumn("scale").getDouble(),
       .samples_per_second = speed.isNull() ? std::nullopt : std::optional(speed.getDouble()),

@@ -258,7 +258,7 @@ std::string StudyStore::protocol_text() const {
 
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
-void StudyStore::mark_as_part(const SimulatedWhole& whole) {
+void StudyStore::mark_as_part(const ShardedStudy& whole) {
   implementation_->commit([&] { study::mark_as_part(implementation_->database, whole); });
 }
 

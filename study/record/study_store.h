@@ -103,7 +103,7 @@ class StudyStore {
   const std::optional<Amendment>& amendment() const;
 
   /// Says that the file holds a part of the simulated study `whole`.
-  void mark_as_part(const SimulatedWhole& whole);
+  void mark_as_part(const ShardedStudy& whole);
 
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;

@@ -62,7 +62,7 @@ bool make_new_file(const fs::path& path, FileAccess access) {
   constexpr mode_t own = 0600;
   constexpr mode_t group = 0660;
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                                access == FileAccess::usual ? all : own);
+                                access == FileAccess::default_access ? all : own);
   if (descriptor < 0) {
     return false;
   }

@@ -244,7 +244,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
   }
   std::vector<std::string> names;
   for (const fs::path& ready : questionnaire_folders(folder)) {
-    const std::vector<std::string> there = toml_names_if_any(ready);
+    const std::vector<std::string> there = toml_names_or_none(ready);
     if (std::ranges::find(there, name_or_path) != there.end()) {
       return ready / (name_or_path + ".toml");
     }

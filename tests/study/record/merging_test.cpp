@@ -164,13 +164,13 @@ TEST_F(MergingShards, OrdersThemByTheirDesign) {
 
 /// The second of three participants.
 TEST_F(MergingShards, NamesWhoIsMissingInTheWholeThatTheyAreOf) {
-  const auto shard = [&](int design_row, const SimulatedWhole& whole) {
+  const auto shard = [&](int design_row, const ShardedStudy& whole) {
     const std::string participant = participant_code(design_row);
     const fs::path path = simulated(participant, design_row, {}, "x86-64-v3");
     StudyStore(path, small_protocol()).mark_as_part(whole);
     return path;
   };
-  const SimulatedWhole whole{.seed = std::to_string(facts_of("P001").seed), .participants = 3};
+  const ShardedStudy whole{.seed = std::to_string(facts_of("P001").seed), .participants = 3};
   const fs::path first = shard(0, whole);
   const fs::path second = shard(1, whole);
   const fs::path third = shard(2, whole);
