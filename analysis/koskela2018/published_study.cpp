@@ -77,14 +77,14 @@ PublishedStudy read_published_study(const fs::path& folder) {
   return published;
 }
 
-std::optional<PublishedStudy> published_beside(const Dataset& set) {
+std::optional<PublishedStudy> published_study_for(const Dataset& set) {
   return measures_what_was_published(set)
              ? std::optional(read_published_study(resource_folder() / "data" / "koskela2018"))
              : std::nullopt;
 }
 
-const PublishedFigure& published_figure(const PublishedStudy& published, const std::string& id) {
-  const auto found = std::ranges::find(published.text, id, &PublishedFigure::id);
+const PublishedNumber& published_number(const PublishedStudy& published, const std::string& id) {
+  const auto found = std::ranges::find(published.text, id, &PublishedNumber::id);
   if (found == published.text.end()) {
     throw Error("data/koskela2018/text.csv", fmt::format("does not have the figure \"{}\"", id),
                 "restore the file");
@@ -107,7 +107,7 @@ const PublishedTime* published_time(const PublishedStudy& published, const std::
 }
 
 Estimate published_mean(const PublishedStudy& published, double mean, double standard_deviation) {
-  const auto n = static_cast<std::size_t>(published_figure(published, "participants").value);
+  const auto n = static_cast<std::size_t>(published_number(published, "participants").value);
   return mean_estimate(Description{.n = n, .mean = mean, .standard_deviation = standard_deviation})
       .value();
 }
