@@ -72,6 +72,9 @@ std::string svg_terminal(int width, int height) {
       width, height);
 }
 
+constexpr const char* gnuplot_remedy =
+    "check that gnuplot 5.4 or newer is installed, with its cairo terminals";
+
 std::string png_terminal(int width, int height) {
   return fmt::format(
       "set terminal pngcairo size {},{} noenhanced font 'sans-serif,10.5' fontscale 2 "
@@ -94,7 +97,11 @@ Figure split(const std::string& name, const std::string& script, const std::stri
   constexpr std::string_view png_begin = "\x89PNG";
   constexpr std::string_view png_end = "IEND\xae\x42\x60\x82";  // The last chunk and its checksum.
   const std::size_t png = drawn.find(png_begin, drawn.find(svg_end));
-  const std::size_t pdf = drawn.find(png_end, png) + png_end.size();
+  const std::size_t end = drawn.find(png_end, png);
+  if (end == std::string::npos) {
+    throw Error("gnuplot", "drew no SVG or no PNG", gnuplot_remedy);
+  }
+  const std::size_t pdf = end + png_end.size();
   return {name, drawn.substr(0, png), drawn.substr(png, pdf - png), dateless_pdf(drawn.substr(pdf)),
           script};
 }
@@ -111,7 +118,10 @@ Figure drawn_figure(const std::string& name, int width, int height, const std::s
 std::string run_gnuplot(const std::string& script) {
   const ProgramEnd end = end_of_gnuplot(script);
   if (end.status != 0) {
-    throw Error("gnuplot", "failed: " + end.errors, "check that gnuplot 5.4 or newer is installed");
+    throw Error("gnuplot", "failed: " + end.errors, gnuplot_remedy);
+  }
+  if (end.output.empty()) {
+    throw Error("gnuplot", "drew nothing, and reported no fault", gnuplot_remedy);
   }
   return end.output;
 }

@@ -1,5 +1,9 @@
 // The Python module `foveola`: three functions that load a scene, render it, and read a study's
 // file as data frames.
+#include <exception>
+#include <string_view>
+#include <utility>
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -128,6 +132,28 @@ void define_render(py::module_& module) {
       py::arg("max_depth") = usual.max_depth);
 }
 
+/// A message may contain a file's name, whose bytes need not be UTF-8.
+void raise(const py::object& kind, const Error& error) {
+  const std::string_view message = error.what();
+  const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+      message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace"));
+  PyErr_SetObject(kind.ptr(), text.ptr());
+}
+
+void define_errors(py::module_& module) {
+  static const py::exception<Error> error(module, "Error", PyExc_RuntimeError);
+  static const py::exception<UsageError> usage_error(module, "UsageError", error.ptr());
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const UsageError& fault) {
+      raise(usage_error, fault);
+    } catch (const Error& fault) {
+      raise(error, fault);
+    }
+  });
+}
+
 }  // namespace
 
 PYBIND11_MODULE(foveola, module) {
@@ -136,8 +162,7 @@ PYBIND11_MODULE(foveola, module) {
   // Imports numpy now, as its types need it. Otherwise, of two threads that need it first, one
   // imports it and waits for the lock of the other, which waits for that import.
   (void)py::dtype::of<float>();
-  const py::object& error = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
-  py::register_exception<UsageError>(module, "UsageError", error.ptr());
+  define_errors(module);
   define_scene(module);
   define_render(module);
   module.def(

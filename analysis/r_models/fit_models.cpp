@@ -186,6 +186,9 @@ std::vector<FittedModels> fit_models(const fs::path& script, const std::vector<f
         fmt::format("R ended with {}: {}", failure_named(end.status), last_line(end.errors)));
   }
   return transformed(folders, [&](const fs::path& folder) {
+    if (!fs::exists(folder / models_file) || !fs::exists(folder / versions_file)) {
+      return FittedModels{.missing = "R wrote no models, and reported no fault"};
+    }
     return read_models(read_file(folder / models_file), read_file(folder / versions_file));
   });
 }

@@ -50,8 +50,11 @@ std::string check_whole_number(std::string& text) {
   }
   std::string digits = text.starts_with('+') ? text.substr(1) : text;
   if (text.find_first_of(".eE") != std::string::npos) {
-    if (*number != std::trunc(*number) || std::abs(*number) > largest) {
+    if (*number != std::trunc(*number)) {
       return fmt::format("'{}' is not a whole number", text);
+    }
+    if (std::abs(*number) >= largest) {
+      return fmt::format("'{}' is not a whole number that is exact: write its digits alone", text);
     }
     digits = fmt::format("{:.0f}", *number);
   }

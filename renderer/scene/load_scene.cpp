@@ -239,8 +239,11 @@ std::optional<std::string> note_of_descriptor(const SceneSource& source) {
 
 Scene load_scene_file(const std::filesystem::path& path, const SceneReading& reading) {
   require_readable_format(path);
-  Scene scene =
-      lower_case_extension(path) == ".obj" ? load_obj(path, reading) : load_gltf(path, reading);
+  const bool is_obj = lower_case_extension(path) == ".obj";
+  Scene scene = is_obj ? load_obj(path, reading) : load_gltf(path, reading);
+  if (is_obj && reading.time_s) {
+    scene.warnings.emplace_back("the time of animations is ignored: an OBJ file has none");
+  }
   if (const std::optional<std::string> warning = warning_of_nested_volumes(scene)) {
     scene.warnings.push_back(*warning);
   }

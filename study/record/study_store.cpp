@@ -258,8 +258,19 @@ std::string StudyStore::protocol_text() const {
 
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
-void StudyStore::mark_as_part(const ShardedStudy& whole) {
-  implementation_->commit([&] { study::mark_as_part(implementation_->database, whole); });
+void StudyStore::mark_as_part(const std::optional<ShardedStudy>& whole) {
+  implementation_->commit([&] {
+    SQLite::Database& database = implementation_->database;
+    const std::optional<ShardedStudy> before = read_sharded_study(database);
+    if (whole) {
+      study::mark_as_part(database, *whole);
+    } else if (before) {
+      throw Error(implementation_->path.string(),
+                  fmt::format("is a part of a simulated study of {} participants with the seed {}",
+                              before->participants, before->seed),
+                  "name a new file, or give --shard as when this file was begun");
+    }
+  });
 }
 
 bool StudyStore::has_participant(const std::string& code) const {

@@ -102,8 +102,9 @@ class StudyStore {
   /// What the protocol differs in from the one that the study was begun with; empty if it is that.
   const std::optional<Amendment>& amendment() const;
 
-  /// Says that the file holds a part of the simulated study `whole`.
-  void mark_as_part(const ShardedStudy& whole);
+  /// Records that the file holds a part of the simulated study `whole`; empty: that it holds a
+  /// whole one. Throws Error if `whole` is empty and the file holds a part.
+  void mark_as_part(const std::optional<ShardedStudy>& whole);
 
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;

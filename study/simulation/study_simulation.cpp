@@ -64,10 +64,10 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
       store_(study.settings.database, study.protocol, OtherProtocol::refuse,
              study.settings.real_time ? RecordDates::wall_clock : RecordDates::virtual_time) {
   const SimulateSettings& settings = study.settings;
-  if (settings.shard && settings.shard->count > 1) {
-    store_.mark_as_part(
-        {.seed = std::to_string(settings.seed), .participants = settings.participants});
-  }
+  store_.mark_as_part(settings.shard && settings.shard->count > 1
+                          ? std::optional(ShardedStudy{.seed = std::to_string(settings.seed),
+                                                         .participants = settings.participants})
+                          : std::nullopt);
 }
 
 SimulateReport StudySimulation::run(const std::stop_token& stop) {

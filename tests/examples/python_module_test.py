@@ -38,6 +38,10 @@ class Scenes(unittest.TestCase):
         self.assertIn("nowhere.glb", str(raised.exception))
         self.assertNotIn("\n", str(raised.exception))
 
+    def test_an_error_names_a_file_whose_name_is_no_utf8(self):
+        with self.assertRaisesRegex(foveola.Error, r"none\\xfb\.obj"):
+            foveola.load_scene(b"/tmp/none\xfb.obj".decode(errors="surrogateescape"))
+
     def test_a_scene_is_named_by_a_text_or_a_path(self):
         self.assertEqual(foveola.load_scene(room).triangles,
                          foveola.load_scene(str(room)).triangles)

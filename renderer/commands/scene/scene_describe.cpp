@@ -147,6 +147,10 @@ void print_what_belongs_beside(const fs::path& descriptor, const SceneSource& so
 
 void describe(const DescribeArguments& arguments, SceneSource source,
               const DescriptorText& descriptor_text, const std::stop_token& stop) {
+  if (source.time_s) {
+    throw UsageError("--time", "a descriptor has no time of animations",
+                     "describe the scene without it, and give it to foveola render");
+  }
   const Outputs outputs = outputs_of(arguments);
   require_free(outputs, arguments.may_replace);
   apply_light(arguments.look, source);

@@ -69,11 +69,12 @@ class MaterialReader {
     }
     return limited(values_.diffuse, 1.0F, "Kd");
   }
-  /// Exporters write a black Kd beside a map that should be visible.
-  Rgb seen_diffuse() const {
-    const Rgb stated = diffuse();
-    const bool is_black = max_component(stated) == 0.0F && !values_.diffuse_texname.empty();
-    return is_black ? Rgb(1.0F) : stated;
+  /// A factor beside a map: exporters write 0, the value of a socket whose texture counts instead.
+  static Rgb factor_beside_map(const Rgb& stated, bool has_map) {
+    return has_map && max_component(stated) == 0.0F ? Rgb(1.0F) : stated;
+  }
+  static float factor_beside_map(float stated, bool has_map) {
+    return has_map && stated == 0.0F ? 1.0F : stated;
   }
   Rgb specular() const {
     if (!has("Ks")) {
@@ -118,7 +119,7 @@ class MaterialReader {
   }
 
   void make_surface(Material& material) const {
-    material.base_color = seen_diffuse();
+    material.base_color = factor_beside_map(diffuse(), !values_.diffuse_texname.empty());
     if (has("Pr") || has("Pm") || has("map_Pr") || has("map_Pm")) {
       make_physically_based(material);
     } else {
@@ -152,30 +153,27 @@ class MaterialReader {
   }
 
   void make_physically_based(Material& material) const {
-    material.specular = 1.0F;
-    material.roughness = has("Pr") ? fraction(values_.roughness, "Pr") : 1.0F;
-    material.metallic = has("Pm") || !has("map_Pm") ? fraction(values_.metallic, "Pm") : 1.0F;
-    if (values_.roughness_texname.empty() && values_.metallic_texname.empty()) {
-      return;
-    }
     const ObjTexture texture{.content = ObjTexture::Content::roughness_metallic,
                              .first = file_of(values_.roughness_texname),
                              .second = file_of(values_.metallic_texname)};
-    if (texture.first.empty() && texture.second.empty()) {
-      return;
+    const bool has_roughness = !texture.first.empty();
+    const bool has_metallic = !texture.second.empty();
+    material.specular = 1.0F;
+    material.roughness =
+        has("Pr") ? factor_beside_map(fraction(values_.roughness, "Pr"), has_roughness) : 1.0F;
+    material.metallic = factor_beside_map(fraction(values_.metallic, "Pm"), has_metallic);
+    if (has_roughness || has_metallic) {
+      material.metallic_roughness_texture =
+          use_of(texture, has_roughness ? values_.roughness_texopt : values_.metallic_texopt);
     }
-    const bool has_roughness = !values_.roughness_texname.empty();
-    material.metallic_roughness_texture =
-        use_of(texture, has_roughness ? values_.roughness_texopt : values_.metallic_texopt);
   }
 
   void read_layers(Material& material) const {
     constexpr float sheen_roughness = 0.5F;  // the extension has no statement for it
     material.clearcoat = fraction(values_.clearcoat_thickness, "Pc");
     material.clearcoat_roughness = fraction(values_.clearcoat_roughness, "Pcr");
-    const bool has_sheen_texture = !values_.sheen_texname.empty();
     material.sheen_color =
-        Rgb(has("Ps") || !has_sheen_texture ? fraction(values_.sheen, "Ps") : 1.0F);
+        Rgb(factor_beside_map(fraction(values_.sheen, "Ps"), !values_.sheen_texname.empty()));
     if (max_component(material.sheen_color) > 0.0F) {
       material.sheen_roughness = sheen_roughness;
       material.sheen_color_texture = texture_of(values_.sheen_texname, values_.sheen_texopt, false);
@@ -202,13 +200,9 @@ class MaterialReader {
 
   void read_emission(Material& material) const {
     constexpr float brightest = 1e9F;
-    const bool has_texture = !values_.emissive_texname.empty();
-    material.emission =
-        has("Ke") || !has_texture ? limited(values_.emission, brightest, "Ke") : Rgb(1.0F);
-    if (material.is_emissive() && has_texture) {
-      material.emissive_texture =
-          texture_of(values_.emissive_texname, values_.emissive_texopt, true);
-    }
+    material.emissive_texture = texture_of(values_.emissive_texname, values_.emissive_texopt, true);
+    material.emission = factor_beside_map(limited(values_.emission, brightest, "Ke"),
+                                          material.emissive_texture.exists());
   }
 
   /// By norm, or by a coloured bump map, as Blender writes.
@@ -255,8 +249,11 @@ class MaterialReader {
     }
   }
 
+  /// Some exporters put a path in quotes.
   fs::path file_of(const std::string& name) const {
-    return name.empty() ? fs::path() : find_texture_(name);
+    const bool is_quoted = name.size() > 2 && name.front() == '"' && name.back() == '"';
+    return name.empty() ? fs::path()
+                        : find_texture_(is_quoted ? name.substr(1, name.size() - 2) : name);
   }
 
   TextureUse texture_of(const std::string& name, const tinyobj::texture_option_t& options,

@@ -31,7 +31,8 @@ void require_modest_memory(std::size_t decoded_bytes, std::size_t encoded_bytes)
   const auto in_mib = [](std::size_t bytes) { return static_cast<double>(bytes) / mib; };
   if (const std::size_t max_bytes = max_decoded_bytes(); decoded_bytes > max_bytes) {
     throw std::runtime_error(
-        fmt::format("would take {:.0f} MiB of memory; up to {:.0f} are allowed here",
+        fmt::format("would take {:.0f} MiB of memory, of which {:.0f} are allowed here: its images "
+                    "have to be smaller",
                     in_mib(decoded_bytes), in_mib(max_bytes)));
   }
   if (decoded_bytes > modest_bytes && decoded_bytes / max_growth > encoded_bytes) {

@@ -158,7 +158,9 @@ void CoincidentSurfaces::add_overlaps(const SceneTriangle& place,
     }
     its_own.clearance_m = std::max(its_own.clearance_m, clearance);
     is_concerned_[emitter.place.object] = true;
-    if (!first_) {
+    const bool have_a_common_side =
+        emitter.double_sided || here.double_sided || glm::dot(emitter.normal, here.normal) > 0.0;
+    if (!first_ && have_a_common_side) {
       first_.emplace(emitter.place, place);
     }
   }

@@ -1,9 +1,11 @@
 #include "analysis/gnuplot/gnuplot.h"
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "renderer/base/error.h"
 #include "tests/matchers.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
 namespace {
@@ -47,6 +49,16 @@ TEST_F(PathWithoutPrograms, AMissingGnuplotIsAnErrorWithARemedy) {
   EXPECT_THAT([] { (void)run_gnuplot("plot x\n"); },
               ThrowsMessage<Error>(
                   AllOf(HasSubstr("cannot be started"), HasSubstr("install gnuplot-nox"))));
+}
+
+/// As one without its terminals, or a wrapper that hides a failure.
+TEST_F(PathWithoutPrograms, AGnuplotThatDrawsNothingIsAnError) {
+  const test::TemporaryFolder folder;
+  folder.write("gnuplot", "#!/bin/sh\n");
+  std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
+  ::setenv("PATH", folder.path().c_str(), 1);
+  EXPECT_THAT([] { (void)drawn_figure("x", 100, 100, "plot x\n"); },
+              ThrowsMessage<Error>(HasSubstr("drew nothing")));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 #include "analysis/dataset/comparisons.h"
@@ -13,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
 namespace {
@@ -257,6 +260,19 @@ TEST(FitModels, WhatCannotBeFittedSaysWhy) {
     EXPECT_FALSE(model.fit);
     EXPECT_EQ(model.note, "fewer than two participants");
   }
+}
+
+/// A wrapper that hides a failure.
+TEST(FitModels, AnRThatWritesNothingIsSaidAndFitsNothing) {
+  const test::TemporaryFolder folder;
+  folder.write("Rscript", "#!/bin/sh\n");
+  std::filesystem::permissions(folder / "Rscript", std::filesystem::perms::owner_all);
+  const std::string before = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);
+  const FittedModels fitted = fit_models(folder.path());
+  ::setenv("PATH", before.c_str(), 1);
+  EXPECT_TRUE(fitted.models.empty());
+  EXPECT_THAT(fitted.missing, HasSubstr("R wrote no models"));
 }
 
 }  // namespace

@@ -179,6 +179,8 @@ TEST_F(MergingShards, NamesWhoIsMissingInTheWholeThatTheyAreOf) {
                     HasSubstr("would lack 1 of 3 simulated participants: P002")));
   EXPECT_FALSE(fs::exists(all_));
   EXPECT_THAT(verify_study(first).faults, IsEmpty());
+  EXPECT_THAT(refusal([&] { StudyStore(first, small_protocol()).mark_as_part(std::nullopt); }),
+              HasSubstr("is a part of a simulated study of 3 participants"));
 
   const fs::path part = folder_ / "part.sqlite";
   EXPECT_THAT(merge_studies({first, third}, part, {.missing = MissingParts::note}).missing,

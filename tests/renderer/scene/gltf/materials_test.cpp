@@ -302,7 +302,7 @@ TEST_F(GltfMaterials, RefusesMoreTexelsThanHalfOfTheMemoryHolds) {
   }
   EXPECT_THAT(
       error_of(glb),
-      HasSubstr(fmt::format("images: would take {} MiB of memory; up to {:.0f} are allowed here",
+      HasSubstr(fmt::format("images: would take {} MiB of memory, of which {:.0f} are allowed here",
                             768 * images, limit_mib)));
 }
 

@@ -213,6 +213,22 @@ TEST_F(MtlMaterials, AMapOverBlackIsSeen) {
   EXPECT_EQ(material("Kd 0 0 0\n").base_color, Rgb(0.0F));
 }
 
+/// Blender writes the values of sockets that have textures: 0 of metal and emission.
+TEST_F(MtlMaterials, AMapOfAZeroCounts) {
+  grey("grey.png", 200);
+  EXPECT_EQ(material("Ke 0 0 0\nmap_Ke grey.png\n").emission, Rgb(1.0F));
+  EXPECT_EQ(read("Ke 0 0 0\nmap_Ke none.png\n").first.emission, Rgb(0.0F));
+  EXPECT_EQ(material("Ke 0.5 0.5 0.5\nmap_Ke grey.png\n").emission, Rgb(0.5F));
+  EXPECT_EQ(material("Pr 0.5\nPm 0\nmap_Pm grey.png\n").metallic, 1.0F);
+  EXPECT_EQ(material("Pr 0\nPm 0.5\nmap_Pr grey.png\n").roughness, 1.0F);
+  EXPECT_EQ(material("Pr 0.5\nPm 0\nmap_Pr grey.png\n").metallic, 0.0F);
+}
+
+TEST_F(MtlMaterials, APathMayStandInQuotes) {
+  grey("grey.png", 200);
+  EXPECT_TRUE(material("map_Kd \"C:\\my pictures\\grey.png\"\n").base_color_texture.exists());
+}
+
 TEST_F(MtlMaterials, ColoursAreSrgbAndDataLinear) {
   grey("grey.png", 188);
   EXPECT_NEAR(scene_of("map_Kd grey.png\n").textures.at(0).sample({0, 0}).r, 0.502886F, 1e-5F);

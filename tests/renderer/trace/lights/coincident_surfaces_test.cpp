@@ -115,6 +115,7 @@ TEST(CoincidentSurfacesTest, OneSidedLightsBackToBackBothShine) {
     scene.meshes.push_back(lower_first ? whole.mesh(1) : inside_out(whole.mesh(2)));
     scene.meshes.push_back(lower_first ? inside_out(whole.mesh(2)) : whole.mesh(1));
     expect_floor(scene, 10.0 * whole.view_factor());
+    EXPECT_TRUE(PathTracer(scene, workers()).warnings().empty());
     EXPECT_NEAR(seen_above(scene, Vec3(0.2F, 0.5F, 0.1F)), 10.0, 1e-5);
     EXPECT_NEAR(mean_radiance(scene, Vec3(0.2F, 2, 0.1F), Vec3(0, -1, 0), 1, 500).mean(), 3.0,
                 1e-5);
