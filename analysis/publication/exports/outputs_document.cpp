@@ -12,7 +12,8 @@ This text is generated from the tables' columns, and is written beside each stud
 study's marks, ratings and questions. Foveola's own copy describes a synthetic study.
 
 Every CSV file follows RFC 4180 (CRLF line ends, quotes where needed) with a heading; a column's name
-ends in its unit. A value that does not exist is an empty field (CSV), `null` (JSON), `n/a` (BIDS).
+ends in its unit. In Foveola's sources, `data/koskela2018/README.md` names the file here, and the
+function, of each item of Koskela et al. 2018. A value that does not exist is an empty field (CSV), `null` (JSON), `n/a` (BIDS).
 Typed texts may look like one: NA, None, null, n/a. Only an empty field is missing in CSV:
 read it so by `pandas.read_csv(file, keep_default_na=False, na_values=[""])`, in R by
 `read.csv(file, na.strings = "")`. In BIDS a typed `n/a` has an apostrophe before it, `'n/a`: read by
