@@ -38,6 +38,7 @@ struct PublishedFigure {
 };
 
 struct PublishedStudy {
+  std::filesystem::path folder;  ///< that it was read from
   std::vector<PublishedAnswers> background;
   std::vector<PublishedTime> times;
   std::vector<PublishedFigure> text;
