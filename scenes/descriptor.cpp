@@ -102,8 +102,8 @@ void require_choosable(const TomlReader& table, const SceneSource& source) {
   }
   if (source.camera_position && glm::distance(object.position, *source.camera_position) <
                                     least_distance * source.metres_per_unit) {
-    table.fail(table.source("position"), "the object is where the camera is",
-               "give it another position");
+    table.fail(table.source("position"), "the object's position is the camera's",
+               "move the object or the camera");
   }
 }
 
@@ -229,7 +229,8 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   const bool is_name_of_scene =
       is_plain_name(descriptor.file_name) && is_called_like_scene(descriptor.file_name);
   if (table.has("file") && !is_name_of_scene) {
-    table.fail(table.source("file"), "file must be the plain name of a .glb, .gltf or .obj",
+    table.fail(table.source("file"),
+               "file must be the name, without folders, of a .glb, .gltf or .obj file",
                "for example file = \"NAME.glb\"");
   }
   if (!descriptor.sha256.empty() && !is_digest(descriptor.sha256)) {

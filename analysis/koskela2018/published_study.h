@@ -38,6 +38,7 @@ struct PublishedNumber {
 };
 
 struct PublishedStudy {
+  std::filesystem::path folder;  ///< that it was read from
   std::vector<PublishedAnswers> background;
   std::vector<PublishedTime> times;
   std::vector<PublishedNumber> text;

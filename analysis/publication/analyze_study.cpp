@@ -221,12 +221,12 @@ void write_bids(const study::StudyRecords& records, const DataColumns& data,
   }
   EyeTrackingExport eyes(output.tables.set, quality.gaze_runs, quality.gaze);
   read_gaze([&](const study::AttemptGaze& attempt) {
-    for (const TextFile& file : eyes.files_of(attempt)) {
+    for (const TextFile& file : eyes.export_attempt(attempt)) {
       write_output(folder, file.name, file.content, output);
     }
   });
-  if (const std::optional<TextFile> ignored = eyes.ignored()) {
-    write_output(folder, ignored->name, ignored->content, output);
+  if (const std::optional<TextFile> file = eyes.bidsignore_file()) {
+    write_output(folder, file->name, file->content, output);
   }
   if (eyes.too_short() > 0) {
     output.warnings.push_back(fmt::format(

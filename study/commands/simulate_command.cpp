@@ -70,8 +70,7 @@ void require_only_preparing(const SimulateArguments& arguments) {
   }
   if (arguments.settings.resume) {
     throw UsageError(
-        "--resume",
-        "is not needed: --prepare always renders only what the caches lack; remove --resume");
+        "--resume", "is not needed: --prepare always renders only missing images; remove --resume");
   }
 }
 

@@ -27,9 +27,9 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
   }
   const bool can_be_undone = session.phase == Phase::withdrawn || session.phase == Phase::excluded;
   if (has_ended(session.phase) && !(can_be_undone && resumption.undo_end)) {
-    throw Error(where, fmt::format("has a session already, which is {}", name_of(session.phase)),
+    throw Error(where, fmt::format("already has a {} session", name_of(session.phase)),
                 can_be_undone ? "choose an unused code; if it was ended by mistake, --resume "
-                                "with --undo-end takes the end back"
+                                "with --undo-end undoes the end"
                               : "a person takes part once; choose an unused code");
   }
   if (resumption.undo_end && !can_be_undone) {

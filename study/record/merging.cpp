@@ -254,11 +254,12 @@ class Merging {
       require_same_kind(path.string(), {session}, simulation_->kind);
       if (const std::string renderer = exact_name(session.build);
           !kind->real_time && renderer != simulation_->renderer) {
-        throw Error(
-            path.string(),
-            fmt::format("{} was simulated by {}, and {} has sessions by {}", session.participant,
-                        renderer, simulation_->path.string(), simulation_->renderer),
-            "simulate all with one program, on processors that know the same instructions");
+        throw Error(path.string(),
+                    fmt::format("participant {} was simulated by {}, but {} has sessions by {}",
+                                session.participant, renderer, simulation_->path.string(),
+                                simulation_->renderer),
+                    "simulate all shards with the same version, on processors with the same "
+                    "instruction set");
       }
     }
   }

@@ -116,9 +116,9 @@ std::string in_words(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// `devices` with the processor and the program of the session's row, where it says neither.
-std::string with_row(const std::string& devices, const std::string& processor,
-                     const BuildInfo& build) {
+/// Adds the processor and program of the session's row: the devices of older versions have neither.
+std::string add_machine_facts(const std::string& devices, const std::string& processor,
+                              const BuildInfo& build) {
   Json json = parse_json(devices);
   if (!json.is_object() || json.contains("machine")) {
     return devices;
@@ -158,13 +158,14 @@ std::vector<SessionSetup> session_setups(SQLite::Database& study) {
     sessions.push_back(
         {.participant = rows.getColumn("participant").getString(),
          .kind = rows.getColumn("kind").getString(),
-         .devices = {with_row(rows.getColumn("devices").getString(),
-                              rows.getColumn("processor").getString(), build_of(rows))}});
+         .devices = {add_machine_facts(rows.getColumn("devices").getString(),
+                                       rows.getColumn("processor").getString(), build_of(rows))}});
   }
   SQLite::Statement notes(study, "SELECT session, text FROM note ORDER BY session, sequence");
   while (notes.executeStep()) {
-    if (std::optional<std::string> devices = devices_in_note(notes.getColumn(1).getString())) {
-      sessions[indices.at(notes.getColumn(0).getInt64())].devices.push_back(std::move(*devices));
+    if (std::optional<std::string> devices = devices_in_note(notes.getColumn("text").getString())) {
+      sessions[indices.at(notes.getColumn("session").getInt64())].devices.push_back(
+          std::move(*devices));
     }
   }
   return sessions;

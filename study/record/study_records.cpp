@@ -376,6 +376,7 @@ StudyRecords read_study(const fs::path& path, WithdrawnSessions withdrawn) {
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
     records = read_records(database, path, withdrawn);
+    records.file = path.string();
   });
   return records;
 }

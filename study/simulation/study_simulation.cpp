@@ -66,7 +66,7 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
   const SimulateSettings& settings = study.settings;
   store_.mark_as_part(settings.shard && settings.shard->count > 1
                           ? std::optional(ShardedStudy{.seed = std::to_string(settings.seed),
-                                                         .participants = settings.participants})
+                                                       .participants = settings.participants})
                           : std::nullopt);
 }
 

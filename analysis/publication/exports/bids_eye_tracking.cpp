@@ -180,7 +180,7 @@ EyeTrackingExport::EyeTrackingExport(const Dataset& set,
   }
 }
 
-std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& attempt) {
+std::vector<TextFile> EyeTrackingExport::export_attempt(const study::AttemptGaze& attempt) {
   const auto found = subjects_.find(attempt.participant);
   if (found == subjects_.end()) {
     return {};
@@ -207,7 +207,7 @@ std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& atte
   return files;
 }
 
-std::optional<TextFile> EyeTrackingExport::ignored() const {
+std::optional<TextFile> EyeTrackingExport::bidsignore_file() const {
   if (!has_events_) {
     return std::nullopt;
   }

@@ -1,3 +1,4 @@
+#include "analysis/dataset/session_columns.h"
 #include "analysis/publication/tables/result_tables.h"
 
 namespace foveola::analysis {
@@ -53,7 +54,7 @@ Table catch_trials_table(const StudyTables& tables, const DataQualityReport& rep
 Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report) {
   using O = OutlyingTime;
   const ColumnsOf<O> columns = {
-      {"mark", "", "Id of the mark", &O::mark},
+      {"mark", "", mark_meaning, &O::mark},
       {"participant", "", "Code of the participant", &O::participant},
       {"scene", "", "Name of the scene", &O::scene},
       {"method", "", "Id of the method", &O::method},

@@ -239,7 +239,7 @@ class DracoDecompressor {
 
   void take(std::size_t bytes, const std::string& place) {
     decoded_bytes_ += bytes;
-    require_modest_gltf_memory(decoded_bytes_, encoded_bytes_, place);
+    require_gltf_memory_limit(decoded_bytes_, encoded_bytes_, place);
   }
 
   void fill(int index, const draco::Mesh& mesh, std::uint32_t id, const std::string& place) {

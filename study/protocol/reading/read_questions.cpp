@@ -155,8 +155,8 @@ void read_judgement(TomlReader& reader, Question& rating) {
               "Default: artifacts for a rating of this id; without one they refuse the protocol.");
   rating.simulated = simulated;
   if (reader.has("simulated") && rating.kind != QuestionKind::likert) {
-    reader.fail(reader.source("simulated"), "simulated participants rate on scales only",
-                "make it a scale of whole points, or remove this key");
+    reader.fail(reader.source("simulated"), "simulated is for kind = \"likert\" only",
+                "set kind = \"likert\", or remove simulated");
   }
 }
 

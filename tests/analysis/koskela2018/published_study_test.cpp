@@ -84,7 +84,7 @@ TEST(PublishedStudy, ADamagedTableIsNamedWithItsLine) {
   EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("text.csv:2: \"many\" is not a number")));
   write_file(folder / "text.csv", text);
   EXPECT_THAT([&] { (void)published_number(read_published_study(folder / ""), "participants"); },
-              ThrowsMessage<Error>(HasSubstr("text.csv: does not have the figure")));
+              ThrowsMessage<Error>(HasSubstr("text.csv: has no row of the figure")));
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST_F(MergingShards, RefusesOnesOfAnotherProgramOrAnotherKind) {
   const fs::path wider = simulated("P02", 1, {}, "x86-64-v4");
   EXPECT_THAT(refusal([&] { merge_studies({usual, wider}, all_); }),
               AllOf(StartsWith(wider.string()), HasSubstr("P02 was simulated by "),
-                    HasSubstr("with x86-64-v4, and "), HasSubstr("one program")));
+                    HasSubstr("with x86-64-v4, but "), HasSubstr("same instruction set")));
   const fs::path smaller = simulated("P03", 2, {.scale = 4.0}, "x86-64-v3");
   EXPECT_THAT(refusal([&] { merge_studies({usual, smaller}, all_); }),
               AllOf(StartsWith(smaller.string()), HasSubstr("simulated in another way")));

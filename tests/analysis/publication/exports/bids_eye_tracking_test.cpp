@@ -42,7 +42,7 @@ std::vector<TextFile> files_of(const study::AttemptGaze& attempt,
                                const std::vector<study::GazeRunRow>& validations = {},
                                const std::vector<study::AttemptGazeRow>& gaze = {}) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), validations, gaze);
-  return eyes.files_of(attempt);
+  return eyes.export_attempt(attempt);
 }
 
 std::vector<std::string> names_of(const std::vector<TextFile>& files) {
@@ -129,13 +129,13 @@ TEST(BidsEyeTracking, EachRecordingSaysWhichTrialItIs) {
 
 TEST(BidsEyeTracking, RunsAreCountedForEachParticipant) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
-  EXPECT_THAT(names_of(eyes.files_of(made_up_gaze("P1"))),
+  EXPECT_THAT(names_of(eyes.export_attempt(made_up_gaze("P1"))),
               ElementsAre(std::string(stem) + ".tsv.gz", std::string(stem) + ".json",
                           std::string(stem) + "events.tsv.gz", std::string(stem) + "events.json"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P1")).at(0).name, HasSubstr("_run-02_"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, HasSubstr("sub-P2"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, HasSubstr("_run-02_"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P9")), IsEmpty()) << "not analysed";
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P1")).at(0).name, HasSubstr("_run-02_"));
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P2")).at(0).name, HasSubstr("sub-P2"));
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P2")).at(0).name, HasSubstr("_run-02_"));
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P9")), IsEmpty()) << "not analysed";
 }
 
 TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
@@ -146,10 +146,10 @@ TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
   for (GazeSample& sample : without_events.samples) {
     sample.mark = GazeMark::none;
   }
-  EXPECT_THAT(eyes.files_of(without_events), SizeIs(2));
-  EXPECT_FALSE(eyes.ignored().has_value());
-  (void)eyes.files_of(made_up_gaze("P1"));
-  const std::optional<TextFile> ignored = eyes.ignored();
+  EXPECT_THAT(eyes.export_attempt(without_events), SizeIs(2));
+  EXPECT_FALSE(eyes.bidsignore_file().has_value());
+  (void)eyes.export_attempt(made_up_gaze("P1"));
+  const std::optional<TextFile> ignored = eyes.bidsignore_file();
   ASSERT_TRUE(ignored.has_value());
   EXPECT_EQ(ignored->name, "bids/.bidsignore");
   EXPECT_THAT(ignored->content, EndsWith("\n*_physioevents.tsv.gz\n*_physioevents.json\n"));
@@ -160,7 +160,7 @@ TEST(BidsEyeTracking, RecordingsWithoutAFrequencyAreCounted) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
   study::AttemptGaze attempt = made_up_gaze("P1");
   attempt.samples.resize(1);
-  EXPECT_THAT(eyes.files_of(attempt), IsEmpty());
+  EXPECT_THAT(eyes.export_attempt(attempt), IsEmpty());
   EXPECT_EQ(eyes.too_short(), 1U);
 }
 
