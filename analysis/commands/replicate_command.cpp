@@ -292,10 +292,11 @@ void run(const ReplicateArguments& arguments, const std::stop_token& stop) {
   if (stop.stop_requested()) {
     print_text(stderr, "Stopped. To continue, repeat the command.\n");
   } else if (outside + faults.size() > 0) {
-    throw Error(page.string(),
-                fmt::format("lists {} outside the tolerance and {} of documents",
-                            counted(outside, "number"), counted(faults.size(), "fault")),
-                "read this page");
+    throw Error(
+        page.string(),
+        fmt::format("lists {} outside the tolerance and {} of documents",
+                    count_with_noun(outside, "number"), count_with_noun(faults.size(), "fault")),
+        "read this page");
   }
 }
 
