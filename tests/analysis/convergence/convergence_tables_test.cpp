@@ -30,12 +30,12 @@ TEST(Tabulate, FindsTheSpeedUpThatIsThere) {
   for (const Metric metric : metrics) {
     for (const Level level : levels) {
       const SpeedUp& row = find(tables, "fv", metric, level);
-      EXPECT_NEAR(value(row.samples), 10.0, 1e-9);
-      EXPECT_NEAR(value(row.time), 10.0 / 3.0, 1e-9);
+      EXPECT_NEAR(value(row.samples_ratio), 10.0, 1e-9);
+      EXPECT_NEAR(value(row.time_ratio), 10.0 / 3.0, 1e-9);
       // All repetitions agree on it.
-      ASSERT_TRUE(row.samples->interval);
-      EXPECT_NEAR(row.samples->interval->low, 10.0, 1e-6);
-      EXPECT_NEAR(row.samples->interval->high, 10.0, 1e-6);
+      ASSERT_TRUE(row.samples_ratio->interval);
+      EXPECT_NEAR(row.samples_ratio->interval->low, 10.0, 1e-6);
+      EXPECT_NEAR(row.samples_ratio->interval->high, 10.0, 1e-6);
       EXPECT_EQ(row.predicted.has_value(), metric == Metric::mse);
     }
   }
