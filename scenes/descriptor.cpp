@@ -102,8 +102,8 @@ void require_choosable(const TomlReader& table, const SceneSource& source) {
   }
   if (source.camera_position && glm::distance(object.position, *source.camera_position) <
                                     least_distance * source.metres_per_unit) {
-    table.fail(table.source("position"), "the object is where the camera is",
-               "give it another position");
+    table.fail(table.source("position"), "the object's position is the camera's",
+               "move the object or the camera");
   }
 }
 
@@ -229,7 +229,8 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   const bool is_name_of_scene =
       is_plain_name(descriptor.file_name) && is_called_like_scene(descriptor.file_name);
   if (table.has("file") && !is_name_of_scene) {
-    table.fail(table.source("file"), "file must be the plain name of a .glb, .gltf or .obj",
+    table.fail(table.source("file"),
+               "file must be the name, without folders, of a .glb, .gltf or .obj file",
                "for example file = \"NAME.glb\"");
   }
   if (!descriptor.sha256.empty() && !is_digest(descriptor.sha256)) {
@@ -282,22 +283,22 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   return descriptor;
 }
 
-toml::table parse_descriptor(const fs::path& file, const std::string& text) {
+toml::table parse_descriptor_table(const fs::path& file, const std::string& text) {
   return parse_toml(file.string(), text, "see scenes/arcade/arcade.toml for an example");
 }
 
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  return descriptor_of_text(file, read_toml_file(file));
+  return parse_descriptor(file, read_toml_file(file));
 }
 
-Descriptor descriptor_of_text(const fs::path& file, const std::string& text) {
-  return descriptor_from(file, parse_descriptor(file, text));
+Descriptor parse_descriptor(const fs::path& file, const std::string& text) {
+  return descriptor_from(file, parse_descriptor_table(file, text));
 }
 
 bool is_descriptor(const fs::path& file) {
-  const toml::table table = parse_descriptor(file, read_toml_file(file));
+  const toml::table table = parse_descriptor_table(file, read_toml_file(file));
   return table.contains("file") || table.contains("builtin") || table.contains("camera");
 }
 

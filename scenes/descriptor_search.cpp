@@ -102,7 +102,7 @@ DescriptorList all_descriptors() {
 }
 
 DescriptorList users_descriptors() {
-  return read_descriptors(toml_names_if_any(fetched_folder()),
+  return read_descriptors(toml_names_or_none(fetched_folder()),
                           [](const std::string&) { return fetched_folder(); });
 }
 

@@ -148,7 +148,7 @@ std::string text_of(const SceneSource& source, const std::vector<std::string>& r
 /// beside the descriptor later.
 void require_accepted(SceneSource source) {
   source.environment_file.reset();
-  descriptor_of_text(source.file.filename().replace_extension(".toml"), text_of(source, {}));
+  parse_descriptor(source.file.filename().replace_extension(".toml"), text_of(source, {}));
 }
 
 }  // namespace

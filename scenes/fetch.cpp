@@ -60,7 +60,7 @@ class LockedPart {
     bool is_told = false;
     while (!try_to_lock()) {
       if (stop.stop_requested()) {
-        throw Error(path_.string(), "another program is downloading it", "wait for its end");
+        throw Error(path_.string(), "another program is downloading it", "wait until it ends");
       }
       if (!std::exchange(is_told, true)) {
         print_text(stderr, "Another program is downloading {}; waiting for it.\n",

@@ -58,7 +58,7 @@ PowerArguments power_arguments(const AnalyzeArguments& arguments) {
   PowerArguments power = arguments.power;
   power.pilot = arguments.database;
   power.json = arguments.json;
-  power.r = arguments.options.r;
+  power.r = arguments.options.fits_models;
   return power;
 }
 
@@ -97,10 +97,10 @@ void add_analysis_commands(CLI::App& app, std::stop_token stop) {
                       "The folder to write the results to; made if its parent exists");
   command->add_flag("--json", arguments->json,
                     "Print the paths of the results and the main numbers as JSON");
-  command->add_flag("--bids", arguments->options.bids,
+  command->add_flag("--bids", arguments->options.writes_bids,
                     "Also write the behavioural data and the gaze in the BIDS layout, a folder per "
                     "participant");
-  command->add_flag("--r", arguments->options.r,
+  command->add_flag("--r", arguments->options.fits_models,
                     "Fit mixed, ordinal and Tobit models by R, and take the primary analyses from "
                     "them; seconds for times, up to a minute for each rating");
   command->add_flag("--unverified", arguments->options.unverified,

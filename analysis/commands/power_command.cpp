@@ -107,7 +107,7 @@ double seconds_by_r(const StudyPowerReport& report, std::size_t participants, st
   const std::vector<FittedModels> models = fit_studies(drawn);
   for (const FittedModels& one : models) {
     if (const std::string why = missing_for(one); !why.empty()) {
-      throw Error("--r", why, fmt::format("install the packages {}", r_packages));
+      throw Error("--r", why, "install what is missing, or remove --r");
     }
   }
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -250,7 +250,7 @@ PowerPlan plan_power(const PowerSettings& settings) {
                             : participants_for_power(settings.power, effect, settings.alpha);
   if (!participants) {
     throw Error("--power", "a million participants are too few for this effect",
-                "expect a larger effect or a smaller spread");
+                "choose a --ratio further from 100, or lower --spread");
   }
   const SimulatedPower simulated =
       simulate_power(*participants, effect, settings.alpha, settings.studies, settings.seed);

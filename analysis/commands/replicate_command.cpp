@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/commands/commands.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/exports/output_folder.h"
 #include "analysis/publication/report/report_style.h"
 #include "analysis/replication/bench_ratios.h"
@@ -70,8 +71,8 @@ struct StageResults {
       if (!kept.is_object() || !kept.contains("result") ||
           kept["version"] != program_facts()["version"] ||
           kept["claims_sha256"] != ResultJson(claims.sha256)) {
-        throw Error(file.string(), "was made by another version, or for other claims",
-                    "choose another folder");
+        throw Error(file.string(), "is damaged, or was made by another version or for other claims",
+                    "delete it, or name another folder");
       }
       keep(stage, kept);
     }
@@ -287,12 +288,15 @@ void run(const ReplicateArguments& arguments, const std::stop_token& stop) {
   if (arguments.write) {
     write_values(claims, replication.made);
   }
-  const std::size_t wrong = replication.verdicts["outside"] + faults.size();
+  const std::size_t outside = replication.verdicts["outside"];
   if (stop.stop_requested()) {
     print_text(stderr, "Stopped. To continue, repeat the command.\n");
-  } else if (wrong > 0) {
-    throw Error(page.string(), fmt::format("has {} claims that do not hold", wrong),
-                "read this page");
+  } else if (outside + faults.size() > 0) {
+    throw Error(
+        page.string(),
+        fmt::format("lists {} outside the tolerance and {} of documents",
+                    count_with_noun(outside, "number"), count_with_noun(faults.size(), "fault")),
+        "read this page");
   }
 }
 

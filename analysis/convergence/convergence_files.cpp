@@ -41,9 +41,9 @@ ColumnsOf<SpeedUp> speed_up_columns() {
   columns.push_back(
       {"level", "", "Reference error: that of all samples, or of a quarter", &SpeedUp::level});
   add_estimate("samples", "The baseline's samples over this configuration's, at equal error",
-               &SpeedUp::samples, columns);
+               &SpeedUp::samples_ratio, columns);
   add_estimate("time", "The baseline's time over this configuration's, at equal error",
-               &SpeedUp::time, columns);
+               &SpeedUp::time_ratio, columns);
   columns.push_back({"predicted", "", "Speed-up in mean squared error predicted by density alone",
                      &SpeedUp::predicted});
   return columns;
@@ -258,7 +258,8 @@ std::string convergence_summary(const ConvergenceTables& tables) {
                other.metric == row.metric && other.level == Level::quarter;
       });
       text += fmt::format(columns, row.configuration, row.region, in_words(row.predicted),
-                          in_words(row.samples), in_words(quarter->samples), in_words(row.time));
+                          in_words(row.samples_ratio), in_words(quarter->samples_ratio),
+                          in_words(row.time_ratio));
     }
   }
   text += "A path's cost, and its ratio to the baseline's:\n";

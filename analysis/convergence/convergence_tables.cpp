@@ -64,8 +64,8 @@ void add_speed_ups(const GazeMeasurement& measurement, std::size_t configuration
                         .region = measurement.regions[region],
                         .metric = metric,
                         .level = level,
-                        .samples = speed_up(measurement, source, level, Axis::samples),
-                        .time = speed_up(measurement, source, level, Axis::seconds),
+                        .samples_ratio = speed_up(measurement, source, level, Axis::samples),
+                        .time_ratio = speed_up(measurement, source, level, Axis::seconds),
                         .predicted = metric == Metric::mse
                                          ? measurement.predicted[configuration][region]
                                          : std::nullopt});
@@ -197,8 +197,8 @@ std::vector<SpeedUp> overall_speed_ups(const std::vector<SpeedUp>& rows) {
                        .region = first->region,
                        .metric = first->metric,
                        .level = first->level,
-                       .samples = over_all(kind, &SpeedUp::samples),
-                       .time = over_all(kind, &SpeedUp::time),
+                       .samples_ratio = over_all(kind, &SpeedUp::samples_ratio),
+                       .time_ratio = over_all(kind, &SpeedUp::time_ratio),
                        .predicted = predicted_over_all(kind)});
   }
   return overall;

@@ -1,6 +1,7 @@
 // Derives results of a measurement of convergence: speed-ups, costs, slopes and efficiencies.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ enum class Level { all, quarter };
 inline constexpr std::array levels = {Level::all, Level::quarter};
 std::string_view name_of(Level level);
 
-/// Intervals are over repetitions, by the jackknife. Empty: the error was not reached.
+/// A method compared with the baseline, the first configuration. Intervals are over repetitions, by
+/// the jackknife. Empty: the error was not reached.
 struct SpeedUp {
   std::string scene;
   std::string gaze;
@@ -25,10 +27,11 @@ struct SpeedUp {
   std::string region;
   Metric metric = Metric::mse;
   Level level = Level::all;
-  std::optional<Estimate> samples;  ///< the baseline's samples over this method's, at equal error
-  std::optional<Estimate> time;     ///< the speed-up in seconds
-  std::optional<double> predicted;  ///< predicted by density alone: the speed-up in mean squared
-                                    ///< error at equal samples
+  std::optional<Estimate> samples_ratio;  ///< baseline's samples / this method's, at equal error
+  std::optional<Estimate> time_ratio;     ///< baseline's seconds / this method's, at equal error
+  /// Predicted from the densities of the samples alone: baseline's MSE / this method's, at equal
+  /// samples. Empty for other metrics.
+  std::optional<double> predicted;
 };
 
 /// Cost of a path, over a render's whole length.
@@ -40,14 +43,15 @@ struct PathCost {
   std::optional<Estimate> ratio;        ///< relative to the baseline's
 };
 
-/// Root mean squared error, and 1 / (mean squared error x seconds) at a render's end.
+/// Convergence rates of the root mean squared error (RMSE), and the efficiency 1 / (mean squared
+/// error x seconds) at the end of a render.
 struct Convergence {
   std::string scene;
   std::string gaze;
   std::string configuration;
   std::string region;
-  std::optional<Estimate>
-      slope_in_samples;  ///< slope of the logarithm of RMSE; -0.5 for independent noise
+  /// Slope of log RMSE over log samples; -0.5 for independent noise.
+  std::optional<Estimate> slope_in_samples;
   std::optional<Estimate> slope_in_time;
   std::optional<Estimate> efficiency;
   std::optional<Estimate> efficiency_ratio;  ///< relative to the baseline's
@@ -57,13 +61,13 @@ struct ConvergenceTables {
   std::vector<SpeedUp> speed_ups;  ///< one per configuration except the baseline
   std::vector<PathCost> costs;
   std::vector<Convergence> convergence;
-  /// Geometric means over all scenes and gazes, which are unnamed, with intervals over these
-  /// (Student's t).
+  /// Geometric means over all scenes and gazes, with intervals over these (Student's t). `scene`
+  /// and `gaze` are empty.
   std::vector<SpeedUp> overall;
 };
 
-/// Every measurement must have at least one repetition, and all the same configurations and
-/// regions.
+/// Returns the tables of all measurements. Each must have a repetition, and all the same
+/// configurations and regions in one order; otherwise behaviour is undefined.
 ConvergenceTables tabulate(const std::vector<GazeMeasurement>& measurements);
 
 }  // namespace foveola::analysis

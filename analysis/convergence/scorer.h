@@ -43,12 +43,13 @@ struct Score {
 
 class Scorer {
  public:
-  /// regions and workers must outlive it.
+  /// regions and workers must outlive it. The reference has the plan's size.
   Scorer(const ConvergencePlan& plan, const Viewport& viewport, double exposure_stops,
          const std::vector<Region>& regions, ReferenceHalves reference, const Workers& workers);
 
-  /// Returns one score per region. Unsampled pixels are black on the display; the published
-  /// renderer did not reconstruct them either (Koskela et al. 2018, section 3).
+  /// Returns one score per region. The film has the plan's size. Unsampled pixels are black on the
+  /// display; the published renderer did not reconstruct them either (Koskela et al. 2018, section
+  /// 3).
   std::vector<Score> score(const EquirectFilm& film) const;
 
   const std::vector<PixelRegion>& film_regions() const { return film_regions_; }
@@ -71,14 +72,14 @@ class Scorer {
 
 /// Renders one half of the reference, 0 or 1, or takes it from `cache`. It has more samples around
 /// the gaze. Its noise is independent of the other half's and of all renders', and textures are
-/// filtered as in those, so that only noise differs. progress is called with the fraction done.
-/// Throws Error as reference_image.
+/// filtered as in the renders, so that only noise differs. progress is called with the fraction
+/// done. Throws Error if stopped, or if the cache cannot be written.
 RgbImage reference_half(const Subject& subject, const ConvergencePlan& plan, const Vec3& gaze,
                         std::uint32_t half, const Workers& workers,
                         const std::filesystem::path& cache,
                         const std::function<void(double)>& progress, const std::stop_token& stop);
 
-/// Returns both halves.
+/// Returns both halves. progress and errors: as for one half.
 ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& plan,
                                  const Vec3& gaze, const Workers& workers,
                                  const std::filesystem::path& cache,

@@ -110,33 +110,32 @@ ColumnsOf<study::AnswerRow> answer_columns(const StudyRecords& records, const Da
                                                        : "";
     return found.empty() ? std::nullopt : std::optional(found);
   };
-  return {
-      {"participant", "", code_meaning, path(session, &SessionRow::participant)},
-      {"session_state", "", state_meaning, path(session, &SessionRow::state)},
-      {"status", "", session_status_meaning,
-       [&records, analysed = analysed_sessions(records, set)](const AnswerRow& row) {
-         return status_of(records.sessions[row.session], analysed[row.session].has_value());
-       }},
-      {"status_reason", "", reason_meaning, path(session, reason_in(set))},
-      {"questionnaire", "", "Id of the questionnaire",
-       [&records](const AnswerRow& row) { return records.questionnaire_of(row); }},
-      {"step", "", "Step of the session's plan: a questionnaire may be repeated", &AnswerRow::step},
-      {"question", "", "Id of the question",
-       [&records](const AnswerRow& row) { return records.question_of(row); }},
-      {"number", "", "Answer, if it is a number",
-       [](const AnswerRow& row) {
-         return row.value.is_measured() ? std::optional(row.value.number) : std::nullopt;
-       }},
-      {"text", "", "Answer as text, or the protocol's label of the number", words},
-      {"question_text", "", "Text of the question in the protocol",
-       path(question, &Measure::question, &study::Question::text)},
-      {"scale", "", "Scale of the answers",
-       path(question, [](const Measure& as_asked) { return study::scale_in_words(as_asked); })},
-      {"response_s", "s",
-       "Time from the question's display to its answer; empty if it was not measured",
-       &AnswerRow::response_s},
-      {kind_column(), path(session, &SessionRow::kind)},
-      {record_column(), [&set](const AnswerRow& /*row*/) { return set.record; }}};
+  return {{"participant", "", code_meaning, path(session, &SessionRow::participant)},
+          {"session_state", "", state_meaning, path(session, &SessionRow::state)},
+          {"status", "", session_status_meaning,
+           [&records, analysed = analysed_sessions(records, set)](const AnswerRow& row) {
+             return status_of(records.sessions[row.session], analysed[row.session].has_value());
+           }},
+          {"status_reason", "", reason_meaning, path(session, reason_in(set))},
+          {"questionnaire", "", "Id of the questionnaire",
+           [&records](const AnswerRow& row) { return records.questionnaire_of(row); }},
+          {"step", "", step_meaning, &AnswerRow::step},
+          {"question", "", "Id of the question",
+           [&records](const AnswerRow& row) { return records.question_of(row); }},
+          {"number", "", "Numeric answer, in points of scale; empty if the answer is not a number",
+           [](const AnswerRow& row) {
+             return row.value.is_measured() ? std::optional(row.value.number) : std::nullopt;
+           }},
+          {"text", "", "Answer as text, or the protocol's label of the number", words},
+          {"question_text", "", "Text of the question in the protocol",
+           path(question, &Measure::question, &study::Question::text)},
+          {"scale", "", "Scale in words: its ends and their labels",
+           path(question, [](const Measure& as_asked) { return study::scale_in_words(as_asked); })},
+          {"response_s", "s",
+           "Time from the question's display to its answer; empty if it was not measured",
+           &AnswerRow::response_s},
+          {kind_column(), path(session, &SessionRow::kind)},
+          {record_column(), [&set](const AnswerRow& /*row*/) { return set.record; }}};
 }
 
 ColumnsOf<std::size_t> participant_answer_columns(const StudyRecords& records, const Dataset& set) {
@@ -172,13 +171,15 @@ Table answers_by_question(const StudyRecords& records, const Dataset& set) {
       {"questionnaire", "", "Id of the questionnaire",
        path(&Q::question, &NumericQuestion::questionnaire)},
       {"question", "", "Id of the question", path(&Q::question, &NumericQuestion::question)},
-      {"scale", "", "Scale of the answers", path(&Q::question, &NumericQuestion::scale)},
+      {"scale", "", "Scale in words: its ends and their labels",
+       path(&Q::question, &NumericQuestion::scale)},
       {"n", "", "Number of analysed participants with a numeric answer",
        path(&Q::answers, &Description::n)},
       {"mean", "", "Mean of the answers", path(&Q::answers, &Description::mean)},
       {"sd", "", "Standard deviation of the answers",
        path(&Q::answers, &Description::standard_deviation)},
-      {"median", "", "Median of the answers", path(&Q::answers, &Description::median)},
+      {"median", "", "Median of the numeric answers of the analysed participants",
+       path(&Q::answers, &Description::median)},
       {"missing", "", "Number of analysed participants without a numeric answer", &Q::missing},
       {kind_column(), [&](const Q& /*row*/) { return set.kind; }}};
   return tabulate("answers_by_question", "question with numeric answers", columns, rows);
@@ -194,9 +195,9 @@ Table questionnaire_scores(const StudyRecords& records, const Dataset& set) {
          return status_of(records.sessions[row.session], analysed[row.session].has_value());
        }},
       {"questionnaire", "", "Id of the questionnaire", &S::questionnaire},
-      {"step", "", "Step of the session's plan: a questionnaire may be repeated", &S::step},
+      {"step", "", step_meaning, &S::step},
       {"instrument", "",
-       "SSQ (Kennedy et al. 1993), NASA-TLX (Hart 2006) or SUS (Brooke "
+       "Published instrument: SSQ (Kennedy et al. 1993), NASA-TLX (Hart 2006) or SUS (Brooke "
        "1996)",
        &S::instrument},
       {"score", "", "Name of the score", &S::score},

@@ -61,9 +61,9 @@ CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair&
   const std::vector<double> differences = paired_differences(means, pair.method, pair.reference);
   CompleteCases cases{.n = differences.size()};
   if (is_time) {
-    cases.ratio = ratio_t(differences);
+    cases.ratio = test_ratio(differences);
   } else {
-    cases.points = one_sample_t(differences);
+    cases.points = test_mean(differences);
   }
   return cases;
 }
@@ -114,8 +114,8 @@ std::string why_no_equivalence(const MethodComparison& comparison) {
 
 /// Tests equivalence by the primary analysis, or not at all. `differences`: the participants'
 /// means.
-void test_equivalence(const std::vector<double>& differences, double alpha,
-                      MethodComparison& comparison) {
+void add_equivalence(const std::vector<double>& differences, double alpha,
+                     MethodComparison& comparison) {
   if (!comparison.margin) {
     return;
   }
@@ -126,9 +126,9 @@ void test_equivalence(const std::vector<double>& differences, double alpha,
   const PrimaryResult& primary = *comparison.primary;
   const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
   comparison.equivalent = primary.kind == AnalysisKind::signed_ranks
-                              ? equivalence_by_ranks(differences, margin, alpha)
-                              : equivalence(primary.estimate, primary.standard_error.value(),
-                                            primary.degrees_of_freedom.value(), margin, alpha);
+                              ? test_equivalence_by_ranks(differences, margin, alpha)
+                              : test_equivalence(primary.estimate, primary.standard_error.value(),
+                                                 primary.degrees_of_freedom.value(), margin, alpha);
 }
 
 /// The participants of a primary analysis without R, and their mean differences.
@@ -196,15 +196,15 @@ MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan
   const std::vector<double> differences = trials.participant_means();
   comparison.mean = mean(differences);
   if (comparison.is_time) {
-    comparison.ratio = ratio_t(differences);
+    comparison.ratio = test_ratio(differences);
   } else {
-    comparison.points = one_sample_t(differences);
+    comparison.points = test_mean(differences);
     compare_ranks(differences, comparison);
   }
   comparison.primary =
       primary_of(comparison, trials, plan, !set.measures[pair.measure].points().empty(), models);
   comparison.missing = why_no_p(comparison);
-  test_equivalence(differences, plan.alpha, comparison);
+  add_equivalence(differences, plan.alpha, comparison);
   return comparison;
 }
 

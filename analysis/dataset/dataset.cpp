@@ -16,8 +16,8 @@ using study::SessionRow;
 using study::StudyRecords;
 using study::TrialRow;
 
-std::string study_name(const StudyRecords& records) {
-  return fmt::format("study \"{}\"", records.protocol.name);
+std::string place_of(const StudyRecords& records) {
+  return records.file.empty() ? fmt::format("study \"{}\"", records.protocol.name) : records.file;
 }
 
 std::string name_of(const StudyRecords& records, const TrialRow& row) {
@@ -27,7 +27,7 @@ std::string name_of(const StudyRecords& records, const TrialRow& row) {
 
 void check_protocol(const StudyRecords& records) {
   if (records.scenes.empty() || records.methods.empty()) {
-    throw Error(study_name(records), "has a protocol without scenes or methods",
+    throw Error(place_of(records), "has a protocol without scenes or methods",
                 "analyse a file that `foveola study` wrote");
   }
 }
@@ -42,7 +42,7 @@ std::string kind_to_analyse(const StudyRecords& records) {
       return kind;
     }
   }
-  throw Error(study_name(records),
+  throw Error(place_of(records),
               fmt::format("none of its {} sessions is completed", records.sessions.size()),
               "complete one first, for example with `foveola study simulate`");
 }

@@ -109,7 +109,7 @@ ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& me
     columns.push_back(
         {id + "_gaze_from_object_deg", "deg",
          fmt::format("Angle between the gaze and the object's centre, in the frame that was on the "
-                     "display at the mark {}",
+                     "display at the mark {}; empty without such a frame or a valid gaze",
                      id),
          path(at_mark, &study::GazeAtMark::gaze_from_object_deg)});
     columns.push_back({id + "_object_from_middle_deg", "deg",

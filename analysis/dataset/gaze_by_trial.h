@@ -1,4 +1,4 @@
-// Relates gaze and object in each trial, as columns, and over the trials of a method.
+// Tabulates gaze relative to the object: columns per trial, means per method.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,19 @@
 
 namespace foveola::analysis {
 
-/// The gaze of each row of the records' trials; null if no frames were recorded.
+/// One pointer per row of records.trials; null if its frames were not recorded.
 using GazeOfTrials = std::vector<const study::AttemptGazeRow*>;
 
-/// Returns pointers into `gaze`.
+/// Returns pointers into `gaze`, valid as long as its rows.
 GazeOfTrials gaze_of_trials(const study::StudyRecords& records,
                             std::span<const study::AttemptGazeRow> gaze);
 
-/// Returns the columns of a timing's gaze: fractions of the time, fixations, and gaze and object at
-/// each mark of the measures.
+/// Returns the columns of the gaze in one trial: fractions of the time, fixations, and gaze and
+/// object at each mark of the measures.
 ColumnsOf<study::AttemptGazeFigures> gaze_columns(const std::vector<Measure>& measures);
 
-/// Returns the indices of the analysed participants' test trials, of each the final timing.
+/// Returns the indices in records.trials of the final timing of each test trial of the analysed
+/// participants.
 std::vector<std::size_t> analysed_trials(const study::StudyRecords& records, const Dataset& set);
 
 /// Fractions of a trial's time in per cent; unknown ones are empty.
@@ -43,11 +44,11 @@ struct MethodGaze {
   std::optional<double> on_object_percent;
   std::optional<double> elsewhere_percent;
   std::optional<double> without_gaze_percent;
-  std::optional<double> fixations;
+  std::optional<double> fixations;             ///< Mean number per trial.
   std::optional<double> gaze_from_object_deg;  ///< At all marks.
 };
 
-/// Returns one entry per method, of analysed test trials; empty if there are none at all.
+/// Returns one entry per method, of analysed test trials; empty if no trial has gaze.
 std::vector<MethodGaze> gaze_by_method(const study::StudyRecords& records, const Dataset& set,
                                        const GazeOfTrials& gaze);
 

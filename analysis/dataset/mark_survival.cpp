@@ -71,7 +71,7 @@ std::vector<MarkSurvival> mark_survival(const Dataset& set) {
       if (horizon && *horizon > 0.0) {
         row.restricted = restricted_mean(row.curve, *horizon);
       }
-      row.limits_s = limits_of(by_method[method]);
+      row.censored_range_s = limits_of(by_method[method]);
     }
   }
   return survival;
@@ -80,11 +80,11 @@ std::vector<MarkSurvival> mark_survival(const Dataset& set) {
 std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& survival) {
   std::vector<std::string> sentences;
   for (const MarkSurvival& row : survival) {
-    if (row.limits_s) {
-      const std::string limit =
-          row.limits_s->low == row.limits_s->high
-              ? fmt::format("{:.3g} s", row.limits_s->low)
-              : fmt::format("{:.3g} to {:.3g} s", row.limits_s->low, row.limits_s->high);
+    if (row.censored_range_s) {
+      const std::string limit = row.censored_range_s->low == row.censored_range_s->high
+                                    ? fmt::format("{:.3g} s", row.censored_range_s->low)
+                                    : fmt::format("{:.3g} to {:.3g} s", row.censored_range_s->low,
+                                                  row.censored_range_s->high);
       sentences.push_back(fmt::format("{} did not reach the mark {} within {} in {} of {} trials.",
                                       method_label(row.method), row.mark, limit, row.curve.censored,
                                       row.curve.n));
@@ -107,7 +107,7 @@ std::vector<OutlyingTime> outlying_times(const Dataset& set) {
                           .scene = set.scenes[trial.condition / set.methods.size()],
                           .method = set.methods[trial.condition % set.methods.size()],
                           .seconds = std::exp(trial.value),
-                          .times_expected = std::exp(outlier.deviation),
+                          .ratio_to_expected = std::exp(outlier.deviation),
                           .studentized = outlier.studentized});
     }
   }

@@ -15,16 +15,17 @@ struct MarkSurvival {
   std::string mark;    ///< Its id.
   std::string method;  ///< Its id.
   SurvivalCurve curve;
-  /// In seconds, up to a horizon common to all methods: the earliest right-censored time of any, or
-  /// the maximum time if none is censored.
+  /// In seconds, up to a horizon common to all methods. The horizon is the earliest right-censored
+  /// time of any method, or the maximum time if none is censored.
   std::optional<RestrictedMean> restricted;
-  std::optional<Interval> limits_s;  ///< The minimum and maximum of its right-censored times.
+  std::optional<Interval>
+      censored_range_s;  ///< The minimum and maximum of its right-censored times.
 };
 
 /// Returns [mark][method], in the set's order.
 std::vector<MarkSurvival> mark_survival(const Dataset& set);
 
-/// Returns "od did not reach the mark outline within 180 s in 23 of 80 trials." for each method
+/// Returns "OD did not reach the mark outline within 180 s in 23 of 80 trials." for each method
 /// with right-censored times.
 std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& survival);
 
@@ -34,12 +35,12 @@ struct OutlyingTime {
   std::string scene;
   std::string method;
   double seconds = 0.0;
-  double times_expected = 1.0;  ///< The time over the expected one.
-  double studentized = 0.0;     ///< Its externally studentized residual.
+  double ratio_to_expected = 1.0;  ///< Time / time expected by the model.
+  double studentized = 0.0;        ///< Its externally studentized residual.
 };
 
-/// Returns the residual_outliers of log times, by mark, the most distant first. They stay in all
-/// results: leaving one out needs a reason other than its value.
+/// Returns the residual_outliers (models/additive_fit.h) of log times, by mark, the most distant
+/// first. They stay in all results.
 std::vector<OutlyingTime> outlying_times(const Dataset& set);
 
 }  // namespace foveola::analysis

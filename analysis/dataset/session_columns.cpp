@@ -8,9 +8,9 @@ Column kind_column() {
 }
 
 Column record_column() {
-  return {
-      "record", ColumnType::text, "",
-      "Verification of the study's file: verified, changed (analysed with --unverified), or none"};
+  return {"record", ColumnType::text, "",
+          "Verification of the study's file: verified, changed (analysed with --unverified), or "
+          "none (analysed without a file)"};
 }
 
 std::string status_of(const study::SessionRow& session, bool is_analysed) {

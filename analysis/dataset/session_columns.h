@@ -18,11 +18,16 @@ Column record_column();
 
 // Descriptions of columns.
 inline constexpr const char* code_meaning = "Code of the participant";
+inline constexpr const char* mark_meaning =
+    "Id of the mark in the protocol: the judgement at which the participant pressed the key";
+inline constexpr const char* step_meaning =
+    "Index of the step in the session's plan, from 0; tells repeated questionnaires apart";
 inline constexpr const char* state_meaning =
     "The session's recorded state: completed, excluded, withdrawn, refused by the protocol's gate, "
     "or, if it has not ended, its last state";
 inline constexpr const char* reason_meaning =
-    "Reason why the session is not analysed, with the recorded reason; empty if it is analysed";
+    "Why the session is not analysed, and the experimenter's reason if one was recorded; empty if "
+    "it is analysed";
 inline constexpr const char* session_status_meaning =
     "analysed, or the reason why it is not: excluded, withdrawn (with --withdrawn only), "
     "interrupted, refused, or of another kind (other kind)";

@@ -43,7 +43,9 @@ ColumnsOf<Value> value_columns(const StudyRecords& records, const Dataset& set, 
     return {
         {id + "_s", "s",
          measure.kind == MeasureKind::time
-             ? fmt::format("Time from the first presented frame to the mark {}", id)
+             ? fmt::format("Time from the first presented frame to the mark {0}; a lower bound "
+                           "where {0}_censored",
+                           id)
              : measure.question.text,
          if_known([](const Value& found) { return found.number; })},
         {id + "_censored", "", fmt::format("True: right-censored, {}_s is a lower bound", id),
@@ -102,9 +104,9 @@ ColumnsOf<std::size_t> trial_columns(const StudyRecords& records, const Dataset&
       {kind_column(), path(session, &SessionRow::kind)},
       {"session_state", "", state_meaning, path(session, &SessionRow::state)},
       {"status", "",
-       "analysed: the rows that results use; or why none uses it: practice, catch, "
-       "timed again, or its session was excluded, withdrawn (with --withdrawn only), interrupted "
-       "or refused, or is of another kind (other kind: see status_reason)",
+       "One of: analysed, practice, catch, timed again; or, for the whole session: excluded, "
+       "withdrawn (with --withdrawn only), interrupted, refused, other kind. Only analysed rows "
+       "enter results",
        path(trial,
             [&records, analysed = analysed_sessions(records, set)](const TrialRow& row) {
               return trial_status(row, records.sessions[row.session],

@@ -91,15 +91,15 @@ std::string with_interval(const std::optional<Estimate>& estimate, int decimals)
   return text;
 }
 
-std::string joined(const std::string& sentence, const std::string& more) {
+std::string join_sentences(const std::string& sentence, const std::string& more) {
   return more.empty() ? sentence : sentence + " " + more;
 }
 
-std::string counted(std::size_t count, std::string_view singular) {
+std::string count_with_noun(std::size_t count, std::string_view singular) {
   return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string comma_list(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -118,12 +118,12 @@ std::string censored_times_in_words(const Dataset& set) {
                         : fmt::format(
                               "Right-censored times are left out ({}), which favours the "
                               "method with the censored times.",
-                              listed(counts));
+                              comma_list(counts));
 }
 
 std::string participants_in_words(const StudyTables& tables) {
   const std::string adjective = tables.set.kind == "human" ? "" : tables.set.kind + " ";
-  return counted(tables.set.participants.size(), adjective + "participant");
+  return count_with_noun(tables.set.participants.size(), adjective + "participant");
 }
 
 namespace {

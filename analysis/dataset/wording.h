@@ -27,16 +27,16 @@ std::string mean_and_deviation(const Description& description, int decimals);
 std::string with_interval(const std::optional<Estimate>& estimate, int decimals);
 
 /// Joins two sentences by a space; the second may be empty.
-std::string joined(const std::string& sentence, const std::string& more);
+std::string join_sentences(const std::string& sentence, const std::string& more);
 
-/// Returns "1 scene", "2 scenes".
-std::string counted(std::size_t count, std::string_view singular);
+/// Returns "1 scene", "2 scenes": the plural has an s.
+std::string count_with_noun(std::size_t count, std::string_view singular);
 
 /// Joins the ids by ", ".
-std::string listed(const std::vector<std::string>& names);
+std::string comma_list(const std::vector<std::string>& names);
 
 /// Returns a sentence on right-censored times: that they are left out, their number by mark and
-/// method, and the favoured method; empty if there are none.
+/// method, and that this favours the method with the censored times. Empty if there are none.
 std::string censored_times_in_words(const Dataset& set);
 
 /// Returns "1 participant", "16 simulated participants" and the like.
@@ -49,13 +49,13 @@ std::string data_notice(const StudyTables& tables);
 /// Returns data_notice as a sentence for the top of a report.
 std::string data_warning(const StudyTables& tables);
 
-/// Returns, for each rating of `records`, the labels that differ from the study's in sessions of
-/// `participants`. Throws Error with its place for a text that is not a protocol.
+/// Returns, for each rating, the labels by which sessions of `participants` deviate from the
+/// study's protocol. Throws Error if an amended protocol in `records` is malformed.
 std::vector<AmendedLabels> amended_labels(const study::StudyRecords& records,
                                           const std::vector<std::string>& participants);
 
 /// Returns the scale in words, with the labels of amended sessions: "1 (none) to 5 (all over). In 2
-/// analysed sessions, by an amended protocol, the points were …".
+/// analysed sessions, by an amended protocol, the points were …". measure: index of a rating.
 std::string scale_with_amendments(const Dataset& set, std::size_t measure);
 
 /// Returns the sentence on other labels alone, after a space; usually empty.

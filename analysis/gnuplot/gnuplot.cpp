@@ -60,8 +60,8 @@ ProgramEnd end_of_gnuplot(const std::string& script) {
   try {
     // By this name, gnuplot reads it in large pieces; standard input is read byte by byte.
     return run_to_end({.words = {"gnuplot", without_user_settings, "/dev/stdin"}, .input = script});
-  } catch (const std::system_error&) {
-    throw Error("gnuplot", "cannot be started, but is needed to draw figures",
+  } catch (const std::system_error& failure) {
+    throw Error("gnuplot", "cannot be started to draw figures: " + failure.code().message(),
                 "install it: apt-get install gnuplot-nox");
   }
 }

@@ -35,6 +35,10 @@ std::vector<ComparedNumber> baseline_cells(const std::vector<ComparedNumber>& nu
     }
     cells.push_back(number);
   }
+  if (cells.empty()) {
+    throw Error("calibration", fmt::format("Table 2 has no times with OD to the mark '{}'", mark),
+                "calibrate with the mark outline or material");
+  }
   return cells;
 }
 
@@ -66,7 +70,7 @@ MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,
       throw Error("calibration",
                   fmt::format("no speed was found in {} studies; at {:.0f} samples a second the "
                               "times are {:.3g} times the published ones",
-                              max_steps, speed, std::exp(*mean(ratios))),
+                              max_steps + 1, speed, std::exp(*mean(ratios))),
                   "use more participants");
     }
     const double before = *mean(ratios);

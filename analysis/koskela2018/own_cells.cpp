@@ -14,9 +14,9 @@ namespace {
 bool is_near(double times) { return times <= near_factor && times >= 1.0 / near_factor; }
 
 template <typename Condition>
-MetMeans count_met(const std::vector<ComparedNumber>& numbers, const std::string& means,
-                   const Condition& is_counted) {
-  MetMeans met{.means = means};
+ReproducedMeans count_reproduced(const std::vector<ComparedNumber>& numbers,
+                                 const std::string& means, const Condition& is_counted) {
+  ReproducedMeans met{.means = means};
   for (const ComparedNumber& number : numbers) {
     if (!is_counted(number)) {
       continue;
@@ -74,7 +74,7 @@ std::vector<double> present(const Values& values) {
 
 }  // namespace
 
-std::optional<std::size_t> time_named(const Dataset& set, const std::string& mark) {
+std::optional<std::size_t> mark_index(const Dataset& set, const std::string& mark) {
   const auto found = set.measure_named(mark);
   return found && set.measures[*found].kind == MeasureKind::time ? found : std::nullopt;
 }
@@ -85,7 +85,7 @@ std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row
 }
 
 std::optional<OwnCell> cell_of(const Dataset& set, const PublishedTime& row) {
-  const auto mark = time_named(set, row.mark);
+  const auto mark = mark_index(set, row.mark);
   const auto scene = scene_of(set, row);
   const auto method = position_of(set.methods, row.method);
   return mark && scene && method && is_relative_to_od(set)
@@ -103,7 +103,8 @@ std::vector<Reading> readings_of(const std::string& method) {
                         : std::vector{Reading::own_ratios, Reading::ratio_of_means};
 }
 
-std::optional<LogOfMeans> log_in(const Dataset& set, const OwnCell& cell, Reading reading) {
+std::optional<LogOfMeans> log_mean_of_cell(const Dataset& set, const OwnCell& cell,
+                                           Reading reading) {
   if (reading == Reading::own_ratios) {
     return log_of_mean(own_percent_in(set, cell));
   }
@@ -120,9 +121,9 @@ std::optional<LogOfMeans> log_in(const Dataset& set, const OwnCell& cell, Readin
   return percent;
 }
 
-MeanAndDeviation mean_in(const StudyTables& tables, const OwnCell& cell, Reading reading) {
+MeanAndDeviation mean_of_cell(const StudyTables& tables, const OwnCell& cell, Reading reading) {
   if (reading == Reading::ratio_of_means) {
-    const auto ratio = log_in(tables.set, cell, reading);
+    const auto ratio = log_mean_of_cell(tables.set, cell, reading);
     return {ratio ? std::optional(estimate_of(*ratio)) : std::nullopt,
             tables.scene_times_of(cell.mark, cell.scene, cell.method)
                 .of_baseline_mean.sd_percent_points};
@@ -133,26 +134,26 @@ MeanAndDeviation mean_in(const StudyTables& tables, const OwnCell& cell, Reading
   return {mean_estimate(values), standard_deviation(values)};
 }
 
-std::vector<MetMeans> count_met_means(const std::vector<ComparedNumber>& numbers) {
-  std::vector<MetMeans> counts = {
-      count_met(numbers, "Table 1",
-                [](const ComparedNumber& number) { return number.source == "Table 1"; }),
-      count_met(numbers, "Table 2, OD", [](const ComparedNumber& number) {
+std::vector<ReproducedMeans> count_reproduced_means(const std::vector<ComparedNumber>& numbers) {
+  std::vector<ReproducedMeans> counts = {
+      count_reproduced(numbers, "Table 1",
+                       [](const ComparedNumber& number) { return number.source == "Table 1"; }),
+      count_reproduced(numbers, "Table 2, OD", [](const ComparedNumber& number) {
         return number.source == "Table 2" && number.method == "od";
       })};
   for (const Reading reading : {Reading::own_ratios, Reading::ratio_of_means}) {
-    counts.push_back(count_met(numbers, fmt::format("Table 2, VP and FV, {}", name_of(reading)),
-                               [&](const ComparedNumber& number) {
-                                 return number.source == "Table 2" &&
-                                        number.reading == name_of(reading);
-                               }));
+    counts.push_back(
+        count_reproduced(numbers, fmt::format("Table 2, VP and FV, {}", name_of(reading)),
+                         [&](const ComparedNumber& number) {
+                           return number.source == "Table 2" && number.reading == name_of(reading);
+                         }));
   }
   return counts;
 }
 
-std::string in_words(const MetMeans& met) {
+std::string in_words(const ReproducedMeans& met) {
   std::string text =
-      fmt::format("{}: of {}, ", met.means, counted(met.published, "published mean"));
+      fmt::format("{}: of {}, ", met.means, count_with_noun(met.published, "published mean"));
   if (met.compared < met.published) {
     text += fmt::format("{} of which this study has, ", met.compared);
   }

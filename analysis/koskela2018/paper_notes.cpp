@@ -51,7 +51,7 @@ std::string artifacts_in_order(const StudyTables& tables) {
       "Section 5.3 says in words only that FV is perceived to have almost the same quality as OD, "
       "and that VP clearly has the most artifacts. Here the mean ratings, from the fewest "
       "artifacts to the most, are {}: VP {} the most, and FV {} nearer to OD than to VP.",
-      listed(words), vp > std::max(od, fv) ? "has" : "does not have",
+      comma_list(words), vp > std::max(od, fv) ? "has" : "does not have",
       std::abs(fv - od) < std::abs(fv - vp) ? "is" : "is not");
 }
 
@@ -59,7 +59,7 @@ PaperNotes paper_notes(const StudyTables& tables, const std::optional<PublishedS
   if (!published) {
     return {};
   }
-  const auto figure = [&](const char* id) { return published_figure(*published, id).value; };
+  const auto figure = [&](const char* id) { return published_number(*published, id).value; };
   return {
       .times_by_scene = "Table 2 of the paper (section 5.2).",
       .percentages =

@@ -59,7 +59,7 @@ void compare_times(const StudyTables& tables, const PublishedStudy& published,
     const auto scene = scene_of(tables.set, row);
     const auto cell = cell_of(tables.set, row);
     for (const Reading reading : readings_of(row.method)) {
-      const MeanAndDeviation own = cell ? mean_in(tables, *cell, reading) : MeanAndDeviation{};
+      const MeanAndDeviation own = cell ? mean_of_cell(tables, *cell, reading) : MeanAndDeviation{};
       numbers.push_back({.source = "Table 2",
                          .section = "5.2",
                          .row = row.scene,
@@ -87,7 +87,7 @@ std::optional<Estimate> over_published_scenes(const Dataset& set, const Publishe
       continue;
     }
     const auto cell = cell_of(set, row);
-    const auto mean = cell ? log_in(set, *cell, reading) : std::nullopt;
+    const auto mean = cell ? log_mean_of_cell(set, *cell, reading) : std::nullopt;
     if (!mean) {
       return std::nullopt;
     }
@@ -100,7 +100,7 @@ std::optional<Estimate> over_published_scenes(const Dataset& set, const Publishe
 /// cent.
 std::optional<Estimate> over_own_scenes(const StudyTables& tables, const std::string& mark,
                                         const std::string& method) {
-  const auto time = time_named(tables.set, mark);
+  const auto time = mark_index(tables.set, mark);
   const auto position = position_of(tables.set.methods, method);
   if (!time || !position || !is_relative_to_od(tables.set)) {
     return std::nullopt;
@@ -139,7 +139,7 @@ void compare_over_scenes(const StudyTables& tables, const PublishedStudy& publis
 
 ComparedNumber number_of_text(const PublishedStudy& published, const std::string& id,
                               const std::string& words) {
-  const PublishedFigure& figure = published_figure(published, id);
+  const PublishedNumber& figure = published_number(published, id);
   return {.source = "text",
           .section = figure.section,
           .row = words,
@@ -186,7 +186,7 @@ void compare_claims(const StudyTables& tables, const PublishedStudy& published,
   for (const Claim& claim : claims) {
     for (const std::string mark : marks) {
       ComparedNumber number = number_of_text(published, claim.figure, claim.words);
-      const auto time = time_named(tables.set, mark);
+      const auto time = mark_index(tables.set, mark);
       number.own_row = all_scenes;
       number.mark = mark;
       number.reading = "geometric mean";

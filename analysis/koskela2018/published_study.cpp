@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
+constexpr const char* remedy = "install Foveola again";
+
 struct TableRow {
   CsvRow fields;
   std::string where;  ///< file:line
@@ -24,15 +26,14 @@ std::vector<TableRow> rows_with_columns(const fs::path& path, const CsvRow& colu
   const std::vector<CsvRow> rows = parse_csv(read_file(path), path.string());
   if (rows.empty() || rows.front() != columns) {
     throw Error(path.string() + ":1",
-                fmt::format("does not have the columns {}", fmt::join(columns, ",")),
-                "restore the file");
+                fmt::format("does not have the columns {}", fmt::join(columns, ",")), remedy);
   }
   std::vector<TableRow> result;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const std::string where = fmt::format("{}:{}", path.string(), i + 1);
     if (rows[i].size() != columns.size()) {
       throw Error(where, fmt::format("has {} fields instead of {}", rows[i].size(), columns.size()),
-                  "restore the file");
+                  remedy);
     }
     result.push_back({rows[i], where});
   }
@@ -45,7 +46,7 @@ double number(const TableRow& row, std::size_t column) {
   const char* end = field.data() + field.size();
   const auto [stop, failure] = std::from_chars(field.data(), end, value);
   if (failure != std::errc() || stop != end) {
-    throw Error(row.where, fmt::format("\"{}\" is not a number", field), "restore the file");
+    throw Error(row.where, fmt::format("\"{}\" is not a number", field), remedy);
   }
   return value;
 }
@@ -53,7 +54,7 @@ double number(const TableRow& row, std::size_t column) {
 const std::string& published_mark(const TableRow& row, std::size_t column) {
   const std::string& mark = row.fields[column];
   if (mark != "outline" && mark != "material") {
-    throw Error(row.where, fmt::format("\"{}\" is not a mark", mark), "restore the file");
+    throw Error(row.where, fmt::format("\"{}\" is not a mark", mark), remedy);
   }
   return mark;
 }
@@ -61,7 +62,7 @@ const std::string& published_mark(const TableRow& row, std::size_t column) {
 }  // namespace
 
 PublishedStudy read_published_study(const fs::path& folder) {
-  PublishedStudy published;
+  PublishedStudy published{.folder = folder};
   for (const TableRow& row : rows_with_columns(folder / "table1.csv", {"question", "mean", "sd"})) {
     published.background.push_back({row.fields[0], number(row, 1), number(row, 2)});
   }
@@ -77,17 +78,17 @@ PublishedStudy read_published_study(const fs::path& folder) {
   return published;
 }
 
-std::optional<PublishedStudy> published_beside(const Dataset& set) {
+std::optional<PublishedStudy> published_study_for(const Dataset& set) {
   return measures_what_was_published(set)
              ? std::optional(read_published_study(resource_folder() / "data" / "koskela2018"))
              : std::nullopt;
 }
 
-const PublishedFigure& published_figure(const PublishedStudy& published, const std::string& id) {
-  const auto found = std::ranges::find(published.text, id, &PublishedFigure::id);
+const PublishedNumber& published_number(const PublishedStudy& published, const std::string& id) {
+  const auto found = std::ranges::find(published.text, id, &PublishedNumber::id);
   if (found == published.text.end()) {
-    throw Error("data/koskela2018/text.csv", fmt::format("does not have the figure \"{}\"", id),
-                "restore the file");
+    throw Error((published.folder / "text.csv").string(),
+                fmt::format("has no row of the figure \"{}\"", id), remedy);
   }
   return *found;
 }
@@ -107,7 +108,7 @@ const PublishedTime* published_time(const PublishedStudy& published, const std::
 }
 
 Estimate published_mean(const PublishedStudy& published, double mean, double standard_deviation) {
-  const auto n = static_cast<std::size_t>(published_figure(published, "participants").value);
+  const auto n = static_cast<std::size_t>(published_number(published, "participants").value);
   return mean_estimate(Description{.n = n, .mean = mean, .standard_deviation = standard_deviation})
       .value();
 }

@@ -30,7 +30,7 @@ struct PublishedTime {
 };
 
 /// A number in the text.
-struct PublishedFigure {
+struct PublishedNumber {
   std::string id;
   double value = 0.0;
   std::string unit;     ///< Empty for counts and P.
@@ -38,20 +38,22 @@ struct PublishedFigure {
 };
 
 struct PublishedStudy {
+  std::filesystem::path folder;  ///< that it was read from
   std::vector<PublishedAnswers> background;
   std::vector<PublishedTime> times;
-  std::vector<PublishedFigure> text;
+  std::vector<PublishedNumber> text;
 };
 
 /// Reads table1.csv, table2.csv and text.csv of `folder`. Throws Error if one is missing or
 /// malformed.
 PublishedStudy read_published_study(const std::filesystem::path& folder);
 
-/// Returns Foveola's data on the published study if the set has its measures; else empty.
-std::optional<PublishedStudy> published_beside(const Dataset& set);
+/// Returns the published study, read from Foveola's data, if the set has its measures; else empty.
+/// Throws Error as read_published_study.
+std::optional<PublishedStudy> published_study_for(const Dataset& set);
 
 /// Returns a number of the text. Throws Error if there is none of this id.
-const PublishedFigure& published_figure(const PublishedStudy& published, const std::string& id);
+const PublishedNumber& published_number(const PublishedStudy& published, const std::string& id);
 
 /// Returns the row of Table 1; null if there is none.
 const PublishedAnswers* published_answers(const PublishedStudy& published,
@@ -66,8 +68,8 @@ const PublishedTime* published_time(const PublishedStudy& published, const std::
 /// not state. It may reach below zero.
 Estimate published_mean(const PublishedStudy& published, double mean, double standard_deviation);
 
-/// Returns the geometric mean over the scenes of Table 2's means, computed by us, not stated in the
-/// paper. In seconds for "od", else in per cent; empty for a mark or method that Table 2 lacks.
+/// Returns the geometric mean over the scenes of Table 2's means, computed here, not stated in
+/// the paper. In seconds for "od", else in per cent; empty for a mark or method that Table 2 lacks.
 std::optional<double> geometric_mean_of_table_2(const PublishedStudy& published,
                                                 const std::string& mark, const std::string& method);
 
@@ -76,7 +78,8 @@ struct PublishedScene {
   bool is_counterpart = false;  ///< Whether the study's scene is Foveola's own counterpart.
 };
 
-/// Returns empty for a scene that is neither published nor a counterpart.
+/// Returns the published scene that the study's scene is, or replaces. Empty for one that is
+/// neither published nor a counterpart.
 std::optional<PublishedScene> published_scene_of(const PublishedStudy& published,
                                                  const std::string& scene);
 

@@ -118,7 +118,7 @@ std::vector<Criterion> criteria_without_effect() {
   };
   return {{"paired t on logs, no effect", "rejects at 5 %", nominal_rejection, null,
            [](const Dataset& set, const StudyTables&) {
-             return below(p_of(one_sample_t(log_ratios(set))));
+             return below(p_of(test_mean(log_ratios(set))));
            }},
           {"Wilcoxon signed-rank, no effect", "rejects at 5 %", std::nullopt, null,
            [](const Dataset& set, const StudyTables&) {
@@ -179,12 +179,12 @@ std::vector<Criterion> criteria_of_other_measures() {
       {"t interval, 5 points in a rating of 0 to 100", "covers the injected change",
        nominal_coverage, comfortable,
        [=](const Dataset& set, const StudyTables&) {
-         const auto found = one_sample_t(comfort_differences(set));
+         const auto found = test_mean(comfort_differences(set));
          return found ? covers(found->interval, shift_points) : std::nullopt;
        }},
       {"paired t, a rating of 0 to 100, no effect", "rejects at 5 %", nominal_rejection, effects,
        [](const Dataset& set, const StudyTables&) {
-         return below(p_of(one_sample_t(comfort_differences(set))));
+         return below(p_of(test_mean(comfort_differences(set))));
        }}};
 }
 

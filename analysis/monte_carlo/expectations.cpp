@@ -317,9 +317,10 @@ MeasureExpectation parse_expectation(const std::string& text) {
   const auto value =
       last == std::string::npos ? std::nullopt : number_in(std::string_view(text).substr(last + 1));
   if (first == last || first == 0 || last == first + 1 || !value) {
-    throw UsageError("--effect", fmt::format("'{}' is not MEASURE:METHOD:VALUE", text),
-                     "give a mark, a method and per cent of the first method's time, as "
-                     "material:fv:25; or a rating, a method and points, as comfort:fv:1");
+    throw UsageError(
+        "--effect", fmt::format("'{}' is not MEASURE:METHOD:VALUE", text),
+        "give a mark, a method and per cent of the first method's time, for "
+        "example material:fv:25; or a rating, a method and points, for example comfort:fv:1");
   }
   return {text.substr(0, first), text.substr(first + 1, last - first - 1), *value};
 }

@@ -17,13 +17,14 @@ struct ExpectedTimes {
   std::vector<double> ratios;  ///< [method]: geometric mean over the first method's, which is 1.
 };
 
-/// Spread of people, scenes and trials. Of times: standard deviations of natural logarithms; of
-/// ratings: in fractions of the scale's width. A gain is the difference between two methods.
+/// Standard deviations: of natural logarithms of times, or of ratings in fractions of the scale's
+/// width. A gain is the difference between two methods, so that its spread is a
+/// method-by-participant or method-by-scene interaction.
 struct ExpectedSpread {
-  double participants = 0.5;
-  double scenes = 0.5;
-  double participants_gain = 0.3;
-  double scenes_gain = 0.1;
+  double participants = 0.5;       ///< Between participants, the same with every method.
+  double scenes = 0.5;             ///< Between scenes, the same with every method.
+  double participants_gain = 0.3;  ///< Of the methods' difference, between participants.
+  double scenes_gain = 0.1;        ///< Of the methods' difference, between scenes.
   double trials = 0.35;  ///< Between trials of one participant in one scene with one method.
 };
 
@@ -33,10 +34,13 @@ struct ExpectedSpread {
 /// of a mark's time to the previous one's varies around its expectation, but never below zero. So a
 /// late mark delays the next ones. Without censoring, the mean logarithm of the ratio of two
 /// methods' times is exactly that of the expected ratios.
+///
+/// `times`, `ratios` and `shifts` have the sizes of the protocol's marks, methods and ratings;
+/// otherwise behaviour is undefined.
 struct ExpectedStudy {
   /// Scenes, methods, marks, ratings, orders, and the time-outs that censor.
   study::Protocol protocol;
-  std::vector<ExpectedTimes> times;  ///< [mark]: longer than those of the previous mark.
+  std::vector<ExpectedTimes> times;  ///< [mark]: increasing from mark to mark.
   /// [rating][method]: mean answer above that of the first method, in points.
   std::vector<std::vector<double>> shifts;
   ExpectedSpread times_spread;

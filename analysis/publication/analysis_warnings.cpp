@@ -22,7 +22,7 @@ std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
              ? fmt::format(
                    "{}: 95 % confidence intervals for scenes like these undercover (87 % with two, "
                    "92 % with three); plan five, or fixed scenes.",
-                   counted(scenes, "scene"))
+                   count_with_noun(scenes, "scene"))
              : "";
 }
 
@@ -35,7 +35,7 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
     warnings.push_back(fmt::format(
         "The study's file failed its verification ({}): any number may be wrong; foveola study "
         "verify lists the faults.",
-        counted(output.record->faults.size(), "fault")));
+        count_with_noun(output.record->faults.size(), "fault")));
   }
   if (const std::string warning = data_warning(tables); !warning.empty()) {
     warnings.push_back(warning);
@@ -69,9 +69,9 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
     warnings.push_back(few);
   }
   for (const DataQualityCheck& check : output.checks.checks) {
-    if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
+    if (check.verdict == Verdict::flagged && check.value_text != data_warning(tables)) {
       warnings.push_back(
-          fmt::format("A data-quality limit was missed: {}: {}.", check.name, check.found));
+          fmt::format("A data-quality limit was missed: {}: {}.", check.name, check.value_text));
     }
   }
   if (const std::size_t count = tables.amended.size(); count > 0) {

@@ -145,7 +145,7 @@ std::string withdrawn_in_words(const study::StudyRecords& records) {
       "trials_long.csv, trials_timed_again.csv and answers_long.csv have the data of {} that a "
       "participant withdrew from (--withdrawn); no result uses them, and psych-ds/ and bids/ leave "
       "them out.",
-      count == 1 ? "one session" : counted(count, "session"));
+      count == 1 ? "one session" : count_with_noun(count, "session"));
 }
 
 /// Writes the data, which may be large. Files for sharing, those of Psych-DS, never have the data
@@ -221,12 +221,12 @@ void write_bids(const study::StudyRecords& records, const DataColumns& data,
   }
   EyeTrackingExport eyes(output.tables.set, quality.gaze_runs, quality.gaze);
   read_gaze([&](const study::AttemptGaze& attempt) {
-    for (const TextFile& file : eyes.files_of(attempt)) {
+    for (const TextFile& file : eyes.export_attempt(attempt)) {
       write_output(folder, file.name, file.content, output);
     }
   });
-  if (const std::optional<TextFile> ignored = eyes.ignored()) {
-    write_output(folder, ignored->name, ignored->content, output);
+  if (const std::optional<TextFile> file = eyes.bidsignore_file()) {
+    write_output(folder, file->name, file->content, output);
   }
   if (eyes.too_short() > 0) {
     output.warnings.push_back(fmt::format(
@@ -238,14 +238,14 @@ void write_bids(const study::StudyRecords& records, const DataColumns& data,
 
 }  // namespace
 
-study::Verification verified_study(const fs::path& database, bool takes_changed) {
+study::Verification verified_study(const fs::path& database, bool accept_changed) {
   study::Verification found = study::verify_study(database);
-  if (!found.faults.empty() && !takes_changed) {
+  if (!found.faults.empty() && !accept_changed) {
     const study::RecordFault& first = found.faults.front();
     throw Error(
         database.string(),
         fmt::format("failed its verification ({}, the first: {}{}{})",
-                    counted(found.faults.size(), "fault"), first.participant,
+                    count_with_noun(found.faults.size(), "fault"), first.participant,
                     first.participant.empty() ? "" : ": ", first.what),
         fmt::format("{} (foveola study verify lists the faults); or analyse it nevertheless "
                     "with --unverified",
@@ -271,7 +271,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   if (output.record) {
     output.tables.set.record = output.record->faults.empty() ? "verified" : "changed";
   }
-  const std::optional<PublishedStudy> published = published_beside(output.tables.set);
+  const std::optional<PublishedStudy> published = published_study_for(output.tables.set);
   output.background =
       analyse_background(background_answers(records), records.protocol.analysis, output.tables.set);
   output.checks = check_data_quality(output.tables, quality, records);
@@ -287,19 +287,20 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   const study::AnalysisPlan& plan = records.protocol.analysis;
   output.comparisons =
       compare_methods(output.tables.set, plan,
-                      options.r ? fit_models_of(output.tables.set, plan, staged.path())
-                                : FittedModels{.missing = "add --r to fit models"});
+                      options.fits_models ? fit_models_of(output.tables.set, plan, staged.path())
+                                          : FittedModels{.missing = "add --r to fit models"});
   output.results = tables_of(output, records, columns);
   output.summary = terminal_summary(output.tables, output.results, output.comparisons,
                                     output.background, published);
   output.warnings = warnings_about(output);
-  if (const std::string& why = output.comparisons.models.missing; options.r && !why.empty()) {
+  if (const std::string& why = output.comparisons.models.missing;
+      options.fits_models && !why.empty()) {
     output.warnings.push_back(fmt::format("No model was fitted: {}.", why));
   }
   if (options.withdrawn) {
     output.warnings.push_back(withdrawn_in_words(data));
   }
-  if (options.bids) {
+  if (options.writes_bids) {
     write_bids(data, columns, participant_answer_columns(records, output.tables.set), quality,
                read_gaze, staged.path(), output);
   }

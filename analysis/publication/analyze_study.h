@@ -19,9 +19,9 @@
 namespace foveola::analysis {
 
 struct AnalysisOptions {
-  bool bids = false;        ///< Also write bids/, with a folder for each participant.
-  bool r = false;           ///< Fit models by R, and take the primary analyses from them.
-  bool unverified = false;  ///< Analyse a study's file even if its verification fails.
+  bool writes_bids = false;  ///< Also write bids/, with a folder for each participant.
+  bool fits_models = false;  ///< Fit models by R, and take the primary analyses from them.
+  bool unverified = false;   ///< Analyse a study's file even if its verification fails.
   /// Also write the data of withdrawn sessions to trials_long.csv, trials_timed_again.csv and
   /// answers_long.csv. The results do not use them.
   bool withdrawn = false;
@@ -47,8 +47,8 @@ struct AnalysisOutput {
 };
 
 /// Returns the findings of `foveola study verify`. Throws Error if the file is not a study, or was
-/// changed and takes_changed is false.
-study::Verification verified_study(const std::filesystem::path& database, bool takes_changed);
+/// changed and accept_changed is false.
+study::Verification verified_study(const std::filesystem::path& database, bool accept_changed);
 
 /// Returns whether a table is written row by row, because it may be too large for memory.
 bool is_written_by_rows(const Table& table);
@@ -62,9 +62,10 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder,
                              const AnalysisOptions& options = {});
 
-/// Analyses records in memory; `record` is the verification of their file, if there is one. Files
-/// that are written row by row hold the rows of `exported`, the same study with the data of its
-/// withdrawn sessions; empty: those of `records`.
+/// Analyses records in memory. record: the verification of their file, if there is one. exported:
+/// the same study with the data of its withdrawn sessions, for trials_long.csv,
+/// trials_timed_again.csv, answers_long.csv and bids/; default: `records`. Throws Error as
+/// analyze_study, except for a verification.
 AnalysisOutput analyze_records(const study::StudyRecords& records,
                                const study::DataQualityRecords& quality,
                                const std::filesystem::path& folder,
@@ -73,8 +74,8 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
                                std::optional<study::Verification> record = {},
                                const std::optional<study::StudyRecords>& exported = {});
 
-/// What a reader of the analysis has to know first of its file, data and planned comparisons, a
-/// sentence for each. `output` has its tables, comparisons, checks and verification.
+/// Returns the warnings to print first: about the file, the data and the planned comparisons, one
+/// sentence each. `output` has its tables, comparisons, checks and verification.
 std::vector<std::string> warnings_about(const AnalysisOutput& output);
 
 }  // namespace foveola::analysis

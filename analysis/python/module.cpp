@@ -41,7 +41,7 @@ size: (width, height) in pixels; None: 1024 x 512, or what suits the camera in a
 samples_per_pixel, samples, seconds: how much is rendered; one of them at most. Without any: 16
 samples for each pixel.
 seed: the same seed gives the same image, but for `seconds`.
-max_depth: the most surface vertices of a path.
+max_depth: the maximum number of surface vertices of a path.
 
 Returns a Rendering. Ctrl-C stops it with KeyboardInterrupt. Samples that are not finite are left
 out, listed in `dropped`, and warned of.)";

@@ -78,7 +78,8 @@ void read_text(TomlReader& reader, Claim& claim) {
   claim.words.emplace_back(rest, text.end());
   // Words around the numbers delimit them.
   if (claim.numbers.empty() || claim.words.front().empty() || claim.words.back().empty()) {
-    reader.fail(reader.source("text"), "must have numbers in braces, with words before and after",
+    reader.fail(reader.source("text"),
+                "text must have numbers in braces, with words before and after",
                 "write it as \"covers {94.4} %\" or \"takes {51 [34, 75]} s\"");
   }
 }
@@ -94,7 +95,7 @@ void read_figures(TomlReader& reader, Claim& claim) {
   }
   const std::vector<TomlReader::Text> figures = reader.require_texts("figures");
   if (figures.size() != claim.numbers.size()) {
-    reader.fail(reader.source("figures"), "do not match the numbers in braces",
+    reader.fail(reader.source("figures"), "figures do not match the numbers in braces",
                 "name one figure per number");
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {

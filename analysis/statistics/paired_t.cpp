@@ -24,8 +24,8 @@ double p_of_shifted(std::span<const double> values, double sign, double margin) 
 
 }  // namespace
 
-std::optional<TTest> one_sample_t(std::span<const double> values, double hypothesis,
-                                  double confidence) {
+std::optional<TTest> test_mean(std::span<const double> values, double hypothesis,
+                               double confidence) {
   const std::optional<Estimate> estimate = mean_estimate(values, confidence);
   if (!estimate || !estimate->interval) {
     return std::nullopt;
@@ -43,16 +43,16 @@ std::optional<TTest> one_sample_t(std::span<const double> values, double hypothe
   return test;
 }
 
-std::optional<RatioTest> ratio_t(std::span<const double> log_ratios, double confidence) {
-  const std::optional<TTest> logs = one_sample_t(log_ratios, 0.0, confidence);
+std::optional<RatioTest> test_ratio(std::span<const double> log_ratios, double confidence) {
+  const std::optional<TTest> logs = test_mean(log_ratios, 0.0, confidence);
   if (!logs || logs->standard_deviation <= rounding_of_logarithms) {
     return std::nullopt;
   }
   return RatioTest{*logs, std::exp(logs->mean), exp_of(logs->interval)};
 }
 
-EquivalenceTest equivalence(double estimate, double standard_error, double degrees_of_freedom,
-                            double margin, double alpha) {
+EquivalenceTest test_equivalence(double estimate, double standard_error, double degrees_of_freedom,
+                                 double margin, double alpha) {
   assert(margin > 0.0 && alpha > 0.0 && alpha < 0.5);
   EquivalenceTest result;
   result.p_above_low =
@@ -66,8 +66,8 @@ EquivalenceTest equivalence(double estimate, double standard_error, double degre
   return result;
 }
 
-std::optional<EquivalenceTest> equivalence_by_ranks(std::span<const double> values, double margin,
-                                                    double alpha) {
+std::optional<EquivalenceTest> test_equivalence_by_ranks(std::span<const double> values,
+                                                         double margin, double alpha) {
   assert(margin > 0.0 && alpha > 0.0 && alpha < 0.5);
   if (values.empty()) {
     return std::nullopt;

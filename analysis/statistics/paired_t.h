@@ -23,10 +23,10 @@ struct TTest {
   double standard_error() const { return standard_deviation / std::sqrt(static_cast<double>(n)); }
 };
 
-/// Tests whether the mean of values is `hypothesis`. Empty if t is not defined: the values do not
-/// vary (descriptive.h), or are fewer than two.
-std::optional<TTest> one_sample_t(std::span<const double> values, double hypothesis = 0.0,
-                                  double confidence = default_confidence);
+/// Tests whether the mean of values is `hypothesis`. confidence: in (0, 1). Empty if t is not
+/// defined: the values do not vary (descriptive.h), or are fewer than two.
+std::optional<TTest> test_mean(std::span<const double> values, double hypothesis = 0.0,
+                               double confidence = default_confidence);
 
 /// A paired t test of ratios, on their logarithms.
 struct RatioTest {
@@ -35,17 +35,18 @@ struct RatioTest {
   Interval interval;   ///< Interval of `ratio`.
 };
 
-/// Tests whether the geometric mean of ratios is 1. Empty if geometric_mean_of_logs, which gives
-/// the estimate without a test, has no interval.
-std::optional<RatioTest> ratio_t(std::span<const double> log_ratios,
-                                 double confidence = default_confidence);
+/// Tests whether the geometric mean of ratios is 1. confidence: in (0, 1). Empty if
+/// geometric_mean_of_logs, which gives the estimate without a test, has no interval.
+std::optional<RatioTest> test_ratio(std::span<const double> log_ratios,
+                                    double confidence = default_confidence);
 
 /// Two one-sided tests (Schuirmann 1987).
 struct EquivalenceTest {
   double p_above_low = 0.0;   ///< P of the hypothesis that the effect is at or below -margin.
   double p_below_high = 0.0;  ///< P of the hypothesis that the effect is at or above +margin.
   double p = 0.0;             ///< The larger P: below alpha, the effect lies within the margins.
-  /// The effect's interval with confidence 1 - 2 alpha. Empty if ranks of few values have none.
+  /// The effect's interval with confidence 1 - 2 alpha. Empty if there are too few values for
+  /// an interval by ranks.
   std::optional<Interval> interval;
 };
 
@@ -53,12 +54,12 @@ struct EquivalenceTest {
 /// standard error and degrees of freedom are above zero, alpha in (0, 0.5). Ratios are tested by
 /// their logarithms and that of the margin. The interval lies within the margins if and only if p <
 /// alpha.
-EquivalenceTest equivalence(double estimate, double standard_error, double degrees_of_freedom,
-                            double margin, double alpha = 0.05);
+EquivalenceTest test_equivalence(double estimate, double standard_error, double degrees_of_freedom,
+                                 double margin, double alpha = 0.05);
 
 /// Tests the same of the centre of symmetry of the values' distribution, by Wilcoxon's signed-rank
-/// test; the interval is Hodges and Lehmann's. Empty without values.
-std::optional<EquivalenceTest> equivalence_by_ranks(std::span<const double> values, double margin,
-                                                    double alpha = 0.05);
+/// test; the interval is Hodges and Lehmann's. Margin and alpha as above. Empty without values.
+std::optional<EquivalenceTest> test_equivalence_by_ranks(std::span<const double> values,
+                                                         double margin, double alpha = 0.05);
 
 }  // namespace foveola::analysis

@@ -58,7 +58,7 @@ SimulatedPower simulate_power(std::size_t n, const ExpectedEffect& effect, doubl
     for (double& difference : differences) {
       difference = effect.mean + effect.standard_deviation * generator.normal();
     }
-    const std::optional<TTest> test = one_sample_t(differences);
+    const std::optional<TTest> test = test_mean(differences);
     rejected += test && test->p < alpha ? 1 : 0;
   }
   return {studies, static_cast<double>(rejected) / static_cast<double>(studies),

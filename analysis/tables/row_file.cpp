@@ -15,9 +15,9 @@ RowFile::RowFile(std::filesystem::path path, const std::vector<Column>& columns,
 }
 
 void RowFile::add(const Row& row) {
-  constexpr std::size_t most_bytes = 1 << 20;
+  constexpr std::size_t max_bytes = 1 << 20;
   text_ += csv_row(row, texts_);
-  if (text_.size() > most_bytes) {
+  if (text_.size() > max_bytes) {
     flush();
   }
 }

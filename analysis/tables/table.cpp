@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include <fmt/format.h>
+
 #include "renderer/base/error.h"
 
 namespace foveola::analysis {
@@ -24,8 +26,9 @@ void require_distinct_names(const std::vector<Column>& columns) {
   std::set<std::string> names;
   for (const Column& column : columns) {
     if (!names.insert(column.name).second) {
-      throw Error(column.name, "is the name of two columns of a table",
-                  "give the protocol's marks, ratings and questionnaires other ids");
+      throw Error(
+          fmt::format("column '{}'", column.name), "two columns of a table have this name",
+          "rename the mark, rating or questionnaire of the protocol that is part of the name");
     }
   }
 }

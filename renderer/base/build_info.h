@@ -10,10 +10,10 @@ struct BuildInfo {
   std::string version;   ///< "0.1.0"
   std::string compiler;  ///< "GNU 12.2.0"
   std::string build_type;
-  std::string ray_tracer;       ///< the ray tracer: "Embree 3.13.5"
+  std::string ray_tracer;       ///< "Embree 3.13.5"
   std::string instruction_set;  ///< of the loaded numeric libraries: "x86-64-v3"
-  /// Instruction set of the ray tracer: "avx2", or "sse4.2" on processors without it. The last bits
-  /// of hits depend on the processor through this alone.
+  /// Instruction set of the ray tracer: "avx2", or "sse4.2" on processors without it. Rounding of
+  /// hits depends on the processor only through this.
   std::string ray_instructions;
 };
 BuildInfo build_info();
@@ -22,13 +22,12 @@ BuildInfo build_info();
 /// Release, Embree 3.13.5)". Unknown, empty parts are left out.
 std::string program_name(const BuildInfo& build);
 
-/// program_name with the instruction sets, on which the last bits of pictures depend: "Foveola
+/// program_name with the instruction sets, on which the rounding of pictures depends: "Foveola
 /// 0.1.0 (GNU 12.2.0, Release, Embree 3.13.5) with x86-64-v3 and rays by avx2".
 std::string exact_name(const BuildInfo& build);
 
-/// exact_name without the version: the last bits' dependencies while the source stays the same. For
-/// files whose name states their source otherwise: "GNU 12.2.0, Release, Embree 3.13.5 with
-/// x86-64-v3 and rays by avx2".
+/// exact_name without the version, for file names that identify the source in another way:
+/// "GNU 12.2.0, Release, Embree 3.13.5 with x86-64-v3 and rays by avx2".
 std::string arithmetic_name(const BuildInfo& build);
 
 struct MachineInfo {

@@ -63,7 +63,7 @@ class CsvReader {
     while (true) {
       const std::size_t quote = text_.find('"');
       if (quote == std::string_view::npos) {
-        fail("has a quote that never closes");
+        fail("has an unclosed quote");
       }
       field += text_.substr(0, quote);
       text_.remove_prefix(quote + 1);
@@ -75,7 +75,8 @@ class CsvReader {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(fmt::format("{}:{}", where_, line_), what, "write it after RFC 4180");
+    throw Error(fmt::format("{}:{}", where_, line_), what,
+                "double each quote within a quoted field, and close the field (RFC 4180)");
   }
 
   std::string_view text_;

@@ -51,7 +51,7 @@ void add_weighed(double weight, std::uint32_t count, Value& sum, const Value& va
   }
 }
 
-std::vector<std::uint32_t> numbers_of(const std::vector<NumberedBatch::TileRange>& tiles) {
+std::vector<std::uint32_t> tile_indices(const std::vector<NumberedBatch::TileRange>& tiles) {
   return transformed(tiles, &NumberedBatch::TileRange::tile);
 }
 
@@ -190,7 +190,7 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
   workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
     add_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), batch, radiance, weights);
   });
-  coarse_.refresh(numbers_of(batch.tiles));
+  coarse_.refresh(tile_indices(batch.tiles));  // the pyramid above the tiles
   std::vector<DroppedSample> dropped;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     if (!is_finite(radiance[i])) {
@@ -278,7 +278,7 @@ void EquirectFilm::restore(std::span<const PixelState> states, const Workers& wo
     coarse_.finest(range.tile) = tiles_[range.tile].tile->refresh(touched, revision_);
     tiles_[range.tile].changed_at = revision_;
   }
-  coarse_.refresh(numbers_of(batch.tiles));
+  coarse_.refresh(tile_indices(batch.tiles));  // the pyramid above the tiles
 }
 
 std::optional<PixelState> EquirectFilm::pixel_state(int x, int y) const {

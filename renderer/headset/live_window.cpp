@@ -26,7 +26,7 @@ void run_beside(Window& window, const std::stop_token& stop,
       }
       window.finish();
     });
-    window.pass_on_events(stop);
+    window.dispatch_events(stop);
   }
   if (fault) {
     std::rethrow_exception(fault);

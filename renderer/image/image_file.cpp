@@ -86,7 +86,7 @@ std::string format_to_write(const fs::path& path) {
   return extension == ".jpg" || extension == ".jpeg" ? "jpeg" : "";
 }
 
-std::string encoded(const fs::path& path, const EncodableImage& image) {
+std::string encode_for(const fs::path& path, const EncodableImage& image) {
   try {
     const std::vector<unsigned char> bytes = image_codec().encode(image, format_to_write(path));
     return {bytes.begin(), bytes.end()};
@@ -96,7 +96,8 @@ std::string encoded(const fs::path& path, const EncodableImage& image) {
   }
 }
 
-/// samples, variances: empty for no channel.
+/// Writes R, G, B and, unless empty, the channels `samples` and `variance`. `facts` become
+/// attributes of the header. Throws Error.
 void write_exr(const fs::path& path, const RgbImage& image,
                const std::vector<std::uint32_t>& samples, const std::vector<float>& variances,
                const ImageFacts& facts) {
@@ -118,12 +119,12 @@ void write_exr(const fs::path& path, const RgbImage& image,
       values.push_back(variances[i]);
     }
   }
-  write_file(path, encoded(path, {.width = image.width,
-                                  .height = image.height,
-                                  .channel_names = names,
-                                  .attributes = {facts.begin(), facts.end()},
-                                  .bytes = {},
-                                  .floats = values}));
+  write_file(path, encode_for(path, {.width = image.width,
+                                     .height = image.height,
+                                     .channel_names = names,
+                                     .attributes = {facts.begin(), facts.end()},
+                                     .bytes = {},
+                                     .floats = values}));
 }
 
 /// As .png or .jpg.
@@ -137,12 +138,12 @@ void write_shown(const fs::path& path, const RgbImage& linear, double exposure_s
       values.push_back(static_cast<std::uint8_t>(std::lround(pixel[channel] * 255.0F)));
     }
   }
-  std::string file = encoded(path, {.width = display.width,
-                                    .height = display.height,
-                                    .channel_names = {"R", "G", "B"},
-                                    .attributes = {},
-                                    .bytes = values,
-                                    .floats = {}});
+  std::string file = encode_for(path, {.width = display.width,
+                                       .height = display.height,
+                                       .channel_names = {"R", "G", "B"},
+                                       .attributes = {},
+                                       .bytes = values,
+                                       .floats = {}});
   if (is_panorama) {
     file = with_panorama_tag(std::move(file), display.width, display.height);
   }

@@ -128,12 +128,14 @@ RgbImage read_linear_color(ImageReader& image) {
   const std::array<int, 3> channels = color_channels(header.channel_names);
   RgbImage color(header.width, header.height);
   constexpr std::size_t stride = sizeof(Rgb) / sizeof(float);
-  const bool is_grey = channels[2] == channels[0];
+  const bool is_grey = channels[2] == channels[0];  // a single channel stands for all three
   const bool are_neighbours = channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2;
-  // Together if possible: only EXR can read each channel separately again.
-  const int at_once = are_neighbours ? 3 : 1;
-  for (int i = 0; i < (is_grey ? 1 : 3); i += at_once) {
-    image.read_floats(channels[static_cast<std::size_t>(i)], at_once, &color.pixels[0][i], stride);
+  // Reads R, G and B in one call if they are adjacent. Only EXR, which may order them otherwise,
+  // allows several calls.
+  const int channels_per_read = are_neighbours ? 3 : 1;
+  for (int i = 0; i < (is_grey ? 1 : 3); i += channels_per_read) {
+    image.read_floats(channels[static_cast<std::size_t>(i)], channels_per_read, &color.pixels[0][i],
+                      stride);
     throw_if_work_stopped();
   }
   if (is_grey) {

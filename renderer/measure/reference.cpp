@@ -42,7 +42,7 @@ std::string cache_key(const std::string& scene_key, const ReferenceSettings& set
 
 /// The cached image; nullopt if it is missing or damaged, so that it is made again.
 std::optional<FilmImage> read_cached(const fs::path& file) {
-  if (!is_kept(file)) {
+  if (!is_cached(file)) {
     return std::nullopt;
   }
   try {
@@ -127,7 +127,7 @@ FilmImage reference_image(const PathTracer& tracer, const std::string& scene_key
   make_cache_folder(cache);
   require_writable(file);
   FilmImage image = ReferenceRender(tracer, settings, workers, progress, std::move(stop)).render();
-  keep_file(file, [&](const fs::path& temporary) { write_film_image(temporary, image, 0.0); });
+  store_file(file, [&](const fs::path& temporary) { write_film_image(temporary, image, 0.0); });
   return image;
 }
 

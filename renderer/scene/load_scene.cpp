@@ -19,6 +19,13 @@ bool is_radiance(const Rgb& value) {
   return is_finite(value) && value.r >= 0.0F && value.g >= 0.0F && value.b >= 0.0F;
 }
 
+void require_radiance(const Rgb& value, const std::string& where, const char* name) {
+  if (!is_radiance(value)) {
+    throw Error(where, fmt::format("the {} is ({}, {}, {})", name, value.r, value.g, value.b),
+                "give three finite numbers of at least 0");
+  }
+}
+
 /// 0, 1 or 2 if `direction` is plus or minus that axis, else -1.
 int axis_of(const Vec3& direction) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -33,27 +40,27 @@ int axis_of(const Vec3& direction) {
 
 void require_valid(const RectangleLight& light, const std::string& where) {
   if (axis_of(light.normal) < 0) {
-    throw Error(where, "the normal of a light is not an axis",
+    throw Error(where, "the normal of the light is not an axis",
                 "use one of (+-1, 0, 0), (0, +-1, 0), (0, 0, +-1)");
   }
   if (!is_finite(light.center)) {
-    throw Error(where, "the center of a light is not finite");
+    throw Error(where, "the centre of the light is not finite", "give three finite coordinates");
   }
   if (!(light.size.x > 0.0F && light.size.y > 0.0F) || !std::isfinite(light.size.x) ||
       !std::isfinite(light.size.y)) {
-    throw Error(where, "the size of a light is not positive", "give two lengths in metres");
+    throw Error(where, fmt::format("the size of the light is {} x {}", light.size.x, light.size.y),
+                "give two positive, finite lengths in metres");
   }
-  if (!is_radiance(light.radiance)) {
-    throw Error(where, "the radiance of a light is negative or not finite");
-  }
+  require_radiance(light.radiance, where, "radiance of the light");
 }
 
 void require_valid(const Sun& sun, const std::string& where) {
-  if (!is_radiance(sun.irradiance)) {
-    throw Error(where, "the irradiance of a sun is negative or not finite");
-  }
+  require_radiance(sun.irradiance, where, "irradiance of the sun");
   if (!(sun.angular_radius_rad >= 0.0 && sun.angular_radius_rad < radians(90.0))) {
-    throw Error(where, "the angular radius of a sun is negative or 90 degrees and more");
+    throw Error(
+        where,
+        fmt::format("the angular radius of the sun is {} degrees", degrees(sun.angular_radius_rad)),
+        "choose one of at least 0 and under 90 degrees");
   }
 }
 
@@ -91,8 +98,8 @@ void require_valid(const SceneSource& source) {
   for (std::size_t i = 0; i < source.suns.size(); ++i) {
     require_valid(source.suns[i], fmt::format("{}: suns[{}]", source.name, i));
   }
-  if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
-    throw Error(source.name, "the radiance of the environment is negative or not finite");
+  if (source.environment_radiance) {
+    require_radiance(*source.environment_radiance, source.name, "radiance of the environment");
   }
   if (!(std::isfinite(source.metres_per_unit) && source.metres_per_unit > 0.0)) {
     throw Error(source.name, "the metres of a unit are not positive");

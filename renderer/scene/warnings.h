@@ -1,4 +1,4 @@
-// Counts a scene file's unmet requests, so that each kind is reported once.
+// Counts the features of a scene file that are not supported, so that each kind is reported once.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,18 @@
 
 namespace foveola {
 
+/// Warnings by kind; those with one text are of one kind.
 class Warnings {
  public:
-  /// where: the place of the first of these `count` cases; may be empty.
+  /// what: the text of the kind. where: the place of the first of these `count` cases; may be
+  /// empty.
   void add(const std::string& what, const std::string& where = {}, std::size_t count = 1);
 
   /// Number of cases of all kinds.
-  std::size_t cases() const { return cases_; }
+  std::size_t count() const { return cases_; }
 
-  /// One line for each kind, in the order of their first occurrence.
+  /// One line for each kind, in the order of their first occurrence: "WHAT", "WHAT (PLACE)" or
+  /// "WHAT (3 times, first at PLACE)".
   std::vector<std::string> lines() const;
 
  private:

@@ -89,7 +89,7 @@ std::uint64_t count_not_finite(const Scene& scene, const Vec3& viewpoint, const 
   constexpr std::uint32_t pixels = 2048;
   const PathTracer tracer(scene, run.workers);
   const auto jobs =
-      jobs_all_around(pixels * static_cast<std::uint32_t>(run.effort.picture_samples_per_pixel), 5);
+      uniform_jobs(pixels * static_cast<std::uint32_t>(run.effort.picture_samples_per_pixel), 5);
   std::vector<Rgb> radiance(jobs.size());
   tracer.trace(viewpoint, jobs, radiance, {.seed = 5}, run.workers);
   return static_cast<std::uint64_t>(

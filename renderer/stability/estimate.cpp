@@ -135,21 +135,22 @@ RadianceEstimate mean_of_batches(const std::vector<DVec3>& batch_means) {
   return {.mean = mean, .standard_error = glm::sqrt(squares / (n - 1.0) / n)};
 }
 
-Vec3 direction_all_around(const Vec2& u) {
+Vec3 uniform_direction(const Vec2& u) {
   return direction_from(
       {.azimuth_rad = 2.0 * std::numbers::pi * u.x, .elevation_rad = std::asin(2.0 * u.y - 1.0)});
 }
 
-std::vector<SampleJob> jobs_all_around(std::uint32_t count, std::uint32_t seed) {
+std::vector<SampleJob> uniform_jobs(std::uint32_t count, std::uint32_t seed) {
   std::vector<SampleJob> jobs;
   jobs.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    jobs.push_back({.direction = direction_all_around(sobol_2d(i, seed)), .pixel = i});
+    jobs.push_back({.direction = uniform_direction(sobol_2d(i, seed)), .pixel = i});
   }
   return jobs;
 }
 
-Measurement along(const Vec3& viewpoint, const Vec3& direction, int max_depth, double expected) {
+Measurement single_ray(const Vec3& viewpoint, const Vec3& direction, int max_depth,
+                       double expected) {
   return {.viewpoint = viewpoint,
           .direction = [unit = glm::normalize(direction)](const Vec2&) { return unit; },
           .max_depth = max_depth,
@@ -173,14 +174,14 @@ RadianceEstimate measure(const PathTracer& tracer, const Measurement& measuremen
 }
 
 StabilityFigure deviation(std::string name, const RadianceEstimate& estimate, const DVec3& expected,
-                          double exactness, double tolerance) {
+                          double rounding_allowance, double tolerance) {
   std::vector<StabilityFigure> channels;
   for (int channel = 0; channel < 3; ++channel) {
     const double truth = expected[channel];
     const double noise = standard_errors_allowed * estimate.standard_error[channel] / truth;
     channels.push_back({.name = {},
                         .measured = percent * std::abs(estimate.mean[channel] - truth) / truth,
-                        .bound = percent * (exactness + std::min(tolerance, noise)),
+                        .bound = percent * (rounding_allowance + std::min(tolerance, noise)),
                         .unit = "%",
                         .details = describe(estimate, channel, truth)});
   }
@@ -190,7 +191,7 @@ StabilityFigure deviation(std::string name, const RadianceEstimate& estimate, co
 }
 
 StabilityFigure excess(std::string name, const RadianceEstimate& estimate, double limit,
-                       double exactness, double tolerance) {
+                       double rounding_allowance, double tolerance) {
   int brightest = 0;
   for (int channel = 1; channel < 3; ++channel) {
     brightest = estimate.mean[channel] > estimate.mean[brightest] ? channel : brightest;
@@ -201,7 +202,7 @@ StabilityFigure excess(std::string name, const RadianceEstimate& estimate, doubl
                            : std::numeric_limits<double>::quiet_NaN();
   return {.name = std::move(name),
           .measured = percent * above,
-          .bound = percent * (exactness + std::min(tolerance, noise)),
+          .bound = percent * (rounding_allowance + std::min(tolerance, noise)),
           .unit = "%",
           .details = describe(estimate, brightest, limit)};
 }
@@ -247,7 +248,7 @@ std::vector<RadianceEstimate> render_blocks(const PathTracer& tracer, const Vec3
 
 StabilityFigure picture_difference(std::string name, const std::vector<RadianceEstimate>& picture,
                                    const std::vector<RadianceEstimate>& reference,
-                                   double exactness) {
+                                   double rounding_allowance) {
   assert(picture.size() == reference.size());
   StabilityFigure figure{.name = std::move(name),
                          .measured = 0.0,
@@ -262,7 +263,7 @@ StabilityFigure picture_difference(std::string name, const std::vector<RadianceE
       const double off = std::abs(picture[i].mean[channel] - expected);
       const double noise =
           std::hypot(picture[i].standard_error[channel], reference[i].standard_error[channel]);
-      const double beyond = off - exactness * expected;
+      const double beyond = off - rounding_allowance * expected;
       const double score = beyond <= 0.0 ? 0.0 : beyond / noise;
       sum += picture[i].mean[channel];
       reference_sum += expected;

@@ -33,7 +33,8 @@ StabilityFigure floor_against(std::string name, const Scene& scene, const DVec3&
                               const StabilityRun& run) {
   const DVec3 expected = static_cast<double>(floor_albedo) / pi * irradiance;
   const PathTracer tracer(scene, run.workers);
-  const Measurement floor = along(Vec3(-1.0F, 0.5F, -0.7F), Vec3(1.0F, -0.5F, 0.7F), 1, expected.g);
+  const Measurement floor =
+      single_ray(Vec3(-1.0F, 0.5F, -0.7F), Vec3(1.0F, -0.5F, 0.7F), 1, expected.g);
   return deviation(std::move(name), measure(tracer, floor, run), expected, float_slack,
                    run.effort.tolerance);
 }
@@ -46,7 +47,7 @@ StabilityFigure emitting_enclosure(std::string name, Mesh enclosure, const Stabi
   scene.meshes = {std::move(enclosure)};
   const PathTracer tracer(scene, run.workers);
   const Measurement around{.viewpoint = Vec3(0.3F, -0.2F, 0.1F),
-                           .direction = direction_all_around,
+                           .direction = uniform_direction,
                            .max_depth = 40,
                            .expected = 1.0};
   return deviation(std::move(name), measure(tracer, around, run), DVec3(1.0), float_slack,
@@ -175,7 +176,7 @@ StabilityFigure glass_slab(bool transmitted, double cosine, const StabilityRun& 
   const auto sine = static_cast<float>(std::sqrt(1.0 - cosine * cosine));
   const auto down = static_cast<float>(cosine);
   const Measurement look =
-      along(Vec3(0.1F, 0.5F, 0.2F), Vec3(0.8F * sine, -down, 0.6F * sine), 40, expected.b);
+      single_ray(Vec3(0.1F, 0.5F, 0.2F), Vec3(0.8F * sine, -down, 0.6F * sine), 40, expected.b);
   return deviation(fmt::format("absorbing glass slab, {} at cosine {}",
                                transmitted ? "transmittance" : "reflectance", cosine),
                    measure(tracer, look, run), expected, float_slack, run.effort.tolerance);

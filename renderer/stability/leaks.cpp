@@ -170,7 +170,7 @@ class PlacedRoom {
 
   std::uint64_t count_from(const Vec3& viewpoint, std::uint64_t paths, std::uint32_t seed,
                            const Workers& workers) const {
-    const auto jobs = jobs_all_around(static_cast<std::uint32_t>(paths), seed);
+    const auto jobs = uniform_jobs(static_cast<std::uint32_t>(paths), seed);
     std::vector<Rgb> radiance(jobs.size());
     tracer_->trace(viewpoint, jobs, radiance, {.max_depth = 16, .seed = seed}, workers);
     // A NaN radiance counts as a leak, too.

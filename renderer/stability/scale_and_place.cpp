@@ -27,7 +27,7 @@ struct Copy {
   std::string name;
   Scene scene;
   Vec3 viewpoint;
-  double exactness = 0.0;
+  double rounding_allowance = 0.0;
 };
 
 Copy baked_copy(float scale, double distance) {
@@ -35,7 +35,7 @@ Copy baked_copy(float scale, double distance) {
   Copy copy{.name = distance > 0.0 ? fmt::format("vertices moved by {:g} of its size", distance)
                                    : fmt::format("scale {:g}", scale),
             .scene = baked(furnished_room(), scale, place),
-            .exactness = rounding_of(distance)};
+            .rounding_allowance = rounding_of(distance)};
   copy.viewpoint = copy.scene.from_file(DVec3(scale * room_viewpoint) + DVec3(place));
   return copy;
 }
@@ -60,7 +60,7 @@ class RoomPictures {
 
   StabilityFigure difference(const Copy& copy) {
     return picture_difference(copy.name, render(copy.scene, copy.viewpoint), reference_,
-                              copy.exactness);
+                              copy.rounding_allowance);
   }
 
  private:
@@ -86,8 +86,8 @@ StabilityFigure lit_floor(float scale, double distance, const StabilityRun& run)
   const PathTracer tracer(copy, run.workers);
   const double expected = 4.0 * 0.8 * corner_rectangle_form_factor(0.5, 0.5, 1.0);
   const Measurement look =
-      along(copy.from_file(DVec3(scale * Vec3(-1.0F, 0.8F, 0.0F)) + DVec3(place)),
-            Vec3(1.0F, -0.8F, 0.0F), 1, expected);
+      single_ray(copy.from_file(DVec3(scale * Vec3(-1.0F, 0.8F, 0.0F)) + DVec3(place)),
+                 Vec3(1.0F, -0.8F, 0.0F), 1, expected);
   return deviation(fmt::format("floor, scale {:g}, moved by {:g} of its size", scale, distance),
                    measure(tracer, look, run), DVec3(expected), 2e-5 + rounding_of(distance),
                    run.effort.tolerance);

@@ -34,7 +34,8 @@ void turn_fronts_inside(Mesh& mesh, const Vec3& center) {
   }
 }
 
-/// Replaces a triangle by four, with new corners at the centres of its edges.
+/// Replaces each triangle by four. New vertices lie in the directions of the edges' midpoints, at
+/// any length: the caller normalises them.
 void subdivide(Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
   const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {

@@ -131,7 +131,7 @@ Scene balls_in_enclosures(const std::vector<Material>& materials) {
 Measurement plate_at(std::size_t object, double cosine) {
   const Vec3 from(static_cast<float>(-std::sqrt(1.0 - cosine * cosine)), static_cast<float>(cosine),
                   0.0F);
-  return along(place_of(object) + 0.9F * from, -from, furnace_depth, 1.0);
+  return single_ray(place_of(object) + 0.9F * from, -from, furnace_depth, 1.0);
 }
 
 /// Rays from a distance of 3 that nearly fill the disc of the ball, including grazing ones.

@@ -31,7 +31,7 @@ AcuityModel read_linear_fall_off(MethodText& method) {
   const double inner = method.number("inner", 10.0, 0.0, 170.0);
   const double outer = method.number("outer", 20.0, 0.1, 180.0);
   if (inner >= outer) {
-    method.fail("inner is not below outer", "let the acuity fall from inner to outer");
+    method.fail("inner is not below outer", "give inner < outer");
   }
   return linear_fall_off_model(inner, outer, method.number("least", 0.05, 0.0, 1.0));
 }

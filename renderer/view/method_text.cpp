@@ -97,7 +97,7 @@ std::string MethodText::word(std::string_view key, std::string_view fallback,
     return std::string(fallback);
   }
   if (std::ranges::find(known, *value) == known.end()) {
-    fail(fmt::format("there is no {} '{}'", key, *value),
+    fail(fmt::format("'{}' is not a value of {}", *value, key),
          did_you_mean(*value, {known.begin(), known.end()},
                       fmt::format("choose one of {}", fmt::join(known, ", "))));
   }
@@ -107,10 +107,10 @@ std::string MethodText::word(std::string_view key, std::string_view fallback,
 void MethodText::reject_unknown_settings() const {
   for (const auto& [key, value] : settings_) {
     if (std::ranges::find(asked_, key) == asked_.end()) {
-      fail(fmt::format("there is no setting '{}' here", key),
-           asked_.empty()
-               ? fmt::format("{} has none", name_)
-               : did_you_mean(key, asked_, fmt::format("there are {}", fmt::join(asked_, ", "))));
+      fail(fmt::format("'{}' is not a setting", key),
+           asked_.empty() ? fmt::format("{} has no settings", name_)
+                          : did_you_mean(key, asked_,
+                                         fmt::format("settings are {}", fmt::join(asked_, ", "))));
     }
   }
 }

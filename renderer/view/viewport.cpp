@@ -28,9 +28,12 @@ bool is_grid(const std::vector<std::string>& rows) {
 
 /// 1 for each visible cell, row by row.
 std::vector<float> weights_of(const std::vector<std::string>& rows) {
+  constexpr const char* remedy = "leave it out if the whole display is visible";
   if (!is_grid(rows)) {
-    throw Error("display", "its visible part is not a grid of cells",
-                "write rows of hexadecimal digits, each as long as the others");
+    throw Error("display.seen",
+                fmt::format("must be 1 to {} rows of 1 to {} hexadecimal digits, all of one length",
+                            max_rows, max_digits),
+                remedy);
   }
   std::vector<float> weights;
   for (const std::string& row : rows) {
@@ -42,7 +45,7 @@ std::vector<float> weights_of(const std::vector<std::string>& rows) {
     }
   }
   if (std::ranges::count(weights, 1.0F) == 0) {
-    throw Error("display", "its visible part is empty", "leave out its visible part");
+    throw Error("display.seen", "has no visible cell", remedy);
   }
   return weights;
 }

@@ -104,7 +104,7 @@ struct Window::Callbacks {
     WindowResized resized{.framebuffer = {width, height}};
     glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
     of(window).push(resized);
-    of(window).tell_of_pointer();  // a resting pointer now has another place in it
+    of(window).report_pointer();  // a resting pointer now has another place in it
   }
   static void hidden(GLFWwindow* window, int iconified) {
     of(window).push(WindowHidden{.is_hidden = iconified == GLFW_TRUE});
@@ -114,7 +114,7 @@ struct Window::Callbacks {
     self.has_focus_ = has_focus == GLFW_TRUE;
     self.push(WindowFocused{.has_focus = self.has_focus_});
     if (self.has_focus_) {
-      self.tell_of_pointer();
+      self.report_pointer();
     }
   }
   static void close(GLFWwindow* window) {
@@ -125,7 +125,7 @@ struct Window::Callbacks {
 
 Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock& clock)
     : library_(std::make_unique<Library>()),
-      lost_display_(std::make_unique<LostDisplay>(settings.remedy_of_lost_display)),
+      lost_display_(std::make_unique<LostDisplay>(settings.display_lost_remedy)),
       events_(&events),
       clock_(&clock),
       restored_size_(settings.size) {
@@ -168,7 +168,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
     known_monitors_[known] = glfwGetMonitorName(known);
   }
   find_place();
-  tell_of_pointer();
+  report_pointer();
 }
 
 Window::~Window() {
@@ -196,12 +196,12 @@ IVec2 Window::framebuffer_size() const {
   return size;
 }
 
-void Window::pass_on_events(const std::stop_token& stop) {
+void Window::dispatch_events(const std::stop_token& stop) {
   while (!finished_ && !stop.stop_requested()) {
     std::this_thread::sleep_for(look_interval);
     glfwPollEvents();
     poll_gamepad();
-    tell_of_monitors();
+    report_monitors();
     follow_toggles();
   }
 }
@@ -225,7 +225,7 @@ void Window::push(Nanoseconds time, decltype(WindowEvent::what) what) {
   events_->push({.time = time, .what = std::move(what)});
 }
 
-void Window::tell_of_pointer() {
+void Window::report_pointer() {
   PointerMoved pointer{.is_inside = glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE};
   if (pointer.is_inside) {
     glfwGetCursorPos(window_, &pointer.position.x, &pointer.position.y);
@@ -245,7 +245,7 @@ void Window::poll_gamepad() {
   }
 }
 
-void Window::tell_of_monitors() {
+void Window::report_monitors() {
   // GLFW's own callback does not name the window. A window on a lost monitor leaves full screen by
   // itself.
   std::map<GLFWmonitor*, std::string> now;
@@ -333,7 +333,7 @@ void Window::find_place() {
     if (glfw_monitors().size() == 1 || (position == corner && size == monitor_px)) {
       place = WindowPlace{
           .monitor_px = monitor_px,
-          .middle_px = DVec2(position - corner) + 0.5 * (DVec2(size) - DVec2(monitor_px))};
+          .centre_px = DVec2(position - corner) + 0.5 * (DVec2(size) - DVec2(monitor_px))};
     }
   }
   const std::lock_guard lock(mutex_);

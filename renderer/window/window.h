@@ -1,4 +1,4 @@
-// A window with an OpenGL 3.3 context: GLFW's, whose events arrive with their time.
+// A window of GLFW with an OpenGL 3.3 context and timestamped events.
 //
 // The program's first thread creates it, waits for its events and destroys it, as GLFW requires.
 // Another may draw: it owns the context between make_current and release.
@@ -29,20 +29,20 @@ struct WindowSettings {
   IVec2 size{1280, 720};       ///< window coordinates; not used in full screen
   std::optional<int> monitor;  ///< full screen on this monitor, by its number in monitors()
   /// The user's remedy for the loss of the display, which ends the program (see LostDisplay).
-  std::string remedy_of_lost_display = "start it again where there is one";
+  std::string display_lost_remedy = "start it again where there is one";
 };
 
 /// The window's place on its monitor.
 struct WindowPlace {
   IVec2 monitor_px{0};
-  DVec2 middle_px{0.0};  ///< centre of the window, right of and below the monitor's centre
+  DVec2 centre_px{0.0};  ///< centre of the window, right of and below the monitor's centre
 };
 
 struct MonitorInfo {
   std::string name;
   IVec2 size_px{0};
-  double width_m = 0.0;          ///< of its picture, by the system; 0 if unknown
-  double refresh_rate_hz = 0.0;  ///< by the system; 0 if unknown
+  double width_m = 0.0;          ///< of the visible area, as the system reports it; 0 if unknown
+  double refresh_rate_hz = 0.0;  ///< as the system reports it; 0 if unknown
 };
 
 class Window {
@@ -58,13 +58,13 @@ class Window {
 
   std::vector<MonitorInfo> monitors() const;
   IVec2 framebuffer_size() const;
-  /// Waits for events and passes them on until finish() is called or `stop` is requested. A wish to
-  /// close is an ordinary event.
-  void pass_on_events(const std::stop_token& stop);
+  /// Waits for events and passes them on until finish() is called or `stop` is requested. Closing
+  /// the window is reported as an event.
+  void dispatch_events(const std::stop_token& stop);
 
   // --- Any thread ---
 
-  /// Makes pass_on_events return.
+  /// Makes dispatch_events return.
   void finish();
   /// Switches between the window and full screen on its monitor, once events are passed on.
   void toggle_full_screen();
@@ -78,7 +78,8 @@ class Window {
 
   // --- The drawing thread ---
 
-  /// Swaps wait for swap_interval refreshes of the display.
+  /// Makes the context current in this thread. swap() then waits for swap_interval refreshes of the
+  /// display.
   void make_current(int swap_interval = 1);
   void release();
   /// Shows the drawn frame, at the next refresh if the display has refreshes.
@@ -91,10 +92,10 @@ class Window {
   void push(decltype(WindowEvent::what) what);
   void push(Nanoseconds time, decltype(WindowEvent::what) what);
   void follow_toggles();
-  /// Reports the pointer's present place, where it may rest for long.
-  void tell_of_pointer();
+  /// Reports the pointer's position, since a resting pointer has no events.
+  void report_pointer();
   void poll_gamepad();
-  void tell_of_monitors();
+  void report_monitors();
   void leave_full_screen();
   void enter_full_screen(GLFWmonitor* monitor);
   GLFWmonitor* monitor_below() const;

@@ -164,11 +164,11 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
   CLI::Option* resume = command->add_flag("--resume", arguments->settings.resumes,
                                           "Resume this participant's unfinished session");
   command
-      ->add_flag("--undo-end", arguments->settings.undoes_end,
+      ->add_flag("--undo-end", arguments->settings.undo_end,
                  "Undo the withdrawal or exclusion that ended it, and resume")
       ->needs(resume);
   command->add_flag(
-      "--despite-changes", arguments->settings.despite_changes,
+      "--despite-changes", arguments->settings.accept_changes,
       "Accept another program, scene, display, machine or tracker than those of the session "
       "or of the study's other sessions; the session's record notes it");
   command->add_flag("--amended-protocol", arguments->takes_amendment,

@@ -70,8 +70,7 @@ void require_only_preparing(const SimulateArguments& arguments) {
   }
   if (arguments.settings.resume) {
     throw UsageError(
-        "--resume",
-        "is not needed: --prepare always renders only what the caches lack; remove --resume");
+        "--resume", "is not needed: --prepare always renders only missing images; remove --resume");
   }
 }
 
@@ -87,7 +86,7 @@ nlohmann::json json_report(const SimulateArguments& arguments, const PrepareRepo
 }
 
 std::string text_of(const SimulateArguments& arguments, const PrepareReport& report) {
-  if (!report.has_looks) {
+  if (!report.simulates_viewing) {
     return "Nothing to prepare: participants with an injected effect do not look at pictures\n";
   }
   if (report.stopped) {

@@ -26,13 +26,13 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
     throw Error(where, "is simulated", "choose an unused code");
   }
   const bool can_be_undone = session.phase == Phase::withdrawn || session.phase == Phase::excluded;
-  if (has_ended(session.phase) && !(can_be_undone && resumption.undoes_end)) {
-    throw Error(where, fmt::format("has a session already, which is {}", name_of(session.phase)),
+  if (has_ended(session.phase) && !(can_be_undone && resumption.undo_end)) {
+    throw Error(where, fmt::format("already has a {} session", name_of(session.phase)),
                 can_be_undone ? "choose an unused code; if it was ended by mistake, --resume "
-                                "with --undo-end takes the end back"
+                                "with --undo-end undoes the end"
                               : "a person takes part once; choose an unused code");
   }
-  if (resumption.undoes_end && !can_be_undone) {
+  if (resumption.undo_end && !can_be_undone) {
     throw Error(
         where,
         fmt::format("has a session without a withdrawal or exclusion ({})", name_of(session.phase)),
@@ -74,7 +74,7 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
     require_persons_session(*session, resumption);
     so_far = so_far_of(store, protocol, *session);
   }
-  if (!resumption.despite_changes) {
+  if (!resumption.accept_changes) {
     if (so_far) {
       require_same_program(*so_far);
     }

@@ -31,8 +31,8 @@ struct SessionSoFar {
 struct Resumption {
   SessionKind kind = SessionKind::human;  ///< of the run
   bool resumes = false;                   ///< whether the experimenter asks to resume it
-  bool despite_changes = false;           ///< even if another program began it, or the study
-  bool undoes_end = false;                ///< undoes a withdrawal or an exclusion, its last event
+  bool accept_changes = false;            ///< even if another program began it, or the study
+  bool undo_end = false;                  ///< undoes a withdrawal or an exclusion, its last event
 };
 
 /// Returns a session in `store`. Throws Error if its record is impossible.

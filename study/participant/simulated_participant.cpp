@@ -117,25 +117,26 @@ double SimulatedParticipant::noticed_jnd(Pcg32& random) const {
   return pooled * traits_.rating_bias * std::exp(population_.rating.noise_spread * random.normal());
 }
 
-std::vector<SimulatedParticipant::Scale> SimulatedParticipant::judged_scales(
+std::vector<SimulatedParticipant::Scale> SimulatedParticipant::make_scales(
     const Vec3& looked_at) const {
   const Vision& vision = population_.vision;
-  std::vector<Cells> cells;
+  // An outline is judged on one scale; the material and artifacts on several.
+  std::vector<Cells> cells_of_scales;
   switch (*task_) {
     case Task::mark_outline:
-      cells.push_back(outline_cells(vision, looked_at, object_.radius_deg));
+      cells_of_scales.push_back(outline_cells(vision, looked_at, object_.radius_deg));
       break;
     case Task::mark_material:
-      cells = material_cells(vision, looked_at, object_.radius_deg);
+      cells_of_scales = material_cells(vision, looked_at, object_.radius_deg);
       break;
     case Task::look_around:
-      cells = glance_cells(vision, looked_at);
+      cells_of_scales = glance_cells(vision, looked_at);
       break;
   }
   std::vector<Scale> scales;
-  for (Cells& of_scale : cells) {
-    const Visibility visibility(vision, of_scale.cell_deg());
-    scales.push_back({.cells = std::move(of_scale), .visibility = visibility});
+  for (Cells& cells : cells_of_scales) {
+    const Visibility visibility(vision, cells.cell_deg());
+    scales.push_back({.cells = std::move(cells), .visibility = visibility});
   }
   return scales;
 }
@@ -177,7 +178,7 @@ const SimulatedParticipant::Area& SimulatedParticipant::expect(const Stimulus& s
     area_ = Area{.task = *task_,
                  .looked_at = looked_at,
                  .view = std::nullopt,
-                 .scales = judged_scales(looked_at)};
+                 .scales = make_scales(looked_at)};
   }
   if (area_->view != stimulus.viewport) {
     const int width = stimulus.image.width;

@@ -67,7 +67,7 @@ class SimulatedParticipant : public Participant {
   std::vector<PatchEnergies> energies(const Stimulus& stimulus, const Scale& scale,
                                       bool with_contrast) const;
   /// Returns the task's cells around `looked_at`, on all scales.
-  std::vector<Scale> judged_scales(const Vec3& looked_at) const;
+  std::vector<Scale> make_scales(const Vec3& looked_at) const;
   /// Returns the expected values in the stimulus's view, cached until the view or the area changes.
   const Area& expect(const Stimulus& stimulus);
   /// Whether this moment is judged: while looking around, not during a saccade nor just after.

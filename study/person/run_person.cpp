@@ -180,7 +180,7 @@ class PersonRun {
     }
     const SetupChanges changes = setup_changes(read_session_setups(settings_.database),
                                                settings_.participant, devices, protocol_.preflight);
-    if (!settings_.despite_changes) {
+    if (!settings_.accept_changes) {
       require_same_setup(changes, settings_.participant);
     }
     for (const auto* found : {&changes.demanded, &changes.others}) {
@@ -219,7 +219,7 @@ class PersonRun {
     try {
       require_same_scenes(settings_.database, shown_scenes(stages));
     } catch (const Error& change) {
-      if (!settings_.despite_changes) {
+      if (!settings_.accept_changes) {
         throw;
       }
       accepted_changes_.push_back(note_of_changes({change.what()}));
@@ -345,15 +345,15 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
   std::optional<SessionSoFar> so_far = session_so_far(store, protocol, settings.participant,
                                                       {.kind = settings.kind,
                                                        .resumes = settings.resumes,
-                                                       .despite_changes = settings.despite_changes,
-                                                       .undoes_end = settings.undoes_end});
+                                                       .accept_changes = settings.accept_changes,
+                                                       .undo_end = settings.undo_end});
   print_notes(protocol.notes);
   silence_xr_loader();
   const SteadyClock clock;
   WindowEvents events;
   Window window({.size = settings.window,
                  .monitor = settings.monitor,
-                 .remedy_of_lost_display = remedy_by_resuming(settings, store)},
+                 .display_lost_remedy = remedy_by_resuming(settings, store)},
                 events, clock);
   std::fflush(stdout);
   LineWriter output(STDOUT_FILENO);

@@ -20,8 +20,9 @@ struct RunSettings {
   std::string participant;         ///< a code: letters, digits, - and _
   SessionKind kind = SessionKind::human;
   std::optional<std::uint64_t> seed;  ///< seed of orders and noise; default: drawn at random
-  std::optional<int>
-      first_row;        ///< row of the design; empty: that of the file's first person, or 0
+  /// Row of the counterbalancing design from which the least used one is taken; empty: that of the
+  /// study's first person, or 0.
+  std::optional<int> first_row;
   std::string display;  ///< a profile; empty: the protocol's, or desktop
   std::string tracker;  ///< pointer or a profile; empty: the protocol's, or pointer
   /// A pilot's gaze filter; empty: the protocol's.
@@ -30,13 +31,13 @@ struct RunSettings {
   std::optional<int> monitor;  ///< the monitor to fill; empty: a window
   int threads = 0;             ///< 0: one per core
   bool resumes = false;        ///< resumes the participant's unfinished session
-  bool undoes_end = false;     ///< undoes the session's withdrawal or exclusion
+  bool undo_end = false;       ///< undoes the session's withdrawal or exclusion
   bool is_blind = false;       ///< the console hides the methods until the session's end
   /// Resumes or begins even if the program, the scenes or the equipment have changed.
-  bool despite_changes = false;
+  bool accept_changes = false;
   OtherProtocol other_protocol = OtherProtocol::refuse;  ///< if the protocol differs from the one
                                                          ///< that the database was begun with
-  /// Folder for pictures of every page that the participant comes to.
+  /// Folder for a screenshot of each page shown.
   std::optional<std::filesystem::path> screens;
   /// The experimenter's console reads and writes a JSON object per line.
   bool json = false;
@@ -54,7 +55,9 @@ struct RunReport {
 };
 
 /// Call in the program's first thread, which owns the window. The experimenter's console is
-/// standard input and output: a screen if both are a terminal, lines otherwise. Throws Error,
+/// standard input and output: a screen if both are a terminal, lines otherwise. find_scene returns
+/// the file of a scene that the protocol names. On `stop` the session is recorded as interrupted;
+/// `resumes` continues it. Throws Error,
 /// before anything is begun, if the settings, the files, the window or the participant's earlier
 /// sessions do not allow the session.
 RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_scene,

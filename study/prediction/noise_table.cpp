@@ -112,7 +112,7 @@ std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table) {
 }
 
 std::optional<std::vector<NoiseTable>> TableCache::find(const std::string& key) const {
-  const std::optional<std::string> kept = kept_content(file_of(key));
+  const std::optional<std::string> kept = read_from_cache(file_of(key));
   if (!kept) {
     return std::nullopt;
   }
@@ -135,7 +135,7 @@ void TableCache::keep(const std::string& key, const std::vector<NoiseTable>& tab
   }
   make_cache_folder(folder_);
   const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
-  keep_content(file_of(key), std::string(bytes.begin(), bytes.end()));
+  store_content(file_of(key), std::string(bytes.begin(), bytes.end()));
 }
 
 fs::path TableCache::file_of(const std::string& key) const {

@@ -16,7 +16,7 @@ SampleMask::SampleMask(int width, int height)
 
 void SampleMask::add(const Vec3& middle, double radius_rad, int margin, const Workers& workers) {
   const auto columns = static_cast<std::size_t>(width_);
-  const auto smallest_cosine = static_cast<float>(std::cos(radius_rad));
+  const auto min_cosine = static_cast<float>(std::cos(radius_rad));
   const double elevation_rad = azimuth_elevation(middle).elevation_rad;
   const auto row_at = [&](double row_elevation_rad) {
     const double v = 0.5 - row_elevation_rad / std::numbers::pi;
@@ -30,7 +30,7 @@ void SampleMask::add(const Vec3& middle, double radius_rad, int margin, const Wo
       const Vec2 pixel(
           (static_cast<float>(x) + 0.5F) / static_cast<float>(width_),
           (static_cast<float>(row) + static_cast<float>(top) + 0.5F) / static_cast<float>(height_));
-      if (glm::dot(direction_from_equirect(pixel), middle) >= smallest_cosine) {
+      if (glm::dot(direction_from_equirect(pixel), middle) >= min_cosine) {
         for (int beside = -margin; beside <= margin; ++beside) {
           const int there = (static_cast<int>(x) + beside + margin * width_) % width_;
           widened[row * columns + static_cast<std::size_t>(there)] = 1;

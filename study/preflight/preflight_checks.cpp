@@ -280,8 +280,9 @@ void require_gate(const std::vector<PreflightCheck>& checks) {
   }
   if (!missed.empty()) {
     throw Error("preflight",
-                fmt::format("misses the protocol's limits: {}", fmt::join(missed, ", ")),
-                "nothing was begun; mend the faults in the table, or rehearse with --pilot");
+                fmt::format("fails the protocol's limits, so no session was begun: {}",
+                            fmt::join(missed, ", ")),
+                "correct the refused checks of the table, or rehearse with --pilot");
   }
 }
 

@@ -180,7 +180,7 @@ fs::path find_protocol(const std::string& name_or_path) {
         fs::is_regular_file(named, no_name_of_a_file)) {
       return named;
     }
-    const std::vector<std::string> there = toml_names_if_any(folder);
+    const std::vector<std::string> there = toml_names_or_none(folder);
     names.insert(names.end(), there.begin(), there.end());
   }
   throw Error(name_or_path, "is not a known protocol",

@@ -57,7 +57,7 @@ struct DisplaySettings {
 struct FilmSettings {
   int width = 320;  ///< Pixels of the 360-degree image.
   int height = 160;
-  /// Maximum number of surface vertices of a path; 4 as published, half of a render's.
+  /// Maximum number of surface vertices of a path: half of a render's. The paper gives none.
   int max_depth = 4;
   /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. 0, as
   /// published: all pixels get samples.

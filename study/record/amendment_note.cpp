@@ -57,7 +57,7 @@ std::optional<Amendment> amendment_in(const std::string& note) {
                       .text = note.substr(end_of_line + 1)};
   if (end_of_keys != std::string_view::npos) {
     const nlohmann::ordered_json files =
-        json_in(std::string(changes.substr(end_of_keys + before_files.size())));
+        parse_json(std::string(changes.substr(end_of_keys + before_files.size())));
     for (const auto& [name, text] : files.items()) {
       amendment.files.emplace(name, text.is_string() ? text.get<std::string>() : "");
     }

@@ -41,7 +41,7 @@ Error error_of(const fs::path& path, const SQLite::Exception& fault) {
       return error("cannot be written", "check its permissions and its folder's");
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return error("is in use by another program", "let that finish and try again");
+      return error("is in use by another program", "close it, then repeat the command");
     case SQLITE_NOTADB:
       return error("is no database", "name a study that foveola has written, or a new file");
     case SQLITE_CORRUPT:
@@ -254,7 +254,7 @@ void fold_in_log(const fs::path& path) {
   SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
   database.execAndGet("PRAGMA journal_mode = DELETE");
   if (has_log(path)) {
-    throw Error(path.string(), "is in use by another program", "let that finish and try again");
+    throw Error(path.string(), "is in use by another program", "close it, then repeat the command");
   }
 }
 

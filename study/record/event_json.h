@@ -7,7 +7,7 @@
 
 namespace foveola::study {
 
-/// The event's values as a JSON object on one line: the log's payload. What is no Unicode is
+/// The event's values as a JSON object on one line: the log's payload. Invalid Unicode is
 /// replaced.
 std::string payload_of(const Event& event);
 

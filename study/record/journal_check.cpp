@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "study/record/big_endian.h"
@@ -79,9 +81,11 @@ void require_own_journal(const fs::path& study) {
   }
   const std::string path = study.string() + "-journal";
   const std::string remedy =
-      "move it away, and see whether foveola study verify finds a fault in the study";
+      fmt::format("move it to another folder, then run: foveola study verify {}", study.string());
   if (!is_own(read_file(path, max_bytes, remedy), read_file(study))) {
-    throw Error(path, "is not the study's, and would change it", remedy);
+    throw Error(path,
+                "is not a journal that Foveola wrote; SQLite would apply it and alter the study",
+                remedy);
   }
 }
 

@@ -1,7 +1,8 @@
-// Reads JSON of the record that another version may have written, or left out.
+// Reads JSON members that other versions may lack.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -9,9 +10,9 @@
 
 namespace foveola::study {
 
-/// The value of a JSON text; what is no JSON, or nested more deeply than Foveola writes, becomes a
-/// value that is neither an object nor anything else. Copying a value takes a call for each level.
-inline nlohmann::ordered_json json_in(const std::string& text) {
+/// Returns the value of a JSON text; a discarded one (is_discarded()) if the text is not JSON or is
+/// nested over 100 levels deep. Copying recurses once per level, hence the limit.
+inline nlohmann::ordered_json parse_json(const std::string& text) {
   using Json = nlohmann::ordered_json;
   constexpr int max_depth = 100;
   constexpr bool may_throw = false;
@@ -26,12 +27,12 @@ inline nlohmann::ordered_json json_in(const std::string& text) {
   return is_too_deep ? Json(Json::value_t::discarded) : json;
 }
 
-/// The member of this name; null if there is none, as in what is no object.
-inline nlohmann::ordered_json member(const nlohmann::ordered_json& json, const char* name) {
+/// Returns a copy of the member of this name; null if there is none or `json` is not an object.
+inline nlohmann::ordered_json member_or_null(const nlohmann::ordered_json& json, const char* name) {
   return json.is_object() && json.contains(name) ? json.at(name) : nlohmann::ordered_json();
 }
 
-/// Whether it is a list of so many numbers that a float holds.
+/// Returns whether it is an array of `count` numbers within the range of float.
 inline bool has_numbers(const nlohmann::ordered_json& json, std::size_t count) {
   bool are_numbers = json.is_array() && json.size() == count;
   for (std::size_t i = 0; are_numbers && i < count; ++i) {

@@ -57,7 +57,7 @@ KeptAttempts::KeptAttempts(SQLite::Database& database)
     : attempts_(database,
                 "SELECT attempt.session, session.participant, attempt.trial, attempt.attempt,"
                 "  planned_trial.kind = 'test' AND attempt.attempt = max(attempt.attempt)"
-                "   OVER (PARTITION BY attempt.session, attempt.trial),"
+                "   OVER (PARTITION BY attempt.session, attempt.trial) AS counts,"
                 "  attempt.first_frame_ns, attempt.object, planned_trial.scene"
                 " FROM attempt JOIN session ON session.id = attempt.session"
                 " JOIN planned_trial USING (session, trial)"
@@ -77,20 +77,21 @@ std::optional<KeptAttempt> KeptAttempts::next() {
   if (attempts_.isDone() || !attempts_.executeStep()) {
     return std::nullopt;
   }
-  KeptAttempt kept{.session = attempts_.getColumn(0).getInt64(),
-                   .participant = attempts_.getColumn(1).getString(),
-                   .trial = whole_number<std::size_t>(attempts_.getColumn(2)),
-                   .attempt = whole_number<int>(attempts_.getColumn(3)),
-                   .counts = attempts_.getColumn(4).getInt() == 1,
-                   .object = attempts_.getColumn(6).getString()};
-  const Nanoseconds first_frame = time_from(attempts_.getColumn(5));
+  KeptAttempt kept{.session = attempts_.getColumn("session").getInt64(),
+                   .participant = attempts_.getColumn("participant").getString(),
+                   .trial = whole_number<std::size_t>(attempts_.getColumn("trial")),
+                   .attempt = whole_number<int>(attempts_.getColumn("attempt")),
+                   .counts = attempts_.getColumn("counts").getInt() == 1,
+                   .object = attempts_.getColumn("object").getString()};
+  const Nanoseconds first_frame = time_from(attempts_.getColumn("first_frame_ns"));
   follow_session(kept.session);
-  const auto later = std::find_if(devices_.begin() + 1, devices_.end(),
-                                  [&](const Devices& one) { return one.since > first_frame; });
-  kept.view = std::prev(later)->view;
-  kept.tracker = std::prev(later)->tracker;
+  const auto first_later_devices =
+      std::find_if(devices_.begin() + 1, devices_.end(),
+                   [&](const Devices& devices) { return devices.since > first_frame; });
+  kept.view = std::prev(first_later_devices)->view;
+  kept.tracker = std::prev(first_later_devices)->tracker;
   scenes_.reset();
-  SQLite::bind(scenes_, kept.session, attempts_.getColumn(7).getString());
+  SQLite::bind(scenes_, kept.session, attempts_.getColumn("scene").getString());
   if (scenes_.executeStep()) {
     kept.shown_as = scenes_.getColumn(0).getString();
   }

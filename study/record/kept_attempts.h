@@ -1,5 +1,4 @@
-// Walks through a study's attempts with all that is kept of each: frames, gaze, marks, and what was
-// shown on which devices.
+// Iterates over a study's attempts and loads the frames, gaze, marks and devices of each.
 #pragma once
 
 #include <cstddef>
@@ -40,10 +39,10 @@ struct KeptAttempt {
 /// sessions.
 class KeptAttempts {
  public:
-  /// database: must outlive it. Throws what SQLite throws, as next() does.
+  /// database: must outlive it. Throws SQLite::Exception, as next() does.
   explicit KeptAttempts(SQLite::Database& database);
 
-  /// Empty behind the last, as often as it is asked.
+  /// Returns the next attempt; nullopt after the last one.
   std::optional<KeptAttempt> next();
 
  private:

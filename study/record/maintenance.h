@@ -26,15 +26,15 @@ struct Verification {
   /// Sessions that are not over, trials without a mark or rating, attempts without frames: no
   /// damage, but not complete either.
   std::vector<RecordFault> gaps;
-  /// What is no damage, and is to be known before dates or times are compared: a wall clock that
-  /// was set or a computer that slept within a session, and several programs that recorded one
-  /// session, or the file; and what lies beside the file and belongs to it, or does not.
+  /// Facts to know before dates or times are compared, which are not damage: a wall clock that was
+  /// set or a computer that slept within a session, and several programs that recorded one session,
+  /// or the file. Also the files beside the study, whether they belong to it or not.
   std::vector<RecordFault> warnings;
 };
 
 /// The file's size, integrity, foreign keys, nothing beside the schema, each session's hash chain,
 /// each chunk's checksum, whether the tables follow from the log, completeness, the wall clock and
-/// the programs. Changes nothing. Throws Error for what is no study.
+/// the programs. Changes nothing. Throws Error if the file is not a study.
 Verification verify_study(const std::filesystem::path& path);
 
 /// Throws Error, with the first fault and `remedy`, if verify_study finds any.

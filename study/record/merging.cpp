@@ -254,17 +254,18 @@ class Merging {
       require_same_kind(path.string(), {session}, simulation_->kind);
       if (const std::string renderer = exact_name(session.build);
           !kind->real_time && renderer != simulation_->renderer) {
-        throw Error(
-            path.string(),
-            fmt::format("{} was simulated by {}, and {} has sessions by {}", session.participant,
-                        renderer, simulation_->path.string(), simulation_->renderer),
-            "simulate all with one program, on processors that know the same instructions");
+        throw Error(path.string(),
+                    fmt::format("participant {} was simulated by {}, but {} has sessions by {}",
+                                session.participant, renderer, simulation_->path.string(),
+                                simulation_->renderer),
+                    "simulate all shards with the same version, on processors with the same "
+                    "instruction set");
       }
     }
   }
 
   void require_same_whole(SQLite::Database& study, const fs::path& path) {
-    const std::optional<SimulatedWhole> whole = whole_of(study);
+    const std::optional<ShardedStudy> whole = read_sharded_study(study);
     if (whole && whole_ && *whole != *whole_) {
       throw Error(path.string(),
                   fmt::format("is a part of {} simulated participants with seed {}, and another "
@@ -340,7 +341,7 @@ class Merging {
   int schema_ = study_schema_version;
   std::set<std::string> forgotten_;  ///< SHA-256 of the sessions' UUIDs
   std::optional<Simulation> simulation_;
-  std::optional<SimulatedWhole> whole_;
+  std::optional<ShardedStudy> whole_;
   std::optional<SQLite::Database> open_;  ///< the file of the session that is added
   std::size_t open_source_ = 0;
   Merge result_;

@@ -36,7 +36,7 @@ KnownSession session_of(SQLite::Database& database, const fs::path& path,
 
 std::optional<FieldOfView> view_from(const std::string& devices, const fs::path& path) {
   const std::optional<FieldOfView> view = field_of_view_in(devices);
-  if (!view && !member(json_in(devices), "display").is_null()) {
+  if (!view && !member_or_null(parse_json(devices), "display").is_null()) {
     throw Error(path.string(), "does not say what view the session's display showed",
                 "compare the file with its backup");
   }

@@ -47,7 +47,7 @@ fs::path newest_sound_backup(const fs::path& study) {
 void require_copy(const fs::path& copy, const fs::path& study) {
   std::error_code ignored;
   if (fs::equivalent(copy, study, ignored)) {
-    throw Error(copy.string(), "is the study itself, not a copy", "name another file");
+    throw Error(copy.string(), "is the study itself, not a copy", "name another file by --from");
   }
   require_sound_record(copy, "name another copy");
 }

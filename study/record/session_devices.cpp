@@ -25,7 +25,7 @@ constexpr std::array renderer_fields{
 
 /// Null if all is seen. Throws Error for one that there cannot be.
 std::shared_ptr<const SeenPart> seen_part_in(const nlohmann::ordered_json& display) {
-  const nlohmann::ordered_json seen = member(display, "seen");
+  const nlohmann::ordered_json seen = member_or_null(display, "seen");
   if (seen.is_null()) {
     return nullptr;
   }
@@ -39,15 +39,15 @@ std::shared_ptr<const SeenPart> seen_part_in(const nlohmann::ordered_json& displ
 }  // namespace
 
 std::optional<FieldOfView> field_of_view_in(const std::string& devices) {
-  const nlohmann::ordered_json display = member(json_in(devices), "display");
-  const nlohmann::ordered_json horizontal = member(display, "horizontal_fov_deg");
-  const nlohmann::ordered_json vertical = member(display, "vertical_fov_deg");
+  const nlohmann::ordered_json display = member_or_null(parse_json(devices), "display");
+  const nlohmann::ordered_json horizontal = member_or_null(display, "horizontal_fov_deg");
+  const nlohmann::ordered_json vertical = member_or_null(display, "vertical_fov_deg");
   if (!horizontal.is_number() || !vertical.is_number()) {
     return std::nullopt;
   }
   FieldOfView view{.horizontal_deg = horizontal.get<double>(),
                    .vertical_deg = vertical.get<double>()};
-  if (const auto lens = member(display, "lens"); !lens.is_null()) {
+  if (const auto lens = member_or_null(display, "lens"); !lens.is_null()) {
     if (!has_numbers(lens, 4)) {
       return std::nullopt;
     }
@@ -65,25 +65,26 @@ std::optional<FieldOfView> field_of_view_in(const std::string& devices) {
 }
 
 std::string tracker_in(const std::string& devices) {
-  const nlohmann::ordered_json profile = member(member(json_in(devices), "tracker"), "profile");
+  const nlohmann::ordered_json profile =
+      member_or_null(member_or_null(parse_json(devices), "tracker"), "profile");
   return profile.is_string() ? profile.get<std::string>() : "";
 }
 
 bool is_experimenter_blind(const std::string& devices) {
-  return member(json_in(devices), "experimenter_is_blind") == true;
+  return member_or_null(parse_json(devices), "experimenter_is_blind") == true;
 }
 
 BuildInfo with_renderer_in(const std::string& devices, BuildInfo build) {
-  const nlohmann::ordered_json renderer = member(json_in(devices), "renderer");
+  const nlohmann::ordered_json renderer = member_or_null(parse_json(devices), "renderer");
   for (const auto& [key, text] : renderer_fields) {
-    const nlohmann::ordered_json value = member(renderer, key);
+    const nlohmann::ordered_json value = member_or_null(renderer, key);
     build.*text = value.is_string() ? value.get<std::string>() : "";
   }
   return build;
 }
 
 std::string with_renderer(const std::string& devices, const BuildInfo& build) {
-  nlohmann::ordered_json json = json_in(devices);
+  nlohmann::ordered_json json = parse_json(devices);
   for (const auto& [key, text] : renderer_fields) {
     if (!(build.*text).empty()) {
       json["renderer"][key] = build.*text;
@@ -99,7 +100,7 @@ std::optional<std::string> devices_in_note(const std::string& note) {
     return std::nullopt;
   }
   std::string devices = note.substr(going_on.size());
-  return json_in(devices).is_object() ? std::optional(std::move(devices)) : std::nullopt;
+  return parse_json(devices).is_object() ? std::optional(std::move(devices)) : std::nullopt;
 }
 
 }  // namespace foveola::study

@@ -61,8 +61,8 @@ constexpr std::array setup_facts{
 Json mean_speed_in(const Json& devices) {
   double sum = 0.0;
   int count = 0;
-  for (const Json& speed : member(member(devices, "preflight"), "speeds")) {
-    if (const Json samples = member(speed, "samples_per_second");
+  for (const Json& speed : member_or_null(member_or_null(devices, "preflight"), "speeds")) {
+    if (const Json samples = member_or_null(speed, "samples_per_second");
         samples.is_number() && samples.get<double>() > 0.0) {
       sum += std::log(samples.get<double>());
       ++count;
@@ -73,7 +73,7 @@ Json mean_speed_in(const Json& devices) {
 
 /// One value for each fact; null where the devices say nothing. No filter is one, too.
 std::vector<Json> values_in(const std::string& devices) {
-  Json json = json_in(devices);
+  Json json = parse_json(devices);
   if (!json.is_object()) {
     return std::vector<Json>(setup_facts.size());
   }
@@ -116,10 +116,10 @@ std::string in_words(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// `devices` with the processor and the program of the session's row, where it says neither.
-std::string with_row(const std::string& devices, const std::string& processor,
-                     const BuildInfo& build) {
-  Json json = json_in(devices);
+/// Adds the processor and program of the session's row: the devices of older versions have neither.
+std::string add_machine_facts(const std::string& devices, const std::string& processor,
+                              const BuildInfo& build) {
+  Json json = parse_json(devices);
   if (!json.is_object() || json.contains("machine")) {
     return devices;
   }
@@ -158,13 +158,14 @@ std::vector<SessionSetup> session_setups(SQLite::Database& study) {
     sessions.push_back(
         {.participant = rows.getColumn("participant").getString(),
          .kind = rows.getColumn("kind").getString(),
-         .devices = {with_row(rows.getColumn("devices").getString(),
-                              rows.getColumn("processor").getString(), build_of(rows))}});
+         .devices = {add_machine_facts(rows.getColumn("devices").getString(),
+                                       rows.getColumn("processor").getString(), build_of(rows))}});
   }
   SQLite::Statement notes(study, "SELECT session, text FROM note ORDER BY session, sequence");
   while (notes.executeStep()) {
-    if (std::optional<std::string> devices = devices_in_note(notes.getColumn(1).getString())) {
-      sessions[indices.at(notes.getColumn(0).getInt64())].devices.push_back(std::move(*devices));
+    if (std::optional<std::string> devices = devices_in_note(notes.getColumn("text").getString())) {
+      sessions[indices.at(notes.getColumn("session").getInt64())].devices.push_back(
+          std::move(*devices));
     }
   }
   return sessions;

@@ -1,4 +1,4 @@
-// What sessions ran on, compared: displays, machines, trackers and programs.
+// Compares the displays, machines, trackers and programs of sessions.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +34,7 @@ struct SessionSetup {
   std::vector<std::string> devices;
 };
 
-/// Of all sessions, in the order in which they were begun. Throws what SQLite throws.
+/// Returns the devices of every session, in the order of their starts. Throws SQLite::Exception.
 std::vector<SessionSetup> session_setups(SQLite::Database& study);
 
 /// The same of a study's file. Throws Error.

@@ -96,7 +96,7 @@ Json camera_of(const SceneSource& source) {
 }
 
 std::optional<Vec3> position_in(const Json& json) {
-  const Json position = member(json, "position");
+  const Json position = member_or_null(json, "position");
   return has_numbers(position, 3)
              ? std::optional(Vec3(position[0].get<float>(), position[1].get<float>(),
                                   position[2].get<float>()))
@@ -125,12 +125,12 @@ Vec3 direction_of(const ObjectOfInterest& object, const Vec3& viewpoint) {
 }
 
 std::optional<SeenObject> object_in(const std::string& shown_as, const std::string& name) {
-  const Json shown = json_in(shown_as);
-  const std::optional<Vec3> viewpoint = position_in(member(shown, "camera"));
-  for (const Json& entry : member(shown, "objects")) {
+  const Json shown = parse_json(shown_as);
+  const std::optional<Vec3> viewpoint = position_in(member_or_null(shown, "camera"));
+  for (const Json& entry : member_or_null(shown, "objects")) {
     const std::optional<Vec3> position = position_in(entry);
-    const Json radius = member(entry, "radius_deg");
-    if (member(entry, "name") == name && viewpoint && position && *position != *viewpoint &&
+    const Json radius = member_or_null(entry, "radius_deg");
+    if (member_or_null(entry, "name") == name && viewpoint && position && *position != *viewpoint &&
         radius.is_number()) {
       return SeenObject{.direction = direction_of({.position = *position}, *viewpoint),
                         .radius_deg = radius.get<double>()};
@@ -140,7 +140,7 @@ std::optional<SeenObject> object_in(const std::string& shown_as, const std::stri
 }
 
 std::string difference(const std::string& recorded, const std::string& now) {
-  const Json before = json_in(recorded);
+  const Json before = parse_json(recorded);
   const Json after = Json::parse(now);
   if (!before.is_object()) {
     return fmt::format("{}, now {}", recorded, now);

@@ -11,7 +11,7 @@
 
 namespace foveola::study {
 
-std::optional<SimulatedWhole> whole_of(SQLite::Database& study) {
+std::optional<ShardedStudy> read_sharded_study(SQLite::Database& study) {
   if (!study.tableExists("simulated_part")) {
     return std::nullopt;
   }
@@ -20,8 +20,8 @@ std::optional<SimulatedWhole> whole_of(SQLite::Database& study) {
   if (!row.executeStep()) {
     return std::nullopt;
   }
-  return SimulatedWhole{.seed = row.getColumn(0).getString(),
-                        .participants = place_in<int>(row.getColumn(1), max_participants + 1)};
+  return ShardedStudy{.seed = row.getColumn(0).getString(),
+                      .participants = place_in<int>(row.getColumn(1), max_participants + 1)};
 }
 
 std::optional<std::string> part_fault(SQLite::Database& study) {
@@ -36,7 +36,7 @@ std::optional<std::string> part_fault(SQLite::Database& study) {
   return "its table simulated_part holds what Foveola does not write";
 }
 
-void mark_as_part(SQLite::Database& study, const SimulatedWhole& whole) {
+void mark_as_part(SQLite::Database& study, const ShardedStudy& whole) {
   if (!study.tableExists("simulated_part")) {
     study.exec(simulated_part_sql);
   }
@@ -46,8 +46,7 @@ void mark_as_part(SQLite::Database& study, const SimulatedWhole& whole) {
   row.exec();
 }
 
-std::vector<std::string> missing_participants(SQLite::Database& study,
-                                              const SimulatedWhole& whole) {
+std::vector<std::string> missing_participants(SQLite::Database& study, const ShardedStudy& whole) {
   SQLite::Statement rows(study,
                          "SELECT design_row FROM session WHERE kind = 'simulated' AND design_row "
                          "NOT NULL AND seed = ?");

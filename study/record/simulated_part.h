@@ -1,4 +1,5 @@
-// The simulated study of which a file holds a part: what shards know of their whole.
+// Records in a shard's file which simulated study it is part of. All functions throw
+// SQLite::Exception if the database cannot be read or written.
 #pragma once
 
 #include <optional>
@@ -11,28 +12,28 @@ class Database;
 
 namespace foveola::study {
 
-struct SimulatedWhole {
-  std::string seed;  ///< in digits, as sessions have it
-  int participants = 0;
+struct ShardedStudy {
+  std::string seed;      ///< in digits, as sessions have it
+  int participants = 0;  ///< of all shards
 
-  friend bool operator==(const SimulatedWhole&, const SimulatedWhole&) = default;
+  friend bool operator==(const ShardedStudy&, const ShardedStudy&) = default;
 };
 
-/// The statement that makes the table of it. Only files of parts have the table, and it is not in
-/// schema.sql: so all parts, merged, are the file that the whole would have been.
+/// SQL that creates the table. It is not in schema.sql, and only shards have it. Merging all shards
+/// therefore gives the same file as simulating at once.
 inline constexpr const char* simulated_part_sql =
     "CREATE TABLE simulated_part (seed TEXT NOT NULL, participants INTEGER NOT NULL) STRICT";
 
-/// Empty of a file that is not a part. Throws what SQLite throws.
-std::optional<SimulatedWhole> whole_of(SQLite::Database& study);
+/// Returns the study that the file is part of. Empty if the file is not a shard.
+std::optional<ShardedStudy> read_sharded_study(SQLite::Database& study);
 
-/// What is wrong with the table, in words, if anything is. Studies of people have none.
+/// Returns a description of an invalid table; empty if it is valid or absent.
 std::optional<std::string> part_fault(SQLite::Database& study);
 
-/// Replaces what the file said of its whole.
-void mark_as_part(SQLite::Database& study, const SimulatedWhole& whole);
+/// Marks the file as a shard of `whole`. Replaces an earlier entry.
+void mark_as_part(SQLite::Database& study, const ShardedStudy& whole);
 
-/// The codes of the whole's participants without a session in the file, in their order.
-std::vector<std::string> missing_participants(SQLite::Database& study, const SimulatedWhole& whole);
+/// Returns the codes of the participants of `whole` without a session in the file, in their order.
+std::vector<std::string> missing_participants(SQLite::Database& study, const ShardedStudy& whole);
 
 }  // namespace foveola::study

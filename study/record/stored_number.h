@@ -70,8 +70,8 @@ inline double finite_number(const SQLite::Column& column) {
   return number + 0.0;
 }
 
-/// The same of JSON. Throws std::invalid_argument for one that `Number` does not hold, and
-/// nlohmann's exceptions for what is not a number.
+/// As above, of a JSON value. Throws std::invalid_argument if `Number` cannot hold it, and
+/// nlohmann's exceptions if it is not a number.
 template <std::floating_point Number>
 Number finite_number(const nlohmann::ordered_json& json) {
   const auto number = json.get<double>();

@@ -310,7 +310,7 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
     return std::nullopt;
   }
   const SQLite::Column speed = rows.getColumn("samples_per_second");
-  const std::optional<SimulatedWhole> whole = whole_of(database);
+  const std::optional<ShardedStudy> whole = read_sharded_study(database);
   return SimulationFacts{
       .scale = rows.getColumn("scale").getDouble(),
       .samples_per_second = speed.isNull() ? std::nullopt : std::optional(speed.getDouble()),
@@ -376,6 +376,7 @@ StudyRecords read_study(const fs::path& path, WithdrawnSessions withdrawn) {
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
     records = read_records(database, path, withdrawn);
+    records.file = path.string();
   });
   return records;
 }

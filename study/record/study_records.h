@@ -85,6 +85,7 @@ struct SimulationFacts {
 };
 
 struct StudyRecords {
+  std::string file;  ///< that it was read from; empty if it was not read
   /// The part of the protocol that read_measured_part reads, with its text.
   Protocol protocol;
   std::string display_profile;  ///< name of the display's profile; empty if there is none

@@ -258,10 +258,10 @@ std::string StudyStore::protocol_text() const {
 
 const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
-void StudyStore::mark_as_part(const std::optional<SimulatedWhole>& whole) {
+void StudyStore::mark_as_part(const std::optional<ShardedStudy>& whole) {
   implementation_->commit([&] {
     SQLite::Database& database = implementation_->database;
-    const std::optional<SimulatedWhole> before = whole_of(database);
+    const std::optional<ShardedStudy> before = read_sharded_study(database);
     if (whole) {
       study::mark_as_part(database, *whole);
     } else if (before) {

@@ -104,7 +104,7 @@ class StudyStore {
 
   /// Records that the file holds a part of the simulated study `whole`; empty: that it holds a
   /// whole one. Throws Error if `whole` is empty and the file holds a part.
-  void mark_as_part(const std::optional<SimulatedWhole>& whole);
+  void mark_as_part(const std::optional<ShardedStudy>& whole);
 
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;

@@ -115,7 +115,7 @@ Protocol protocol_of_run(const DrivenRecord& record, const std::vector<std::stri
 
 }  // namespace
 
-std::string drive_again(const DrivenRecord& record, const std::stop_token& stop) {
+std::string replay_events(const DrivenRecord& record, const std::stop_token& stop) {
   const RecordedSession& session = record.session;
   const Procedure procedure = procedure_of(record.protocol, session.plan);
   ComparedRecord compared(session.events);

@@ -1,5 +1,5 @@
-// Drives a recorded session again: the clock shows the recorded times, the input gives the recorded
-// answers, and the resulting events are compared with the recorded ones.
+// Replays a recorded session through the session driver. The clock shows the recorded times, the
+// input gives the recorded answers, and the resulting events are compared with the recorded ones.
 #pragma once
 
 #include <functional>
@@ -12,19 +12,20 @@
 
 namespace foveola::study {
 
-/// Inputs of the drive; all must outlive it.
+/// Inputs of a replay; all must outlive it.
 struct DrivenRecord {
   const RecordedSession& session;
   const Protocol& protocol;
   /// Returns the protocol that the session followed after an amendment.
   std::function<Protocol(const Amendment& amendment)> amended;
-  /// Begins to show an attempt, all of whose frames are shown once it has finished. Null: attempts
-  /// are not shown.
+  /// Returns a port that shows the attempt's frames, the last of them when the attempt ends; null
+  /// to replay the attempt without frames.
   std::function<std::unique_ptr<AttemptPort>(const RecordedAttempt& attempt)> begin_attempt;
 };
 
-/// Drives the session, run by run of the recording program, until its record ends or `stop` is
-/// requested. Returns a description of the first differing event; empty if all are equal.
-std::string drive_again(const DrivenRecord& record, const std::stop_token& stop);
+/// Replays the session until its record ends or `stop` is requested, separately for each run of the
+/// program that recorded it. Returns a description of the first differing event; empty if all are
+/// equal, or were up to the stop. Passes on what `amended` and `begin_attempt` throw.
+std::string replay_events(const DrivenRecord& record, const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -95,7 +95,7 @@ class Replay {
       progress.update(static_cast<double>(report.attempts.size()) /
                       static_cast<double>(chosen_.size()));
     };
-    report.difference = drive_again(
+    report.difference = replay_events(
         {.session = session_,
          .protocol = protocol_,
          .amended = [&](const Amendment& amendment) { return amended_protocol(amendment); },

@@ -119,7 +119,8 @@ const char* name_of(const Event& event);
 /// Returns the time of an event: its own if it carries one, else `now`.
 Nanoseconds time_of(const Event& event, Nanoseconds now);
 
-// Effects: the controller's next actions, in this order, after the event is durable.
+// Effects: the controller's next actions, in this order, after the event has been committed to
+// disk.
 struct AskForConsent {};
 struct AskQuestionnaire {
   std::string questionnaire;
@@ -147,8 +148,8 @@ struct SessionState {
   int validations_left = 0;  ///< remaining validations of this step, including the next
   int presses_left = 0;      ///< remaining presses of this step, including the next
   int attempt = 1;           ///< number of the attempt at the trial
-  int timing =
-      1;  ///< number of requested timings; counts only attempts that were asked to be retimed
+  /// Number of this timing, from 1: a requested retiming raises it, an interruption does not.
+  int timing = 1;
   std::size_t mark = 0;        ///< index of the awaited mark
   std::string object;          ///< name of the last chosen object
   Nanoseconds first_frame{0};  ///< time of the attempt's first frame
@@ -173,6 +174,7 @@ struct Procedure {
   std::vector<Question> ratings;
 };
 
+/// Returns the procedure of one participant, whose plan has the orders.
 Procedure procedure_of(const Protocol& protocol, const Plan& plan);
 
 struct Transition {
@@ -181,8 +183,8 @@ struct Transition {
 };
 
 /// Returns the state after `event`. Empty if the event is not allowed in this state: a skipped
-/// mark, a second rating, a mark earlier than the previous event, another questionnaire than was
-/// asked, ratings that do not match the questions.
+/// mark, a second rating, a mark earlier than the previous event, answers to a
+/// questionnaire that was not asked, ratings that do not match the questions.
 std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
                                const Event& event);
 

@@ -63,9 +63,9 @@ PrepareReport prepare_study(const SimulateSettings& settings, const SceneFinderB
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
   const SimulationSetup setup = set_up_simulation(settings, find_scene);
-  PrepareReport report{.has_looks = setup.has_looks()};
+  PrepareReport report{.simulates_viewing = setup.simulates_viewing()};
   try {
-    if (report.has_looks) {
+    if (report.simulates_viewing) {
       const PreparedItems prepared =
           prepare(settings, setup, settings.shard.value_or(Shard{}), stop);
       report.items = prepared.items;

@@ -10,16 +10,19 @@
 namespace foveola::study {
 
 struct PrepareReport {
-  std::int64_t items = 0;     ///< of the shard: references of scenes, or surrounds and objects
-  std::int64_t rendered = 0;  ///< items that were not in the cache
-  bool has_looks = true;  ///< whether participants look at pictures; otherwise there are no items
-  bool stopped = false;   ///< before all were there; rendered items are kept
+  /// Number of images of this shard: scenes' references, or the pilots' surroundings and objects.
+  std::int64_t items = 0;
+  std::int64_t rendered = 0;      ///< items that were not in the cache
+  bool simulates_viewing = true;  ///< whether participants look at pictures; if not, no items
+  bool stopped = false;           ///< before all were rendered; those rendered are in the cache
   double wall_s = 0.0;
 };
 
 /// Renders the missing items for simulating all participants of a new study: the reference of each
-/// scene or, for a predicted study, the pilots. A shard renders its part only, independently of the
-/// others. Shows progress. Throws UsageError and Error as simulate_study.
+/// scene or, for a predicted study, the pilot renders. A shard renders its part only, independently
+/// of the others. find_scene returns the file of a scene that the protocol names. Shows progress.
+/// Throws UsageError for settings that contradict each other, and Error if a file cannot be read or
+/// the cache cannot be written.
 PrepareReport prepare_study(const SimulateSettings& settings, const SceneFinderBeside& find_scene,
                             const std::stop_token& stop);
 

@@ -1,5 +1,5 @@
-// Simulates an attempt by rendering and judging every frame, on the clock of a machine model: slow,
-// without prediction.
+// Simulates an attempt by rendering every frame, on the clock of a machine model. Slower than
+// PredictedAttempt, but exact.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,13 @@
 
 namespace foveola::study {
 
-/// Its participant watches through the protocol's eye tracker, corrected if its calibration says
-/// so, and a simulated head tracker. A catch trial traces nothing. Advances the attempt's clock by
-/// a frame's time per frame.
+/// The simulated participant's gaze passes through the protocol's eye tracker, with the
+/// calibration's correction if there is one; the head through a simulated head tracker. A catch
+/// trial renders nothing. The attempt's clock advances by the machine model's frame time after each
+/// frame.
 class RenderedAttempt final : public TrialAttempt {
  public:
-  /// workers must outlive it.
+  /// The references in `setting`, and workers, must outlive it.
   RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers);
 
   void complete_record() override { log_.finish(preview_.film()); }

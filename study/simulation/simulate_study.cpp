@@ -182,9 +182,9 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   }
   SimulateReport report;
   if (settings.predicted) {
-    report = run_predicted(study, setup.people.population, setup.has_looks(), stop);
+    report = run_predicted(study, setup.people.population, setup.simulates_viewing(), stop);
   } else {
-    report = run_rendered(study, setup.kind, setup.has_looks(), stop);
+    report = run_rendered(study, setup.kind, setup.simulates_viewing(), stop);
   }
   report.wall_s = seconds(clock.now() - start);
   return report;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
@@ -69,10 +70,11 @@ KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {
 
 void require_ways_to_simulate(const SimulateSettings& settings) {
   if (settings.participants < 1) {
-    throw UsageError("--participants", "must be at least 1");
+    throw UsageError("--participants", fmt::format("{} is too few", settings.participants),
+                     "give at least 1");
   }
   if (settings.jobs < 1) {
-    throw UsageError("--jobs", "must be at least 1");
+    throw UsageError("--jobs", fmt::format("{} is too few", settings.jobs), "give at least 1");
   }
   if (settings.real_time && settings.samples_per_second) {
     throw UsageError(

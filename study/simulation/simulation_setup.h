@@ -22,7 +22,7 @@ struct SimulationSetup {
   std::vector<SceneSource> sources;
 
   /// Whether participants look at pictures: not with injected times.
-  bool has_looks() const { return !effect; }
+  bool simulates_viewing() const { return !effect; }
 };
 
 /// Throws UsageError for settings that exclude one another in any use.

@@ -65,8 +65,8 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
              study.settings.real_time ? RecordDates::wall_clock : RecordDates::virtual_time) {
   const SimulateSettings& settings = study.settings;
   store_.mark_as_part(settings.shard && settings.shard->count > 1
-                          ? std::optional(SimulatedWhole{.seed = std::to_string(settings.seed),
-                                                         .participants = settings.participants})
+                          ? std::optional(ShardedStudy{.seed = std::to_string(settings.seed),
+                                                       .participants = settings.participants})
                           : std::nullopt);
 }
 

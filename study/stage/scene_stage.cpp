@@ -73,7 +73,7 @@ void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuali
 }
 
 bool SceneStage::has_reference(const FilmSettings& film, const ReferenceQuality& quality) const {
-  return is_kept(
+  return is_cached(
       reference_file(cached_references(), key(), reference_settings(film, quality), build_info()));
 }
 

@@ -94,7 +94,8 @@ TEST_F(Replicate, EndsWithOneOutsideATolerance) {
   folder_.write("page.md", replaced(kept("page.md"), "518 400", "500 000"));
   const ProgramResult result = run("made", {"--write"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.errors, HasSubstr("has 1 claims that do not hold"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("lists 1 number outside the tolerance and 0 faults of documents"));
   EXPECT_THAT(kept("page.md"), StartsWith("The film has 518 400 bytes."));
   succeeded(run("made"));
 }
@@ -119,10 +120,12 @@ TEST_F(Replicate, RefusesInOneLine) {
   expect_one_line(run("made", {"--only", "film-byte"}), 1, "did you mean 'film-bytes'?");
   succeeded(run("made", {"--quick"}));
   claims(replaced(film_claims, "relative = 0.01", "relative = 0.02"));
-  expect_one_line(run("made"), 1, "film.json: was made by another version, or for other claims");
+  expect_one_line(run("made"), 1,
+                  "film.json: is damaged, or was made by another version or for other claims");
   for (const char* const kept : {R"({"version": 1, "result": 2})", "[]", "no JSON"}) {
     folder_.write("made/stages/film.json", kept);
-    expect_one_line(run("made"), 1, "film.json: was made by another version, or for other claims");
+    expect_one_line(run("made"), 1,
+                    "film.json: is damaged, or was made by another version or for other claims");
   }
   claims(replaced(film_claims, "relative = 0.01", ""));
   expect_one_line(run("made"), 1, "claims.toml:8:1: claim 'film-bytes' has no tolerance");

@@ -259,8 +259,9 @@ TEST(Descriptor, ObjectsHaveNamesAndDirectionsOfTheirOwn) {
       "\n[[object]]\nname = \"Organ\"\nposition = [1, 2, 0]\nradius_deg = 4\n";
   EXPECT_THAT(error_of(good + again),
               AllOf(HasSubstr("hall.toml:27:8"), HasSubstr("two objects are named \"Organ\"")));
-  EXPECT_THAT(error_of(with(good, "position = [4.0, 2.0, -3.0]", "position = [1.0, 2.0, 3.0]")),
-              AllOf(HasSubstr("hall.toml:23:12"), HasSubstr("where the camera is")));
+  EXPECT_THAT(
+      error_of(with(good, "position = [4.0, 2.0, -3.0]", "position = [1.0, 2.0, 3.0]")),
+      AllOf(HasSubstr("hall.toml:23:12"), HasSubstr("the object's position is the camera's")));
 }
 
 TEST(Descriptor, BuiltinScenesThatDoNotExistAreRefused) {

@@ -70,19 +70,19 @@ DataQualityCheck check_order(const Dataset& set) {
   }
   const std::optional<OrderBalance> balance = order_balance(count_positions(set));
   if (!balance) {
-    check.found = "no participant has all trials of a scene";
+    check.value_text = "no participant has all trials of a scene";
     return check;
   }
-  check.found = fmt::format("each method {} to {} times in each place; P {}", balance->fewest,
-                            balance->most, p_value(balance->p));
-  check.verdict = within(balance->p >= least_balance_p);
+  check.value_text = fmt::format("each method {} to {} times in each place; P {}", balance->fewest,
+                                 balance->most, p_value(balance->p));
+  check.verdict = verdict_of(balance->p >= least_balance_p);
   return check;
 }
 
 DataQualityCheck check_kind(const StudyTables& tables) {
   const std::string warning = data_warning(tables);
   return {"People’s data", warning.empty() ? "only people’s sessions in the file" : warning,
-          "no simulated and no pilot sessions", within(warning.empty())};
+          "no simulated and no pilot sessions", verdict_of(warning.empty())};
 }
 
 std::vector<double> measured_times(const Dataset& set, std::size_t participant) {
@@ -142,24 +142,25 @@ DataQualityCheck check_catches(const std::vector<CatchFigures>& catches) {
       above.push_back(row.participant);
     }
   }
-  check.found = fmt::format("a mark in {} of {}{}", false_alarms, counted(trials, "catch trial"),
-                            above.empty() ? "" : "; above the limit: " + listed(above));
-  check.verdict = within(above.empty());
+  check.value_text =
+      fmt::format("a mark in {} of {}{}", false_alarms, count_with_noun(trials, "catch trial"),
+                  above.empty() ? "" : "; above the limit: " + comma_list(above));
+  check.verdict = verdict_of(above.empty());
   return check;
 }
 
 DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
   std::vector<Finding> findings;
   for (const OutlyingTime& time : outliers) {
-    findings.push_back(
-        {time.participant, fmt::format("{}, {}, {}, {}: {:.2g} × the expected", time.participant,
-                                       time.scene, time.method, time.mark, time.times_expected)});
+    findings.push_back({time.participant,
+                        fmt::format("{}, {}, {}, {}: {:.2g} × the expected", time.participant,
+                                    time.scene, time.method, time.mark, time.ratio_to_expected)});
   }
-  return {"Outlying times",
-          outliers.empty() ? "none"
-                           : fmt::format("{}{}", outliers.size(), colon_and_findings(findings)),
-          "none; by chance, one study in twenty has any (Rosner’s test, level 5 %, for each mark)",
-          within(outliers.empty())};
+  return {
+      "Outlying times",
+      outliers.empty() ? "none" : fmt::format("{}{}", outliers.size(), findings_suffix(findings)),
+      "none; by chance, one study in twenty has any (Rosner’s test, level 5 %, for each mark)",
+      verdict_of(outliers.empty())};
 }
 
 /// Minimum time of a simple reaction to light (Luce 1986, Response Times).
@@ -182,11 +183,11 @@ DataQualityCheck check_early_marks(const Dataset& set) {
       }
     }
   }
-  return {"Marks sooner than anybody can react",
-          findings.empty() ? "none"
-                           : fmt::format("{}{}", findings.size(), colon_and_findings(findings)),
-          fmt::format("none before {:g} s, by simple reactions to light", min_seen_s),
-          within(findings.empty())};
+  return {
+      "Marks sooner than anybody can react",
+      findings.empty() ? "none" : fmt::format("{}{}", findings.size(), findings_suffix(findings)),
+      fmt::format("none before {:g} s, by simple reactions to light", min_seen_s),
+      verdict_of(findings.empty())};
 }
 
 /// Where times are censored, complete cases and signed ranks favour the method with the censored
@@ -205,9 +206,9 @@ DataQualityCheck check_time_outs(const Dataset& set) {
       }
     }
   }
-  return {"Right-censored times", found.empty() ? "none" : listed(found),
+  return {"Right-censored times", found.empty() ? "none" : comma_list(found),
           fmt::format("{:g} % of any mark’s times with any method, ours", max_censored_percent),
-          within(largest <= max_censored_percent)};
+          verdict_of(largest <= max_censored_percent)};
 }
 
 std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
@@ -277,7 +278,9 @@ std::string_view name_of(Verdict verdict) {
   return "not recorded";
 }
 
-Verdict within(bool good) { return good ? Verdict::passed : Verdict::flagged; }
+Verdict verdict_of(bool is_within_limit) {
+  return is_within_limit ? Verdict::passed : Verdict::flagged;
+}
 
 std::string findings_in_words(const std::vector<Finding>& findings) {
   constexpr std::size_t max_told = 5;
@@ -285,15 +288,16 @@ std::string findings_in_words(const std::vector<Finding>& findings) {
   const std::size_t told = std::min(max_told, all.size());
   std::string text;
   for (const Finding& finding : all.first(told)) {
-    text += (text.empty() ? "" : "; ") + finding.words;
+    text += (text.empty() ? "" : "; ") + finding.text;
   }
   const std::span<const Finding> others = all.subspan(told);
-  return others.empty() ? text
-                        : fmt::format("{}; and {} of {}", text, counted(others.size(), "other"),
-                                      listed(participants_of(others)));
+  return others.empty()
+             ? text
+             : fmt::format("{}; and {} of {}", text, count_with_noun(others.size(), "other"),
+                           comma_list(participants_of(others)));
 }
 
-std::string colon_and_findings(const std::vector<Finding>& findings) {
+std::string findings_suffix(const std::vector<Finding>& findings) {
   return findings.empty() ? "" : ": " + findings_in_words(findings);
 }
 

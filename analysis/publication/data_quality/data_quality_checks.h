@@ -19,28 +19,28 @@ enum class Verdict { passed, flagged, unknown };
 /// Returns "passed", "flagged" or "not recorded".
 std::string_view name_of(Verdict verdict);
 
-/// Returns passed if `good`, else flagged.
-Verdict within(bool good);
+/// Returns passed if true, else flagged.
+Verdict verdict_of(bool is_within_limit);
 
 struct DataQualityCheck {
   std::string name;
-  std::string found;  ///< The value found, in words, with its unit.
-  std::string limit;  ///< The limit, and its source.
+  std::string value_text;  ///< The value found, in words, with its unit.
+  std::string limit;       ///< The limit, and its source.
   Verdict verdict = Verdict::unknown;
 };
 
 /// One finding of a check, about one participant.
 struct Finding {
   std::string participant;
-  std::string words;  ///< Begins with the participant's code.
+  std::string text;  ///< A clause that begins with the participant's code.
 };
 
-/// Returns the first few findings, then the number of others and their participants: everybody is
-/// named. Empty if there are none.
+/// Lists the first few findings, then the number of the others and their participants' codes. Empty
+/// without findings.
 std::string findings_in_words(const std::vector<Finding>& findings);
 
-/// Returns ": " and findings_in_words; empty if there are none.
-std::string colon_and_findings(const std::vector<Finding>& findings);
+/// Returns ": " and findings_in_words; empty without findings.
+std::string findings_suffix(const std::vector<Finding>& findings);
 
 /// One participant's catch trials, in which nothing is rendered: a mark is a false alarm.
 struct CatchFigures {
@@ -48,6 +48,7 @@ struct CatchFigures {
   std::size_t trials = 0;        ///< Catch trials that were begun.
   std::size_t false_alarms = 0;  ///< Catch trials with a mark before the time-out.
 
+  /// NaN without trials.
   double false_alarms_percent() const {
     return 100.0 * static_cast<double>(false_alarms) / static_cast<double>(trials);
   }
@@ -73,9 +74,10 @@ struct DataQualityReport {
 };
 
 /// Checks the participants of `tables`: dropped frames, gaze loss, latency, validation, the delay
-/// from frames to marks, objects out of view at marks, gaze off the object. Of sessions and trials
-/// it checks interruptions, retimed trials, notes, the balance of orders, false alarms, outlying
-/// times, and whether the data are people's. Participants who miss a limit of their own are named.
+/// from a frame's display to its mark, objects out of view at marks, gaze off the object. Of
+/// sessions and trials it checks interruptions, retimed trials, notes, the balance of orders, false
+/// alarms, outlying times, and whether the data are people's. The report names each participant
+/// whose own value exceeds a per-participant limit.
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality,
                                      const study::StudyRecords& records);

@@ -10,10 +10,10 @@
 
 namespace foveola::analysis {
 
-bool is_mouse(const std::string& tracker) { return tracker == "pointer"; }
+bool is_pointer(const std::string& tracker) { return tracker == "pointer"; }
 
 std::string tracker_in_words(const std::string& tracker) {
-  return is_mouse(tracker)        ? "the mouse pointer in place of an eye"
+  return is_pointer(tracker)      ? "the mouse pointer in place of an eye"
          : tracker == "simulated" ? "a simulated eye"
                                   : "the eye tracker of profile " + tracker;
 }
@@ -38,7 +38,7 @@ std::string gaze_sources_in_words(const std::vector<GazeSource>& sources) {
   for (const GazeSource& source : sources) {
     words.push_back(sources.size() == 1 ? tracker_in_words(source.tracker)
                                         : fmt::format("{} ({})", tracker_in_words(source.tracker),
-                                                      listed(source.participants)));
+                                                      comma_list(source.participants)));
   }
   return fmt::format("{}", fmt::join(words, "; "));
 }
@@ -49,8 +49,8 @@ DataQualityCheck check_gaze_source(const Dataset& set,
                          "an eye, by the same tracker in all sessions, ours"};
   const std::vector<GazeSource> sources = gaze_sources(set, gaze);
   if (!sources.empty()) {
-    check.found = gaze_sources_in_words(sources);
-    check.verdict = within(sources.size() == 1 && !is_mouse(sources.front().tracker));
+    check.value_text = gaze_sources_in_words(sources);
+    check.verdict = verdict_of(sources.size() == 1 && !is_pointer(sources.front().tracker));
   }
   return check;
 }

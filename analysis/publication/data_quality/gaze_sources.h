@@ -11,7 +11,8 @@
 
 namespace foveola::analysis {
 
-bool is_mouse(const std::string& tracker);
+/// Returns whether the tracker's name is that of the mouse pointer.
+bool is_pointer(const std::string& tracker);
 
 /// Returns "the mouse pointer in place of an eye", "the eye tracker of profile fove0" and so on.
 std::string tracker_in_words(const std::string& tracker);
@@ -23,7 +24,7 @@ struct GazeSource {
 };
 
 /// Returns each tracker that the record names. A participant who changed trackers is listed with
-/// both.
+/// each.
 std::vector<GazeSource> gaze_sources(const Dataset& set,
                                      std::span<const study::AttemptGazeRow> gaze);
 

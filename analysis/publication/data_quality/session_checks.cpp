@@ -34,10 +34,10 @@ DataQualityCheck check_validation(const Dataset& set, const std::vector<study::G
   }
   DataQualityCheck check{"Validation of the gaze", "none recorded", "the protocol's gate"};
   if (validated > 0) {
-    check.found =
-        fmt::format("{} of {} passed{}", passed, counted(set.participants.size(), "participant"),
-                    largest_deg ? fmt::format("; accuracy {:.2f}° at most", *largest_deg) : "");
-    check.verdict = within(passed == set.participants.size());
+    check.value_text = fmt::format(
+        "{} of {} passed{}", passed, count_with_noun(set.participants.size(), "participant"),
+        largest_deg ? fmt::format("; accuracy {:.2f}° at most", *largest_deg) : "");
+    check.verdict = verdict_of(passed == set.participants.size());
   }
   return check;
 }
@@ -77,9 +77,9 @@ DataQualityCheck check_objects_in_view(const std::vector<TrackedTrial>& trials) 
     }
   }
   if (marks > 0) {
-    check.found = fmt::format("{} of {}{}", out_of_view.size(), counted(marks, "mark"),
-                              colon_and_findings(out_of_view));
-    check.verdict = within(out_of_view.empty());
+    check.value_text = fmt::format("{} of {}{}", out_of_view.size(), count_with_noun(marks, "mark"),
+                                   findings_suffix(out_of_view));
+    check.verdict = verdict_of(out_of_view.empty());
   }
   return check;
 }
@@ -102,9 +102,9 @@ DataQualityCheck check_gaze_elsewhere(const std::vector<TrackedTrial>& trials) {
     }
   }
   if (known > 0) {
-    check.found = fmt::format("{} of {}{}", elsewhere.size(), counted(known, "trial"),
-                              colon_and_findings(elsewhere));
-    check.verdict = within(elsewhere.empty());
+    check.value_text = fmt::format("{} of {}{}", elsewhere.size(), count_with_noun(known, "trial"),
+                                   findings_suffix(elsewhere));
+    check.verdict = verdict_of(elsewhere.empty());
   }
   return check;
 }
@@ -148,14 +148,14 @@ DataQualityCheck check_figure(const std::vector<study::FrameFigures>& frames, st
                               const Value& value) {
   DataQualityCheck check{std::move(name), "", fmt::format("{:g} {}, {}", limit, unit, whose)};
   if (frames.empty()) {
-    check.found = "no frames recorded";
+    check.value_text = "no frames recorded";
     return check;
   }
   const Worst worst = worst_of(frames, limit, value);
-  check.found =
+  check.value_text =
       fmt::format("at most {:.3g} {}, participant {}; above the limit: {}", worst.value, unit,
-                  worst.participant, worst.above.empty() ? "none" : listed(worst.above));
-  check.verdict = within(worst.above.empty());
+                  worst.participant, worst.above.empty() ? "none" : comma_list(worst.above));
+  check.verdict = verdict_of(worst.above.empty());
   return check;
 }
 
@@ -172,12 +172,12 @@ DataQualityCheck check_cut_off(const std::vector<study::SessionCourse>& courses)
   for (const study::SessionCourse& course : courses) {
     if (course.interruptions > 0) {
       cut_off.push_back(fmt::format("{}: {}, {} lost", course.participant,
-                                    counted(course.interruptions, "time"),
-                                    counted(course.attempts_lost, "attempt")));
+                                    count_with_noun(course.interruptions, "time"),
+                                    count_with_noun(course.attempts_lost, "attempt")));
     }
   }
-  check.found = all_in_words(cut_off);
-  check.verdict = within(cut_off.empty());
+  check.value_text = all_in_words(cut_off);
+  check.verdict = verdict_of(cut_off.empty());
   return check;
 }
 
@@ -197,8 +197,8 @@ DataQualityCheck check_notes(const std::vector<study::SessionCourse>& courses) {
                                   others == 0 ? "" : fmt::format(" (and {} more)", others)));
     }
   }
-  check.found = all_in_words(noted);
-  check.verdict = within(noted.empty());
+  check.value_text = all_in_words(noted);
+  check.verdict = verdict_of(noted.empty());
   return check;
 }
 
@@ -227,13 +227,13 @@ DataQualityCheck check_timed_again(const Dataset& set, const study::StudyRecords
       const std::string& participant = records.participant_of(row);
       again.push_back(
           {participant, fmt::format("{}, {}, {} ({})", participant, records.scenes[row.scene],
-                                    records.methods[row.method], listed(found->second))});
+                                    records.methods[row.method], comma_list(found->second))});
     }
   }
   return {"Retimed trials",
-          fmt::format("{} of {}{}", again.size(), counted(trials.size(), "trial"),
-                      colon_and_findings(again)),
-          "none but after an interruption, ours", within(again.empty())};
+          fmt::format("{} of {}{}", again.size(), count_with_noun(trials.size(), "trial"),
+                      findings_suffix(again)),
+          "none but after an interruption, ours", verdict_of(again.empty())};
 }
 
 /// Times depend on the renderer.
@@ -254,8 +254,8 @@ DataQualityCheck check_programs(const Dataset& set,
           fmt::format("{} by {}", session.participant, study::programs_in_words(session.programs)));
     }
   }
-  check.found = fmt::format("{}", fmt::join(words, "; "));
-  check.verdict = within(uses.size() == 1);
+  check.value_text = fmt::format("{}", fmt::join(words, "; "));
+  check.verdict = verdict_of(uses.size() == 1);
   return check;
 }
 
@@ -263,7 +263,7 @@ DataQualityCheck check_setups(const std::vector<study::SessionSetup>& sessions) 
   const std::vector<std::string> varying = study::varying_setup(sessions);
   return {"Displays, machines and trackers",
           varying.empty() ? "the same for everybody, as far as recorded" : all_in_words(varying),
-          "the same for everybody, ours", within(varying.empty())};
+          "the same for everybody, ours", verdict_of(varying.empty())};
 }
 
 }  // namespace

@@ -60,11 +60,11 @@ std::string samples_json(const study::AttemptGaze& attempt, const std::string& t
                          double frequency_hz, const std::optional<double>& accuracy_deg) {
   const Nanoseconds start =
       attempt.samples.front().time - attempt.first_frame.value_or(attempt.samples.front().time);
-  SidecarJson json = {{"PhysioType", is_mouse(tracker) ? "generic" : "eyetrack"},
+  SidecarJson json = {{"PhysioType", is_pointer(tracker) ? "generic" : "eyetrack"},
                       {"SamplingFrequency", frequency_hz},
                       {"StartTime", seconds(start)},
                       {"Columns", {"timestamp", "x_coordinate", "y_coordinate"}}};
-  if (!is_mouse(tracker)) {
+  if (!is_pointer(tracker)) {
     json["RecordedEye"] = "cyclopean";
     json["SampleCoordinateSystem"] = "eye-in-head";
     if (accuracy_deg) {
@@ -123,7 +123,7 @@ std::vector<EyeEvent> events_of(const study::AttemptGaze& attempt, const std::st
   for (const study::MarkedMoment& mark : attempt.marks) {
     events.push_back({mark.time, Nanoseconds(0), mark.censored ? "timed_out" : "mark", mark.mark});
   }
-  if (!is_mouse(tracker)) {
+  if (!is_pointer(tracker)) {
     add_movements(attempt.samples, events);
   }
   std::ranges::stable_sort(events,
@@ -180,7 +180,7 @@ EyeTrackingExport::EyeTrackingExport(const Dataset& set,
   }
 }
 
-std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& attempt) {
+std::vector<TextFile> EyeTrackingExport::export_attempt(const study::AttemptGaze& attempt) {
   const auto found = subjects_.find(attempt.participant);
   if (found == subjects_.end()) {
     return {};
@@ -195,7 +195,7 @@ std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& atte
   const std::string tracker = known == trackers_.end() ? "" : known->second;
   const std::string stem =
       fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_run-{1:02}_recording-{2}_physio",
-                  subject.label, ++subject.runs, is_mouse(tracker) ? "mouse" : "eye1");
+                  subject.label, ++subject.runs, is_pointer(tracker) ? "mouse" : "eye1");
   std::vector<TextFile> files = {
       {stem + ".tsv.gz", gzip(samples_tsv(attempt.samples))},
       {stem + ".json", samples_json(attempt, tracker, *frequency_hz, subject.accuracy_deg)}};
@@ -207,7 +207,7 @@ std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& atte
   return files;
 }
 
-std::optional<TextFile> EyeTrackingExport::ignored() const {
+std::optional<TextFile> EyeTrackingExport::bidsignore_file() const {
   if (!has_events_) {
     return std::nullopt;
   }

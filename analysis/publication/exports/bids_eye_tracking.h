@@ -25,6 +25,7 @@ class EyeTrackingExport {
   EyeTrackingExport(const Dataset& set, const std::vector<study::GazeRunRow>& validations,
                     const std::vector<study::AttemptGazeRow>& gaze);
 
+  /// Counts the recording as the subject's next run.
   /// Returns bids/sub-LABEL/beh/sub-LABEL_task-preview_run-RUN_recording-eye1 with _physio.tsv.gz,
   /// _physio.json, _physioevents.tsv.gz and _physioevents.json. A sample has the session clock's
   /// time in nanoseconds, then azimuth (rightwards) and elevation (upwards) in degrees from
@@ -32,11 +33,11 @@ class EyeTrackingExport {
   /// and the eye's movements; without events the last two files are omitted. A mouse in place of
   /// the eye is a recording-mouse of the generic PhysioType, without eye and movements. Empty for a
   /// participant who is not analysed, or with too few samples for a frequency.
-  std::vector<TextFile> files_of(const study::AttemptGaze& attempt);
+  std::vector<TextFile> export_attempt(const study::AttemptGaze& attempt);
 
   /// Returns bids/.bidsignore if any file so far needs it: it hides files from validators older
   /// than BIDS 1.11, and says so itself.
-  std::optional<TextFile> ignored() const;
+  std::optional<TextFile> bidsignore_file() const;
 
   /// Number of the analysed participants' recordings with too few samples.
   std::size_t too_short() const { return too_short_; }

@@ -77,9 +77,6 @@ PsychDs psych_ds(const StudyTables& tables, const std::vector<Column>& trials,
 }
 
 std::string gzip(std::string_view text) {
-  if (text.size() > std::numeric_limits<uInt>::max()) {
-    throw std::length_error("texts of 4 GiB or more cannot be compressed");
-  }
   constexpr int largest_window_with_gzip_header = 15 + 16;
   constexpr int default_memory = 8;
   z_stream stream{};
@@ -87,7 +84,12 @@ std::string gzip(std::string_view text) {
                      default_memory, Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::runtime_error("zlib could not start");
   }
-  std::string bytes(::deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
+  const uLong max_bytes = ::deflateBound(&stream, static_cast<uLong>(text.size()));
+  if (max_bytes > std::numeric_limits<uInt>::max()) {
+    ::deflateEnd(&stream);
+    throw std::length_error("texts of almost 4 GiB or more cannot be compressed");
+  }
+  std::string bytes(max_bytes, '\0');
   // zlib's interface lacks const here, but zlib does not write there.
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());

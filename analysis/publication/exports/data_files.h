@@ -21,7 +21,8 @@ struct PsychDs {
 PsychDs psych_ds(const StudyTables& tables, const std::vector<Column>& trials,
                  const std::vector<Column>& participants);
 
-/// Returns a whole gzip file. Equal texts give equal bytes: the header has no name and no time.
+/// Returns `text` as a gzip file. Throws std::length_error from almost 4 GiB on. Equal texts give
+/// equal bytes: the header has no name and no time.
 std::string gzip(std::string_view text);
 
 }  // namespace foveola::analysis

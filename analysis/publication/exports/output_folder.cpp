@@ -78,7 +78,8 @@ bool remove_if_unchanged(const fs::path& folder, const WrittenFile& file) {
   std::error_code failure;
   if (is_there_without_links(folder, file.path, fs::file_type::regular) &&
       sha256_of_file(path) == file.sha256 && !fs::remove(path, failure) && failure) {
-    throw Error(path.string(), "of an earlier analysis cannot be removed: " + failure.message(),
+    throw Error(path.string(),
+                "belongs to an earlier analysis and cannot be removed: " + failure.message(),
                 "check the permissions of its folder");
   }
   return !fs::exists(fs::symlink_status(path, failure));
@@ -179,7 +180,7 @@ int lock(const fs::path& folder) {
   if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(descriptor);
     throw Error(folder.string(), "is being written by another analysis",
-                "wait for its end, or choose another folder with -o");
+                "wait until it ends, or choose another folder with -o");
   }
   return descriptor;
 }
@@ -205,7 +206,7 @@ fs::path make_staging(const fs::path& folder) {
   std::string name = (folder / staging_name).string();
   if (::mkdtemp(name.data()) == nullptr) {
     throw Error(folder.string(), "cannot be written: " + std::generic_category().message(errno),
-                "check its permissions or choose another with -o");
+                "check the folder's permissions and free space, or choose another with -o");
   }
   return name;
 }
@@ -261,7 +262,7 @@ PublishedFiles StagedFolder::publish(const std::vector<fs::path>& files) {
     fs::rename(file, target, failure);
     if (failure) {
       throw Error(target.string(), "cannot be written: " + failure.message(),
-                  "check its permissions or choose another folder with -o");
+                  "check the folder's permissions and free space, or choose another with -o");
     }
     published.files.push_back(target);
   }

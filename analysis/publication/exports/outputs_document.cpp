@@ -17,6 +17,8 @@ Typed texts may look like one: NA, None, null, n/a. Only an empty field is missi
 read it so by `pandas.read_csv(file, keep_default_na=False, na_values=[""])`, in R by
 `read.csv(file, na.strings = "")`. In BIDS a typed `n/a` has an apostrophe before it, `'n/a`: read by
 `keep_default_na=False, na_values=["n/a"]` or `na.strings = "n/a"`, and take it away.
+In Foveola's sources, `data/koskela2018/README.md` names the file and the function of each item of
+Koskela et al. 2018.
 Truth values are `TRUE` and `FALSE` in CSV, as R and pandas read them, and `true` and `false` elsewhere.
 Files for people are guarded, so that no spreadsheet takes a typed text for a formula: a
 text has an apostrophe before it if it begins with `=`, `+`, `-` or `@`, in full width too, with a tab,

@@ -153,7 +153,7 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
   add(AnalysisKind::participant_t,
       fmt::format("a paired t test of the participants’ mean differences over the {}, whose "
                   "interval generalises to participants only, in these scenes",
-                  counted(tables.set.scenes.size(), "scene")));
+                  count_with_noun(tables.set.scenes.size(), "scene")));
   add(AnalysisKind::tobit_model,
       fmt::format("a Tobit model where some were right-censored, with terms for participants and "
                   "scenes{}",
@@ -177,7 +177,7 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
     for (const auto& [name, version] : comparisons.models.versions) {
       versions.push_back(fmt::format("{} {}", name, version));
     }
-    text += fmt::format(" Models were fitted by {}.", listed(versions));
+    text += fmt::format(" Models were fitted by {}.", comma_list(versions));
   }
   return text;
 }
@@ -292,8 +292,9 @@ std::string other_analyses_in_words(const Comparisons& comparisons) {
       "trends over trials and over the order of methods");
   add(any([](const MethodComparison& row) { return row.planned && row.influence.has_value(); }),
       "the planned estimates without each participant in turn");
-  return done.empty() ? text
-                      : text + fmt::format(" As sensitivity analyses there are {}.", listed(done));
+  return done.empty()
+             ? text
+             : text + fmt::format(" As sensitivity analyses there are {}.", comma_list(done));
 }
 
 std::string amendments_in_words(const StudyTables& tables) {
@@ -310,9 +311,9 @@ std::string amendments_in_words(const StudyTables& tables) {
   }
   return fmt::format(
       " {} of the {} followed a protocol that was amended after the study had begun ({}).",
-      analysed, counted(tables.set.participants.size(), "analysed session"),
+      analysed, count_with_noun(tables.set.participants.size(), "analysed session"),
       keys.empty() ? std::string("comments or spaces only")
-                   : "changed: " + listed({keys.begin(), keys.end()}));
+                   : "changed: " + comma_list({keys.begin(), keys.end()}));
 }
 
 }  // namespace
@@ -322,10 +323,11 @@ std::string methods_paragraph(const StudyTables& tables, const Comparisons& comp
                               const study::DataQualityRecords& quality) {
   const std::string warning = data_warning(tables);
   std::string text = warning.empty() ? "" : warning + " ";
-  text += fmt::format("{} saw {} ({}), each with {} ({}) of progressive path tracing",
-                      participants_in_words(tables), counted(tables.set.scenes.size(), "scene"),
-                      listed(tables.set.scenes), counted(tables.set.methods.size(), "preview"),
-                      listed(tables.set.methods));
+  text += fmt::format(
+      "{} saw {} ({}), each with {} ({}) of progressive path tracing",
+      participants_in_words(tables), count_with_noun(tables.set.scenes.size(), "scene"),
+      comma_list(tables.set.scenes), count_with_noun(tables.set.methods.size(), "preview"),
+      comma_list(tables.set.methods));
   return text + measures_in_words(tables.set) + orders_in_words(records.protocol) +
          other_trials_in_words(records.protocol) + questionnaires_in_words(records.protocol) +
          apparatus_in_words(records) + gaze_in_words(tables.set, quality) +

@@ -81,11 +81,11 @@ PrintedTable printed_ratios(const Table& compared, const Comparisons& comparison
   return print_rows(
       {.id = "ratios-over-participants",
        .title = "Times: tests over participants, in these scenes.",
-       .note =
-           joined("Geometric mean ratio of the participants’ pairs with t interval, then BCa "
-                  "bootstrap interval; paired t on logarithms; the same over the scenes in which "
-                  "all methods were measured (complete cases).",
-                  comparisons.censored_times)},
+       .note = join_sentences(
+           "Geometric mean ratio of the participants’ pairs with t interval, then BCa "
+           "bootstrap interval; paired t on logarithms; the same over the scenes in which "
+           "all methods were measured (complete cases).",
+           comparisons.censored_times)},
       compared, "{is_time=TRUE}",
       {{"Methods, mark", "{compared}"},
        {"n", "{n}"},
@@ -101,20 +101,20 @@ PrintedTable printed_ratios(const Table& compared, const Comparisons& comparison
 }
 
 PrintedTable printed_ranks(const Table& compared, const Comparisons& comparisons) {
-  return print_rows(
-      {.id = "ranks",
-       .title = "Times: rank tests.",
-       .note = joined("Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges "
-                      "and Lehmann’s estimate of the ratio.",
-                      comparisons.censored_times)},
-      compared, "{is_time=TRUE}",
-      {{"Methods, mark", "{compared}"},
-       {"n", "{n}"},
-       {"pseudo-median, % [95 %]",
-        "{pseudo_median_ratio_percent:.1}| [{pseudo_median_low_ratio_percent:.1}, "
-        "{pseudo_median_high_ratio_percent:.1}]"},
-       {"P, Wilcoxon", "{p_wilcoxon:p}{wilcoxon_exact:/ (approximate)}"},
-       {"r, rank", "{rank_biserial:.2}"}});
+  return print_rows({.id = "ranks",
+                     .title = "Times: rank tests.",
+                     .note = join_sentences(
+                         "Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges "
+                         "and Lehmann’s estimate of the ratio.",
+                         comparisons.censored_times)},
+                    compared, "{is_time=TRUE}",
+                    {{"Methods, mark", "{compared}"},
+                     {"n", "{n}"},
+                     {"pseudo-median, % [95 %]",
+                      "{pseudo_median_ratio_percent:.1}| [{pseudo_median_low_ratio_percent:.1}, "
+                      "{pseudo_median_high_ratio_percent:.1}]"},
+                     {"P, Wilcoxon", "{p_wilcoxon:p}{wilcoxon_exact:/ (approximate)}"},
+                     {"r, rank", "{rank_biserial:.2}"}});
 }
 
 PrintedTable printed_rating_differences(const Table& compared) {
@@ -162,10 +162,11 @@ PrintedTable printed_variance(const Table& omnibus, const Comparisons& compariso
   return print_rows(
       {.id = "omnibus-times",
        .title = "Times: analysis of variance of all methods.",
-       .note = joined("Repeated-measures analysis of variance of log times, with Greenhouse and "
-                      "Geisser’s correction in the degrees of freedom and in P; participants with "
-                      "a missing value are left out.",
-                      comparisons.censored_times)},
+       .note = join_sentences(
+           "Repeated-measures analysis of variance of log times, with Greenhouse and "
+           "Geisser’s correction in the degrees of freedom and in P; participants with "
+           "a missing value are left out.",
+           comparisons.censored_times)},
       omnibus, "{f}",
       {{"Mark", "{measure}"},
        {"F (df)", "{f:.2} ({corrected_df:.2}, {corrected_residual_df:.2})"},
@@ -176,25 +177,25 @@ PrintedTable printed_variance(const Table& omnibus, const Comparisons& compariso
 }
 
 PrintedTable printed_friedman(const Table& omnibus, const Comparisons& comparisons) {
-  return print_rows(
-      {.id = "omnibus-ranks",
-       .title = "Times and ratings: rank test of all methods.",
-       .note = joined("Friedman’s test, with ties, and Kendall’s W; participants with a missing "
-                      "value are left out.",
-                      comparisons.censored_times)},
-      omnibus, "{p_friedman}",
-      {{"Measure", "{measure}"},
-       {"χ² (df)", "{friedman_chi_squared:.2} ({friedman_df:g})"},
-       {"P", "{p_friedman:p}"},
-       {"W", "{kendalls_w:.2}"},
-       {"left out", "{participants_left_out}"}});
+  return print_rows({.id = "omnibus-ranks",
+                     .title = "Times and ratings: rank test of all methods.",
+                     .note = join_sentences(
+                         "Friedman’s test, with ties, and Kendall’s W; participants with a missing "
+                         "value are left out.",
+                         comparisons.censored_times)},
+                    omnibus, "{p_friedman}",
+                    {{"Measure", "{measure}"},
+                     {"χ² (df)", "{friedman_chi_squared:.2} ({friedman_df:g})"},
+                     {"P", "{p_friedman:p}"},
+                     {"W", "{kendalls_w:.2}"},
+                     {"left out", "{participants_left_out}"}});
 }
 
 PrintedTable printed_order_effects(const Table& order, const Comparisons& comparisons) {
   return print_rows(
       {.id = "order-effects",
        .title = "Order and learning.",
-       .note = joined(
+       .note = join_sentences(
            "Change per step, with its 95 % confidence interval over participants; the means of "
            "participants, scenes and methods are subtracted first. Carry-over, where "
            "every method follows every other: “fv after od” is the change of fv right "

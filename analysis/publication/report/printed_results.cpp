@@ -82,7 +82,7 @@ PrintedTable printed_times(const StudyTables& tables, std::size_t mark,
   for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
     table.rows.push_back(scene_row(tables, mark, scene));
     if (auto row = published_row(tables, mark, scene, tables.set.methods, published)) {
-      row->push_back(fmt::format("{:g}", published_figure(*published, "participants").value));
+      row->push_back(fmt::format("{:g}", published_number(*published, "participants").value));
       row->insert(row->end(), 2, "");
       table.rows.push_back(std::move(*row));
     }
@@ -128,8 +128,8 @@ PrintedTable printed_geometric_means(const StudyTables& tables,
   PrintedTable table;
   table.id = "geometric-means";
   table.title = "Geometric means over scenes.";
-  table.note = joined("With 95 % confidence intervals over n participants.",
-                      censored_times_in_words(tables.set));
+  table.note = join_sentences("With 95 % confidence intervals over n participants.",
+                              censored_times_in_words(tables.set));
   table.columns = {"Method and mark", "n", "seconds", "% of " + baseline_name(tables)};
   const bool has_published = published && is_relative_to_od(tables.set);
   if (has_published) {
@@ -279,7 +279,7 @@ PrintedTable printed_background(const StudyTables& tables, const Table& correlat
   return print_rows(
       {.id = "background",
        .title = "Correlation of background with speed-up.",
-       .note = joined(
+       .note = join_sentences(
            fmt::format("Pearson’s r of the values, whose two-sided P is that of the stated "
                        "hypothesis, and Spearman’s ρ of their ranks, with 95 % confidence "
                        "intervals. Speed-up "

@@ -100,7 +100,7 @@ std::string table_of(const StudyTables& tables, const Table& numbers, const std:
 
 std::string counts_html(const std::vector<ComparedNumber>& numbers) {
   std::string items;
-  for (const MetMeans& met : count_met_means(numbers)) {
+  for (const ReproducedMeans& met : count_reproduced_means(numbers)) {
     items += fmt::format("<li>{}</li>\n", escape_html(in_words(met)));
   }
   return "<ul class=\"findings\">\n" + items + "</ul>\n";
@@ -215,7 +215,7 @@ std::string comparison_summary(const StudyTables& tables,
     const std::string unknown = fill(own + no_value + published, table, row).value_or("");
     text += fill(own + value + published, table, row).value_or(unknown);
   }
-  for (const MetMeans& met : count_met_means(numbers)) {
+  for (const ReproducedMeans& met : count_reproduced_means(numbers)) {
     text += in_words(met) + "\n";
   }
   const std::string artifacts = artifacts_in_order(tables);

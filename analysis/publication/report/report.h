@@ -25,7 +25,7 @@ struct ReportContent {
   const DataQualityReport& checks;
   const std::vector<Figure>& figures;
   const std::optional<PublishedStudy>&
-      published;               ///< The published study to compare with; see published_beside.
+      published;               ///< The published study to compare with; see published_study_for.
   const std::string& methods;  ///< The text of methods_paragraph.
   const std::optional<study::Verification>& record;  ///< The verification, if there is a file.
 };

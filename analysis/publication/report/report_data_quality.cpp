@@ -82,8 +82,8 @@ std::string checks_table(const ReportContent& content) {
 std::string latency_html(const ReportContent& content) {
   PrintedTable table;
   table.title = "Latency from the eye to the display.";
-  table.note = joined("From the frame log: means over each session’s frames.",
-                      paper_notes(content.tables, content.published).latency);
+  table.note = join_sentences("From the frame log: means over each session’s frames.",
+                              paper_notes(content.tables, content.published).latency);
   table.columns = {
       "Participant", "frames",           "age of the gaze, ms", "polling to display, ms",
       "both, ms",    "longest frame, ms"};
@@ -162,7 +162,7 @@ std::string attempts_in_words(const Dataset& set) {
                     : fmt::format(
                           "{} of {} were retimed, up to {} timings in all; the last "
                           "timing counts.",
-                          again, counted(set.trials.size(), "trial"), most);
+                          again, count_with_noun(set.trials.size(), "trial"), most);
 }
 
 }  // namespace
@@ -171,9 +171,9 @@ std::string data_quality_flags(const ReportContent& content) {
   std::string items;
   for (const DataQualityCheck& check : content.checks.checks) {
     // The report's top already says that data are simulated or a pilot's.
-    if (check.verdict == Verdict::flagged && check.found != data_warning(content.tables)) {
+    if (check.verdict == Verdict::flagged && check.value_text != data_warning(content.tables)) {
       items += fmt::format("<li>⚑ {}: {} (limit: {})</li>\n", escape_html(check.name),
-                           escape_html(check.found), escape_html(check.limit));
+                           escape_html(check.value_text), escape_html(check.limit));
     }
   }
   return items.empty()
@@ -207,7 +207,7 @@ std::string amended_section(const ReportContent& content) {
   for (const AmendedSession& row : tables.amended) {
     table.rows.push_back(
         {row.participant,
-         row.changed_keys.empty() ? "none: comments or spaces only" : listed(row.changed_keys),
+         row.changed_keys.empty() ? "none: comments or spaces only" : comma_list(row.changed_keys),
          row.protocol_sha256, row.is_analysed ? "yes" : "no"});
   }
   return html_section("Amended sessions",
@@ -254,7 +254,7 @@ std::string record_flags(const ReportContent& content) {
   return fmt::format(
       "<div class=\"flags\" role=\"note\"><p>⚑ The study’s file failed its verification ({}): any "
       "number here may be wrong.</p></div>\n",
-      counted(record->faults.size(), "fault"));
+      count_with_noun(record->faults.size(), "fault"));
 }
 
 std::string record_section(const ReportContent& content) {
@@ -270,8 +270,9 @@ std::string record_section(const ReportContent& content) {
                   "verify</code> does: by SQLite’s own checks, the hash chains over {} of {}, the "
                   "checksums of {} of frames and gaze, and whether every table follows from the "
                   "events.</p>\n",
-                  counted(record->events, "event"), counted(record->sessions, "session"),
-                  counted(record->chunks, "chunk")) +
+                  count_with_noun(record->events, "event"),
+                  count_with_noun(record->sessions, "session"),
+                  count_with_noun(record->chunks, "chunk")) +
           finding(*record) + gaps(*record) + warnings_of(*record));
 }
 

@@ -73,7 +73,7 @@ std::string methods_in_words(const StudyTables& tables) {
     methods.push_back(meaning.empty() ? method
                                       : fmt::format("{} ({})", method_label(method), meaning));
   }
-  return listed(methods);
+  return comma_list(methods);
 }
 
 std::string header_html(const StudyTables& tables, std::string_view page_name) {
@@ -94,7 +94,7 @@ std::string header_html(const StudyTables& tables, std::string_view page_name) {
   fact("SHA-256 of the protocol",
        fmt::format("<code>{}</code>", escape_html(tables.protocol_sha256)));
   fact("Analysed", escape_html(participants_in_words(tables)));
-  fact("Scenes", escape_html(listed(tables.set.scenes)));
+  fact("Scenes", escape_html(comma_list(tables.set.scenes)));
   fact("Methods",
        escape_html(methods_in_words(tables) + "; compared with " + baseline_label(tables)));
   return html + "</dl>\n</header>\n";

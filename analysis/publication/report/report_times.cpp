@@ -25,11 +25,12 @@ std::string plan_in_words(const Comparisons& comparisons, std::size_t participan
           : fmt::format(
                 "The protocol planned {} before there were data, at a level of {:g} over all "
                 "of them together (Holm); everything else is exploratory, and not adjusted.",
-                counted(plan.primary.size(), "primary comparison"), plan.alpha);
+                count_with_noun(plan.primary.size(), "primary comparison"), plan.alpha);
   if (plan.participants && static_cast<std::size_t>(*plan.participants) != participants) {
-    text += fmt::format(" It planned {}; {} analysed.",
-                        counted(static_cast<std::size_t>(*plan.participants), "participant"),
-                        participants == 1 ? "1 is" : fmt::format("{} are", participants));
+    text +=
+        fmt::format(" It planned {}; {} analysed.",
+                    count_with_noun(static_cast<std::size_t>(*plan.participants), "participant"),
+                    participants == 1 ? "1 is" : fmt::format("{} are", participants));
   }
   return text;
 }
@@ -43,7 +44,7 @@ std::string models_in_words(const FittedModels& models) {
   for (const auto& [name, version] : models.versions) {
     versions.push_back(fmt::format("{} {}", name, version));
   }
-  return fmt::format("Models were fitted by {}; models.R has the formulas.", listed(versions));
+  return fmt::format("Models were fitted by {}; models.R has the formulas.", comma_list(versions));
 }
 
 std::string tables_html(const StudyTables& tables, const std::vector<PrintedTable>& printed) {
@@ -91,7 +92,7 @@ std::string background_in_words(const Background& background) {
   return fmt::format(
       "Background is the mean of the answers to {}, as the protocol states. Its correlation with "
       "the speed-up in the first planned comparison of times is the only one that is tested.",
-      listed(background.scale));
+      comma_list(background.scale));
 }
 
 /// Explains the points and lines of participants in a figure of this many methods.
@@ -128,18 +129,18 @@ std::string undrawn_marks(const StudyTables& tables, const std::vector<std::size
       undrawn.push_back(tables.set.measures[mark].id());
     }
   }
-  return undrawn.empty() ? "" : fmt::format("Not drawn, as {}: {}.", reason, listed(undrawn));
+  return undrawn.empty() ? "" : fmt::format("Not drawn, as {}: {}.", reason, comma_list(undrawn));
 }
 
 std::string methods_explained(const StudyTables& tables, std::size_t methods,
                               const std::string& axis) {
   return fmt::format(
       "{} {} {} {}", participants_explained(tables, methods), estimates_explained(tables), axis,
-      joined(joined("An interval may exceed the axis; the table has its limits.",
-                    censored_times_in_words(tables.set)),
-             undrawn_marks(tables, marks_over_all_scenes(tables),
-                           "no participant has a scene in which every method’s time was "
-                           "measured")));
+      join_sentences(join_sentences("An interval may exceed the axis; the table has its limits.",
+                                    censored_times_in_words(tables.set)),
+                     undrawn_marks(tables, marks_over_all_scenes(tables),
+                                   "no participant has a scene in which every method’s time was "
+                                   "measured")));
 }
 
 std::string scenes_explained(const StudyTables& tables) {
@@ -162,9 +163,9 @@ std::string scenes_explained(const StudyTables& tables) {
         "method with the censored times. ";
   }
   return text + relative_axis_explained(tables) + " " +
-         joined("An interval may exceed the axis; times_by_scene.csv has its limits.",
-                undrawn_marks(tables, marks_in_scenes(tables),
-                              "no participant has both times in a scene"));
+         join_sentences("An interval may exceed the axis; times_by_scene.csv has its limits.",
+                        undrawn_marks(tables, marks_in_scenes(tables),
+                                      "no participant has both times in a scene"));
 }
 
 std::string meanings_of_marks(const StudyTables& tables) {
@@ -184,8 +185,9 @@ std::string curve_explained(const StudyTables& tables, const Measure& mark) {
   const bool has_crosses = std::ranges::any_of(tables.survival, [&](const MarkSurvival& row) {
     return row.mark == mark.id() && row.curve.censored > 0;
   });
-  return joined("Kaplan and Meier’s curve of each method, over all trials, on a logarithmic axis.",
-                has_crosses ? "Crosses are right-censored trials." : "");
+  return join_sentences(
+      "Kaplan and Meier’s curve of each method, over all trials, on a logarithmic axis.",
+      has_crosses ? "Crosses are right-censored trials." : "");
 }
 
 std::string unreached_html(const ReportContent& content) {
@@ -249,7 +251,7 @@ std::string background_section(const ReportContent& content) {
   std::string text = background_in_words(content.background);
   std::string table;
   if (content.background.correlation) {
-    text = joined(text, paper_notes(tables, content.published).background);
+    text = join_sentences(text, paper_notes(tables, content.published).background);
     table = table_html(
         tables, printed_background(tables, table_named(content.results, "background_correlation")));
   }
@@ -262,11 +264,11 @@ std::string background_section(const ReportContent& content) {
 std::string ratings_section(const ReportContent& content) {
   const StudyTables& tables = content.tables;
   const PaperNotes paper = paper_notes(tables, content.published);
-  std::string html =
-      paragraph_html(paper.ratings) +
-      paragraph_html(joined("Means treat the steps of a scale as equal; the distribution, or each "
-                            "participant’s mean, is given too, because they need not be.",
-                            paper.means_of_ratings));
+  std::string html = paragraph_html(paper.ratings) +
+                     paragraph_html(join_sentences(
+                         "Means treat the steps of a scale as equal; the distribution, or each "
+                         "participant’s mean, is given too, because they need not be.",
+                         paper.means_of_ratings));
   for (const std::size_t rating : tables.set.ratings()) {
     const Measure& measure = tables.set.measures[rating];
     html += figure_html(tables, content.figures, rating_figure_name(measure),

@@ -20,7 +20,7 @@ std::string scenes_in_words(const PrimaryResult& result, const StudyTables& tabl
                             const study::AnalysisPlan& plan) {
   const std::size_t all = tables.set.scenes.size();
   const std::string count = result.scenes == all
-                                ? counted(all, "scene")
+                                ? count_with_noun(all, "scene")
                                 : fmt::format("{} of {} scenes", result.scenes, all);
   const bool is_of_others =
       result.scenes > 1 &&
@@ -82,9 +82,10 @@ std::string block(const StudyTables& tables, PrintedTable table) {
 std::string terminal_summary(const StudyTables& tables, const std::vector<Table>& results,
                              const Comparisons& comparisons, const Background& background,
                              const std::optional<PublishedStudy>& published) {
-  std::string text = fmt::format(
-      "{}: {}, {}, {}\n", printable(tables.protocol_name), participants_in_words(tables),
-      counted(tables.set.scenes.size(), "scene"), counted(tables.set.methods.size(), "method"));
+  std::string text =
+      fmt::format("{}: {}, {}, {}\n", printable(tables.protocol_name),
+                  participants_in_words(tables), count_with_noun(tables.set.scenes.size(), "scene"),
+                  count_with_noun(tables.set.methods.size(), "method"));
   for (const Headline& finding : headlines(tables, comparisons)) {
     text += fmt::format("  {}.\n", printable(finding.sentence()));
   }
@@ -112,7 +113,7 @@ std::string terminal_summary(const StudyTables& tables, const std::vector<Table>
   }
   if (background.correlation) {
     PrintedTable table = printed_background(tables, table_named(results, "background_correlation"));
-    table.title = fmt::format("Background ({}) against speed-up", listed(background.scale));
+    table.title = fmt::format("Background ({}) against speed-up", comma_list(background.scale));
     text += block(tables, std::move(table));
   }
   return text;

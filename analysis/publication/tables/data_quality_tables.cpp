@@ -1,3 +1,4 @@
+#include "analysis/dataset/session_columns.h"
 #include "analysis/publication/tables/result_tables.h"
 
 namespace foveola::analysis {
@@ -6,7 +7,7 @@ Table data_quality_table(const StudyTables& tables, const DataQualityReport& rep
   using C = DataQualityCheck;
   const ColumnsOf<C> columns = {
       {"check", "", "Name of the check", &C::name},
-      {"found", "", "Value found, with its unit", &C::found},
+      {"found", "", "Value found, with its unit", &C::value_text},
       {"limit", "", "Limit of the value, and its source", &C::limit},
       {"verdict", "", "Result: passed, flagged, or not recorded", &C::verdict},
       kind_of_all<C>(tables)};
@@ -53,13 +54,13 @@ Table catch_trials_table(const StudyTables& tables, const DataQualityReport& rep
 Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report) {
   using O = OutlyingTime;
   const ColumnsOf<O> columns = {
-      {"mark", "", "Id of the mark", &O::mark},
+      {"mark", "", mark_meaning, &O::mark},
       {"participant", "", "Code of the participant", &O::participant},
       {"scene", "", "Name of the scene", &O::scene},
       {"method", "", "Id of the method", &O::method},
       {"time_s", "s", "Outlying time, which stays in all results", &O::seconds},
       {"times_expected", "", "time_s over the time expected of its participant, scene and method",
-       &O::times_expected},
+       &O::ratio_to_expected},
       {"studentized_residual", "", "Externally studentized residual of the logarithm of time_s",
        &O::studentized},
       kind_of_all<O>(tables)};

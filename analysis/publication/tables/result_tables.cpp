@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/dataset/answer_data.h"
+#include "analysis/dataset/session_columns.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/r_models/models_plan.h"
 
@@ -15,15 +16,16 @@ namespace {
 /// Adds the columns of a correlation coefficient; the names of its limits end in `of`.
 template <typename Path>
 void add_correlation(const std::string& name, const std::string& of, const std::string& t,
-                     const std::string& p, const std::string& meaning, const Path& found,
-                     ColumnsOf<BackgroundCorrelation>& columns) {
+                     const std::string& p, const std::string& p_from, const std::string& meaning,
+                     const Path& found, ColumnsOf<BackgroundCorrelation>& columns) {
   const ColumnsOf<BackgroundCorrelation> added = {
       {name, "", meaning, path(found, &Correlation::r)},
-      {t, "", "t of " + name + ", of n − 2 degrees of freedom", path(found, &Correlation::t)},
-      {p, "", "Two-sided P of no correlation", path(found, &Correlation::p)},
-      {"ci95_low_" + of, "", "Lower 95 % confidence limit of " + name,
+      {t, "", "t statistic of " + name + ", with n − 2 degrees of freedom",
+       path(found, &Correlation::t)},
+      {p, "", "Two-sided P of " + name + p_from, path(found, &Correlation::p)},
+      {"ci95_low_" + of, "", "Lower 95 % confidence limit of " + name + ", by Fisher's z",
        path(found, &Correlation::interval, &Interval::low)},
-      {"ci95_high_" + of, "", "Upper 95 % confidence limit of " + name,
+      {"ci95_high_" + of, "", "Upper 95 % confidence limit of " + name + ", by Fisher's z",
        path(found, &Correlation::interval, &Interval::high)}};
   columns.insert(columns.end(), added.begin(), added.end());
 }
@@ -92,15 +94,18 @@ Table with_method_labels(Table table) {
 Table times_by_scene(const StudyTables& tables) {
   using T = SceneTimes;
   const ColumnsOf<T> columns = {
-      {"mark", "", "Id of the mark", &T::mark},
+      {"mark", "", mark_meaning, &T::mark},
       {"scene", "", "Name of the scene", &T::scene},
       {"method", "", "Id of the method", &T::method},
       {"n", "", "Number of measured times", path(&T::seconds, &Description::n)},
-      {"mean_s", "s", "Mean of the measured times", path(&T::seconds, &Description::mean)},
+      {"mean_s", "s", "Arithmetic mean of the measured times",
+       path(&T::seconds, &Description::mean)},
       {"sd_s", "s", "Standard deviation of the measured times",
        path(&T::seconds, &Description::standard_deviation)},
       {"median_s", "s", "Median of the measured times", path(&T::seconds, &Description::median)},
-      {"n_pairs", "", "Number of participants with a time of the method and of the baseline",
+      {"n_pairs", "",
+       "Number of participants with a measured time of both the method and the baseline in this "
+       "scene",
        path(&T::percent_of_baseline, &Description::n)},
       {"mean_percent_of_baseline", "%",
        "Mean of each participant's own time in per cent of the baseline's",
@@ -112,10 +117,12 @@ Table times_by_scene(const StudyTables& tables) {
        "Geometric mean of each participant's own ratio to the baseline",
        path(&T::geometric_percent, &Estimate::value)},
       {"ci95_low_percent_of_baseline", "%",
-       "Lower 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
+       "Lower 95 % confidence limit of geometric_mean_percent_of_baseline: Student's t of the "
+       "participants' log ratios",
        path(&T::geometric_percent, &Estimate::interval, &Interval::low)},
       {"ci95_high_percent_of_baseline", "%",
-       "Upper 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
+       "Upper 95 % confidence limit of geometric_mean_percent_of_baseline: Student's t of the "
+       "participants' log ratios",
        path(&T::geometric_percent, &Estimate::interval, &Interval::high)},
       {"ratio_of_means_percent", "%",
        "Mean time in per cent of the baseline's mean time: a ratio of means, not a mean of "
@@ -133,7 +140,7 @@ Table times_by_scene(const StudyTables& tables) {
 Table times_by_method(const StudyTables& tables) {
   using T = MethodTimes;
   const ColumnsOf<T> columns = {
-      {"mark", "", "Id of the mark", &T::mark},
+      {"mark", "", mark_meaning, &T::mark},
       {"method", "", "Id of the method", &T::method},
       {"n", "", "Number of participants with a scene in which every method was measured",
        [](const T& row) { return row.participant_seconds.size(); }},
@@ -147,10 +154,12 @@ Table times_by_method(const StudyTables& tables) {
        "Geometric mean of each participant's own ratio to the baseline",
        path(&T::percent_of_baseline, &Estimate::value)},
       {"ci95_low_percent_of_baseline", "%",
-       "Lower 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
+       "Lower 95 % confidence limit of geometric_mean_percent_of_baseline: Student's t of the "
+       "participants' log ratios",
        path(&T::percent_of_baseline, &Estimate::interval, &Interval::low)},
       {"ci95_high_percent_of_baseline", "%",
-       "Upper 95 % confidence limit of geometric_mean_percent_of_baseline, over participants",
+       "Upper 95 % confidence limit of geometric_mean_percent_of_baseline: Student's t of the "
+       "participants' log ratios",
        path(&T::percent_of_baseline, &Estimate::interval, &Interval::high)},
       kind_of_all<T>(tables)};
   return tabulate("times_by_method", "mark and method", columns, tables.method_times);
@@ -160,7 +169,7 @@ Table time_to_mark_table(const StudyTables& tables) {
   using S = MarkSurvival;
   const auto median = path(&S::curve, &SurvivalCurve::median);
   const ColumnsOf<S> columns = {
-      {"mark", "", "Id of the mark", &S::mark},
+      {"mark", "", mark_meaning, &S::mark},
       {"method", "", "Id of the method", &S::method},
       {"trials", "", "Number of trials with a time, measured or right-censored",
        path(&S::curve, &SurvivalCurve::n)},
@@ -229,7 +238,7 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
   using B = BackgroundCorrelation;
   const std::string questions = fmt::format("{}", fmt::join(background.scale, "+"));
   ColumnsOf<B> columns = {
-      {"mark", "", "Id of the mark", &B::mark},
+      {"mark", "", mark_meaning, &B::mark},
       {"method", "", "Id of the method whose times are compared with the baseline's", &B::method},
       {"quantity", "",
        "Quantity correlated with background, a mean over scenes: log_ratio (natural logarithm of "
@@ -241,14 +250,16 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
       {"n", "", "Number of participants with all answers and a complete scene", &B::participants},
       {"censored", "", "Number of right-censored times of the mark, which are left out",
        [&](const B& row) { return tables.set.censored(*tables.set.measure_named(row.mark)); }}};
-  add_correlation("pearson_r", "r", "t", "p_two_sided",
-                  "Pearson's correlation of the mean answer with the quantity", &B::pearson,
-                  columns);
-  add_correlation("spearman_rho", "rho", "t_rho", "p_rho",
-                  "Spearman's rank correlation of the mean answer with the quantity", &B::spearman,
-                  columns);
-  columns.push_back({"p_rho_exact", "", "Whether p_rho is exact, over all orders of the ranks",
-                     path(&B::spearman, &Correlation::exact)});
+  add_correlation("pearson_r", "r", "t", "p_two_sided", ", from t",
+                  "Pearson's correlation coefficient of the mean answer and the quantity",
+                  &B::pearson, columns);
+  add_correlation("spearman_rho", "rho", "t_rho", "p_rho", ", see p_rho_exact",
+                  "Spearman's rank correlation coefficient of the mean answer and the quantity",
+                  &B::spearman, columns);
+  columns.push_back(
+      {"p_rho_exact", "",
+       "True: p_rho is exact, from all permutations of the ranks; false: it is from t_rho",
+       path(&B::spearman, &Correlation::exact)});
   columns.push_back(kind_of_all<B>(tables));
   return tabulate("background_correlation", "correlation that the protocol states", columns,
                   background.correlation ? std::vector{*background.correlation} : std::vector<B>());
@@ -265,7 +276,10 @@ Table exclusions(const StudyTables& tables) {
       {"scene", "", "Name of the scene; empty: all", &E::scene},
       {"method", "", "Id of the method; empty: all", &E::method},
       {"measure", "", "Id of the mark or rating; empty: all", &E::measure},
-      {"reason", "", "Reason of the exclusion", &E::reason},
+      {"reason", "",
+       "Reason for the exclusion: the end of the session, with the recorded reason, or the fault "
+       "of the value",
+       &E::reason},
       {kind_column(), kind_of}};
   return tabulate("exclusions", "session or value that no number uses", columns,
                   tables.set.exclusions);

@@ -34,7 +34,7 @@ struct CrossedModel {
 
 /// Fits the model to the differences of log times, method minus baseline, of each participant
 /// (rows) and scene (conditions), without gaps. Participants and scenes are random: the interval
-/// generalises to others. With fixed scenes, use ratio_t of the participants' mean differences.
+/// generalises to others. With fixed scenes, use test_ratio of the participants' mean differences.
 ///
 /// It is the comparison of two methods in `log time ~ method + (1|participant) +
 /// (1|participant:method) + (1|scene) + (1|scene:method) + (1|participant:scene)`; its

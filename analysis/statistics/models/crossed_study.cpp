@@ -50,7 +50,8 @@ CrossedCoverage count_coverage(const CrossedDesign& design, double value, std::u
     Pcg32 generator(seed, study);
     const RepeatedMeasures data = draw_log_ratios(design, generator);
     const std::optional<CrossedModel> model = crossed_model(data, confidence);
-    const std::optional<RatioTest> over_participants = ratio_t(participant_means(data), confidence);
+    const std::optional<RatioTest> over_participants =
+        test_ratio(participant_means(data), confidence);
     ++counts.studies;
     counts.crossed_model += covers(model->test.value().interval, value) ? 1 : 0;
     counts.over_participants += covers(over_participants.value().logs.interval, value) ? 1 : 0;

@@ -30,7 +30,7 @@ RepeatedMeasures draw_log_ratios(const CrossedDesign& design, Pcg32& generator);
 struct CrossedCoverage {
   std::size_t studies = 0;
   std::size_t crossed_model = 0;      ///< By crossed_model's interval.
-  std::size_t over_participants = 0;  ///< By ratio_t of the participants' mean log ratios.
+  std::size_t over_participants = 0;  ///< By test_ratio of the participants' mean log ratios.
 };
 
 /// Counts over the studies first ... last - 1. Each is a function of the seed and its number alone,

@@ -77,7 +77,7 @@ std::optional<TTest> order_effect(const std::vector<OrderedValue>& values, doubl
   }
   // Two participants' residuals are negatives of each other, so their slopes are equal.
   constexpr std::size_t fewest = 3;
-  return slopes.size() < fewest ? std::nullopt : one_sample_t(slopes, 0.0, confidence);
+  return slopes.size() < fewest ? std::nullopt : test_mean(slopes, 0.0, confidence);
 }
 
 }  // namespace foveola::analysis

@@ -41,8 +41,8 @@ struct OrderedValue {
 /// Tests the change of `value` with each step of position: the mean over participants of their own
 /// least-squares slopes, from values and positions less the effects of participants and conditions
 /// (the residuals of an additive model of both), so that neither is taken for an effect of order,
-/// also with missing cells. The test is one_sample_t of the slopes. Participants whose positions do
-/// not vary beyond their conditions' have no slope. Empty if one_sample_t is, and with fewer than
+/// also with missing cells. The test is test_mean of the slopes. Participants whose positions do
+/// not vary beyond their conditions' have no slope. Empty if test_mean is, and with fewer than
 /// three slopes.
 std::optional<TTest> order_effect(const std::vector<OrderedValue>& values,
                                   double confidence = default_confidence);

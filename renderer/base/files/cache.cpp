@@ -53,7 +53,7 @@ void make_cache_folder(const fs::path& folder) {
   }
 }
 
-bool is_kept(const fs::path& file) {
+bool is_cached(const fs::path& file) {
   std::error_code unreachable;
   try {
     return fs::is_regular_file(file, unreachable) && was_kept_with(sha256_of_file(file), file);
@@ -62,7 +62,7 @@ bool is_kept(const fs::path& file) {
   }
 }
 
-std::optional<std::string> kept_content(const fs::path& file) {
+std::optional<std::string> read_from_cache(const fs::path& file) {
   std::error_code unreachable;
   if (!fs::is_regular_file(file, unreachable)) {
     return std::nullopt;
@@ -77,7 +77,7 @@ std::optional<std::string> kept_content(const fs::path& file) {
   return std::nullopt;
 }
 
-void keep_file(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+void store_file(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   const TemporaryFile temporary(file);
   write(temporary.path());
   const std::string digest = sha256_of_file(temporary.path());
@@ -88,8 +88,8 @@ void keep_file(const fs::path& file, const std::function<void(const fs::path&)>&
   temporary.replace_final();
 }
 
-void keep_content(const fs::path& file, std::string_view content) {
-  keep_file(file, [&](const fs::path& temporary) { write_file(temporary, content); });
+void store_content(const fs::path& file, std::string_view content) {
+  store_file(file, [&](const fs::path& temporary) { write_file(temporary, content); });
 }
 
 }  // namespace foveola

@@ -14,22 +14,23 @@
 
 namespace foveola {
 
-/// Makes a cache's folder and its parents, if need be. Throws Error if it cannot.
+/// Makes a cache's folder and its parents, if missing. Throws Error if it cannot.
 void make_cache_folder(const std::filesystem::path& folder);
 
-/// Whether `file` exists and matches its digest. Reads all of it.
-bool is_kept(const std::filesystem::path& file);
+/// Returns whether `file` exists, is readable and matches its digest. Reads all of it.
+bool is_cached(const std::filesystem::path& file);
 
-/// The content of `file`; nullopt if it is missing or does not match its digest.
-std::optional<std::string> kept_content(const std::filesystem::path& file);
+/// Returns the content of `file`; nullopt if it is missing, unreadable or does not match its
+/// digest.
+std::optional<std::string> read_from_cache(const std::filesystem::path& file);
 
-/// Calls `write` with a temporary path and keeps the result as `file` (see replace_file). An
+/// Calls `write` with a temporary path and stores the result as `file` (see replace_file). An
 /// existing file with the same content stays, since others may be reading it. Throws Error if it
 /// cannot be written.
-void keep_file(const std::filesystem::path& file,
-               const std::function<void(const std::filesystem::path&)>& write);
+void store_file(const std::filesystem::path& file,
+                const std::function<void(const std::filesystem::path&)>& write);
 
-/// keep_file with the bytes of `content`.
-void keep_content(const std::filesystem::path& file, std::string_view content);
+/// store_file with the bytes of `content`.
+void store_content(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace foveola

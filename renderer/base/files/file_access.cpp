@@ -27,9 +27,10 @@ bool is_shared_by_a_group(const fs::path& folder) {
          (status.st_mode & S_ISGID) != 0;
 }
 
-void warn(const fs::path& path, const char* what) {
-  print_text(stderr, "foveola: warning: {}: its {} could not be kept ({})\n", path.string(), what,
-             std::generic_category().message(errno));
+void warn(const fs::path& path, const char* what, const char* program) {
+  print_text(stderr,
+             "foveola: warning: {}: its {} could not be given to the new file ({}); use {}\n",
+             path.string(), what, std::generic_category().message(errno), program);
 }
 
 /// Empty if there is none, or if the file system does not support them.
@@ -62,7 +63,7 @@ bool make_new_file(const fs::path& path, FileAccess access) {
   constexpr mode_t own = 0600;
   constexpr mode_t group = 0660;
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                                access == FileAccess::usual ? all : own);
+                                access == FileAccess::default_access ? all : own);
   if (descriptor < 0) {
     return false;
   }
@@ -82,18 +83,18 @@ void take_access(const fs::path& path, const fs::path& like) {
   }
   constexpr auto keep = static_cast<uid_t>(-1);
   if (wanted.st_gid != given.st_gid && ::lchown(path.c_str(), keep, wanted.st_gid) != 0) {
-    warn(like, "group");
+    warn(like, "group", "chgrp");
   }
   if (wanted.st_uid != given.st_uid && ::lchown(path.c_str(), wanted.st_uid, keep) != 0) {
-    warn(like, "owner");
+    warn(like, "owner", "chown");
   }
   constexpr mode_t permissions = 07777;
   if (::chmod(path.c_str(), wanted.st_mode & permissions) != 0) {
-    warn(like, "mode");
+    warn(like, "mode", "chmod");
   }
   if (const std::string list = access_list_of(like);
       !list.empty() && ::setxattr(path.c_str(), access_list, list.data(), list.size(), 0) != 0) {
-    warn(like, "access list");
+    warn(like, "access list", "setfacl");
   }
 }
 

@@ -10,8 +10,8 @@
 namespace foveola {
 
 enum class FileAccess {
-  usual,  ///< the umask's part of reading and writing for all
-  own     ///< 0600; in a folder with the set-group-ID bit, which a group shares, 0660
+  default_access,  ///< the umask's part of reading and writing for all
+  own              ///< 0600; in a folder with the set-group-ID bit, which a group shares, 0660
 };
 
 /// Makes an empty file at `path`. Returns false if it cannot, also if a file or a link is there.

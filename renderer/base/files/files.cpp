@@ -162,19 +162,19 @@ void read_file(const fs::path& path, std::string& content) {
   content.resize(size);
 }
 
-std::string read_file(const fs::path& path, std::size_t most_bytes, const std::string& remedy) {
+std::string read_file(const fs::path& path, std::size_t max_bytes, const std::string& remedy) {
   constexpr std::size_t portion = 65536;
   std::ifstream file = open_to_read(path);
   std::string content;
   std::size_t size = 0;
-  while (file && size <= most_bytes) {
+  while (file && size <= max_bytes) {
     content.resize(size + portion);
     file.read(content.data() + size, portion);
     size += static_cast<std::size_t>(file.gcount());
   }
-  if (size > most_bytes) {
+  if (size > max_bytes) {
     throw Error(path.string(),
-                fmt::format("has over {} bytes, the maximum that is read", most_bytes), remedy);
+                fmt::format("has over {} bytes, the maximum that is read", max_bytes), remedy);
   }
   if (!file.eof()) {
     throw cannot_be_read(path);

@@ -18,22 +18,22 @@ std::filesystem::path resource_folder();
 /// The folder of reproducible files: $XDG_CACHE_HOME/foveola, else ~/.cache/foveola.
 std::filesystem::path cache_folder();
 
-/// The folder of files that the user fetched: $XDG_DATA_HOME/foveola, else ~/.local/share/foveola.
+/// The folder of downloaded files: $XDG_DATA_HOME/foveola, else ~/.local/share/foveola.
 std::filesystem::path data_folder();
 
-/// The whole content of a regular file. Throws Error, naming the path, if it is missing, a folder,
-/// a pipe or a device, unreadable or out of reach.
+/// Returns the whole content of a regular file. Throws Error, naming the path, if it is missing, a
+/// folder, a pipe or a device, unreadable or inaccessible.
 std::string read_file(const std::filesystem::path& path);
 
-/// The same, into `content`, whose memory is reused.
+/// Reads the file into `content`, whose memory is reused. Throws as above.
 void read_file(const std::filesystem::path& path, std::string& content);
 
-/// The same for a file of at most `most_bytes`. Throws Error with `remedy` for a larger one, after
-/// reading no more than that.
-std::string read_file(const std::filesystem::path& path, std::size_t most_bytes,
+/// Returns the content of a file of at most `max_bytes`. Throws as above, and Error with `remedy`
+/// for a larger one, after reading no more than that.
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes,
                       const std::string& remedy);
 
-/// The extension of a file's name with its dot, ASCII letters in lower case.
+/// Returns the extension of a file's name with its dot, ASCII letters in lower case.
 std::string lower_case_extension(const std::filesystem::path& file);
 
 /// Throws Error unless a file at `path`, or at the target of a symbolic link there, could be
@@ -51,7 +51,8 @@ void sync_to_disk(const std::filesystem::path& path);
 class TemporaryFile {
  public:
   /// Throws Error if the folder of `final_path` does not exist or cannot be written.
-  explicit TemporaryFile(std::filesystem::path final_path, FileAccess access = FileAccess::usual);
+  explicit TemporaryFile(std::filesystem::path final_path,
+                         FileAccess access = FileAccess::default_access);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -73,11 +74,11 @@ class TemporaryFile {
 /// Error if the folder does not exist or cannot be written.
 void replace_file(const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path&)>& write,
-                  FileAccess access = FileAccess::usual);
+                  FileAccess access = FileAccess::default_access);
 
 /// replace_file with the bytes of `content`.
 void write_file(const std::filesystem::path& path, std::string_view content,
-                FileAccess access = FileAccess::usual);
+                FileAccess access = FileAccess::default_access);
 
 /// A new, empty folder among the system's temporary ones, removed with its content at the end of
 /// the scope.

@@ -78,12 +78,12 @@ void require_shallow(const std::string& file, std::string_view text, const std::
   }
 }
 
-constexpr std::size_t most_bytes = 4'000'000;
+constexpr std::size_t max_bytes = 4'000'000;
 
 void require_moderate_size(const std::string& file, std::string_view text,
                            const std::string& remedy) {
-  if (text.size() > most_bytes) {
-    throw Error(file, fmt::format("has over {} bytes, the maximum that is read", most_bytes),
+  if (text.size() > max_bytes) {
+    throw Error(file, fmt::format("has over {} bytes, the maximum that is read", max_bytes),
                 remedy);
   }
 }
@@ -91,7 +91,7 @@ void require_moderate_size(const std::string& file, std::string_view text,
 }  // namespace
 
 std::string read_toml_file(const fs::path& path) {
-  return read_file(path, most_bytes, "name a TOML file");
+  return read_file(path, max_bytes, "name a TOML file");
 }
 
 toml::table parse_toml(const std::string& file, const std::string& text,
@@ -123,7 +123,7 @@ std::vector<std::string> toml_names_in(const fs::path& folder) {
   return names;
 }
 
-std::vector<std::string> toml_names_if_any(const fs::path& folder) {
+std::vector<std::string> toml_names_or_none(const fs::path& folder) {
   std::error_code ignored;
   return fs::is_directory(folder, ignored) ? toml_names_in(folder) : std::vector<std::string>();
 }

@@ -63,24 +63,26 @@ class TomlKeys {
   /// In the order of their first request.
   std::vector<TomlKey> keys() const;
 
-  void asked(const std::string& table, std::string_view key, const TomlKeyRule& rule);
+  /// Records one request of a key. Types and defaults accumulate; the first stated range is kept,
+  /// and the last list of allowed values.
+  void record_request(const std::string& table, std::string_view key, const TomlKeyRule& rule);
   /// Records that a table was read completely, with these requested keys.
   void finished(const std::string& table, const std::set<std::string, std::less<>>& asked);
   void required(const std::string& table, std::string_view key);
   void called_formerly(const std::string& table, std::string_view key, std::string_view former);
 
  private:
-  struct Account {
+  struct KeyRecord {
     TomlKey key;
     std::set<std::optional<std::string>> defaults;
-    bool is_awaited = false;  ///< required in a request that follows: no default counts
-    int asked = 0;
+    bool is_default_ignored = false;  ///< at the next request, since that key is required
+    int requests = 0;
     int required = 0;
     int tables = 0;  ///< finished tables in which it was requested
   };
-  Account& account_of(const std::string& table, std::string_view key);
+  KeyRecord& record_of(const std::string& table, std::string_view key);
 
-  std::vector<Account> accounts_;
+  std::vector<KeyRecord> records_;
   std::map<std::pair<std::string, std::string>, std::size_t> places_;  ///< by table and key
   std::map<std::string, int> finished_;                                ///< by table
 };

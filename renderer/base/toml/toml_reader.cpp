@@ -349,7 +349,7 @@ const toml::node* TomlReader::find(const TomlKeyName& key, const TomlKeyRule& ru
   }
   asked_.emplace(key.name);
   if (keys_ != nullptr) {
-    keys_->asked(name_, key, rule);
+    keys_->record_request(name_, key, rule);
   }
   return table_->get(key);
 }

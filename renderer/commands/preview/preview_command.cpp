@@ -236,7 +236,7 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
                            .presenter = &shown_in.display.presenter(),
                            .workers = &workers,
                            .clock = &clock});
-  shown.own(std::move(first));
+  shown.keep_alive(std::move(first));
   LivePreviewReport report = shown.run(stop);
   report.threads = workers.threads();
   return report;

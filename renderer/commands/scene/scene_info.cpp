@@ -27,6 +27,7 @@
 namespace foveola {
 namespace {
 
+/// Facts of a loaded scene, with the time and memory that it takes.
 struct LoadedFacts {
   SceneSource source;
   std::string sha256;
@@ -49,11 +50,13 @@ LoadedFacts load_facts(const SceneSource& source, const std::stop_token& stop) {
   const Scene scene = load_watched(stop, [&] { return load_scene(source); });
   const double load_s = seconds(clock.now() - start);
   const SceneFacts facts = facts_of(scene);
+  // The acceleration structure is built only to measure its memory.
+  const std::size_t tracing_bytes = RayScene(scene, Workers()).memory_bytes();
   return {.source = source,
           .sha256 = scene.sha256,
           .warnings = scene.warnings,
           .load_s = load_s,
-          .tracing_bytes = RayScene(scene, Workers()).memory_bytes(),
+          .tracing_bytes = tracing_bytes,
           .facts = facts,
           .lights = scene.lights,
           .cameras = scene.cameras,

@@ -124,8 +124,8 @@ FileHashes read_gltf_buffers(GltfModel& model, std::string_view binary,
   return std::move(reader).take_hashes();
 }
 
-void require_modest_gltf_memory(std::size_t decoded_bytes, std::size_t encoded_bytes,
-                                const std::string& place) {
+void require_gltf_memory_limit(std::size_t decoded_bytes, std::size_t encoded_bytes,
+                               const std::string& place) {
   try {
     require_modest_memory(decoded_bytes, encoded_bytes);
   } catch (const std::runtime_error& refusal) {

@@ -19,7 +19,7 @@ FileHashes read_gltf_buffers(GltfModel& model, std::string_view binary,
                              const std::filesystem::path& folder);
 
 /// require_modest_memory, with a GltfFault at `place`.
-void require_modest_gltf_memory(std::size_t decoded_bytes, std::size_t encoded_bytes,
-                                const std::string& place);
+void require_gltf_memory_limit(std::size_t decoded_bytes, std::size_t encoded_bytes,
+                               const std::string& place);
 
 }  // namespace foveola

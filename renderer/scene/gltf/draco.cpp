@@ -33,7 +33,7 @@ constexpr std::size_t bytes_per_triangle = 128;
 struct DracoLimits {
   std::size_t max_points = 0;
   std::size_t max_triangles = 0;
-  std::size_t most_bytes = 0;  ///< of all attributes during decoding, estimated
+  std::size_t max_bytes = 0;  ///< of all attributes during decoding, estimated
 };
 
 constexpr std::uint16_t oldest_format = DRACO_BITSTREAM_VERSION(2, 2);
@@ -101,7 +101,7 @@ class LimitedDecoder : public Decoder {
       const std::size_t component = std::max(4, draco::DataTypeLength(attribute.data_type()));
       bytes_per_point += copies * component * attribute.num_components();
     }
-    if (bytes_per_point * this->point_cloud()->num_points() > limits_.most_bytes) {
+    if (bytes_per_point * this->point_cloud()->num_points() > limits_.max_bytes) {
       return refuse(fmt::format("would take {} bytes for each of {} vertices", bytes_per_point,
                                 this->point_cloud()->num_points()));
     }
@@ -221,7 +221,7 @@ class DracoDecompressor {
 
   /// The primitive's accessors' counts, if modest.
   DracoLimits limits_of(const GltfPrimitive& primitive, const std::string& place) {
-    constexpr std::size_t most_bytes = std::size_t{1} << 31;
+    constexpr std::size_t max_bytes = std::size_t{1} << 31;
     const int position = primitive.attribute("POSITION");
     if (position < 0) {
       throw GltfFault(place, "has no accessor for POSITION");
@@ -232,14 +232,14 @@ class DracoDecompressor {
     take(triangles * bytes_per_triangle, place);
     return {.max_points = points,
             .max_triangles = triangles,
-            .most_bytes = most_bytes - std::min(most_bytes, decoded_bytes_)};
+            .max_bytes = max_bytes - std::min(max_bytes, decoded_bytes_)};
   }
 
   GltfAccessor& accessor(int index) { return model_.accessors[static_cast<std::size_t>(index)]; }
 
   void take(std::size_t bytes, const std::string& place) {
     decoded_bytes_ += bytes;
-    require_modest_gltf_memory(decoded_bytes_, encoded_bytes_, place);
+    require_gltf_memory_limit(decoded_bytes_, encoded_bytes_, place);
   }
 
   void fill(int index, const draco::Mesh& mesh, std::uint32_t id, const std::string& place) {

@@ -176,11 +176,11 @@ class PrimitiveReader {
       budget_.take(bytes_of(*known), place);
       return *known;
     }
-    const std::size_t cases_before = warnings_.cases();
+    const std::size_t cases_before = warnings_.count();
     std::optional<Mesh> mesh =
         read_primitive(model_, primitive, needs, deformation, place, budget_, warnings_);
     // Kept primitives would not repeat their warnings.
-    if (digest && mesh && warnings_.cases() == cases_before) {
+    if (digest && mesh && warnings_.count() == cases_before) {
       kept_->keep(*digest, std::make_shared<const Mesh>(*mesh));
     }
     return mesh;

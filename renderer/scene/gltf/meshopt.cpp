@@ -22,8 +22,8 @@ struct Compressed {
   std::string filter;
 };
 
-Compressed compressed_in(const GltfValues& extension, const std::vector<GltfBytes>& buffers,
-                         const std::string& place) {
+Compressed read_extension(const GltfValues& extension, const std::vector<GltfBytes>& buffers,
+                          const std::string& place) {
   const GltfBytes& buffer = buffers[extension.natural("buffer")];
   const std::size_t offset = extension.natural("byteOffset");
   const std::size_t length = extension.natural("byteLength");
@@ -83,7 +83,7 @@ void apply_filter(const Compressed& source, GltfBytes& decoded) {
   }
 }
 
-GltfBytes decoded(const Compressed& source, const std::string& place) {
+GltfBytes decode_view(const Compressed& source, const std::string& place) {
   GltfBytes result(source.count * source.stride);
   if (!decode(source, result)) {
     throw GltfFault(place, "cannot be decoded: the compressed data is damaged");
@@ -95,6 +95,7 @@ GltfBytes decoded(const Compressed& source, const std::string& place) {
 }  // namespace
 
 void decompress_meshopt(GltfModel& model) {
+  // The limit holds for all views together.
   std::size_t decoded_bytes = 0;
   std::size_t encoded_bytes = 0;
   for (std::size_t i = 0; i < model.views.size(); ++i) {
@@ -103,12 +104,12 @@ void decompress_meshopt(GltfModel& model) {
       continue;
     }
     const std::string place = fmt::format("bufferViews[{}].extensions.{}", i, meshopt_extension);
-    const Compressed source = compressed_in(extension, model.buffers, place);
+    const Compressed source = read_extension(extension, model.buffers, place);
     require_decodable(source, place);
     decoded_bytes += source.count * source.stride;
     encoded_bytes += source.bytes.size();
-    require_modest_gltf_memory(decoded_bytes, encoded_bytes, place);
-    GltfBytes bytes = decoded(source, place);
+    require_gltf_memory_limit(decoded_bytes, encoded_bytes, place);
+    GltfBytes bytes = decode_view(source, place);
     model.views[i] = {
         .buffer = model.buffers.size(), .length = bytes.size(), .stride = model.views[i].stride};
     model.buffers.push_back(std::move(bytes));

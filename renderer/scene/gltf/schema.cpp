@@ -63,8 +63,8 @@ class Schema {
   }
 
   /// A number of 32 bits, not below `fewest`.
-  static Rule natural(std::int64_t fewest) {
-    return integer(fewest, std::numeric_limits<std::uint32_t>::max());
+  static Rule integer_from(std::int64_t minimum) {
+    return integer(minimum, std::numeric_limits<std::uint32_t>::max());
   }
 
   Rule node() const {
@@ -89,7 +89,7 @@ class Schema {
 
   Rule mesh() const {
     const Rule draco = object({{"bufferView", required, index("bufferViews")},
-                               {"attributes", required, map_of(natural(0))}});
+                               {"attributes", required, map_of(integer_from(0))}});
     const Rule primitive = object(
         {{"attributes", required, map_of(index("accessors"))},
          {"indices", optional, index("accessors")},
@@ -129,10 +129,10 @@ class Schema {
   Rule accessor() const {
     const Rule shape = object(
         {{"bufferView", optional, index("bufferViews")},
-         {"byteOffset", optional, natural(0)},
+         {"byteOffset", optional, integer_from(0)},
          {"componentType", required, one_of_integers({5120, 5121, 5122, 5123, 5125, 5126})},
          {"normalized", optional, boolean()},
-         {"count", required, natural(1)},
+         {"count", required, integer_from(1)},
          {"type", required, one_of({"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"})},
          {"sparse", optional, sparse()}});
     return [shape](const Json& value, const Place& place) {
@@ -145,21 +145,21 @@ class Schema {
 
   Rule sparse() const {
     const Rule index_type = one_of_integers({5121, 5123, 5125});
-    return object({{"count", required, natural(1)},
+    return object({{"count", required, integer_from(1)},
                    {"indices", required,
                     object({{"bufferView", required, index("bufferViews")},
-                            {"byteOffset", optional, natural(0)},
+                            {"byteOffset", optional, integer_from(0)},
                             {"componentType", required, index_type}})},
                    {"values", required,
                     object({{"bufferView", required, index("bufferViews")},
-                            {"byteOffset", optional, natural(0)}})}});
+                            {"byteOffset", optional, integer_from(0)}})}});
   }
 
   Rule buffer_view() const {
     const Rule shape = object(
         {{"buffer", required, index("buffers")},
-         {"byteOffset", optional, natural(0)},
-         {"byteLength", required, natural(1)},
+         {"byteOffset", optional, integer_from(0)},
+         {"byteLength", required, integer_from(1)},
          {"byteStride", optional, integer(4, 252)},
          {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt()}})}});
     return [shape, this](const Json& value, const Place& place) {
@@ -167,6 +167,7 @@ class Schema {
       if (value.value("byteStride", 4) % 4 != 0) {
         throw GltfFault(place.path() + ".byteStride", "must be a multiple of 4");
       }
+      // `buffers` has been checked: see document().
       const Json& buffer = document_["buffers"][value["buffer"].get<std::size_t>()];
       const std::uint64_t end =
           value.value("byteOffset", std::uint64_t{0}) + value["byteLength"].get<std::uint64_t>();
@@ -180,10 +181,10 @@ class Schema {
   Rule meshopt() const {
     return object(
         {{"buffer", required, index("buffers")},
-         {"byteOffset", optional, natural(0)},
-         {"byteLength", required, natural(1)},
+         {"byteOffset", optional, integer_from(0)},
+         {"byteLength", required, integer_from(1)},
          {"byteStride", required, integer(1, 256)},
-         {"count", required, natural(1)},
+         {"count", required, integer_from(1)},
          {"mode", required, one_of({"ATTRIBUTES", "TRIANGLES", "INDICES"})},
          {"filter", optional, one_of({"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"})}});
   }
@@ -191,7 +192,7 @@ class Schema {
   static Rule buffer() {
     const Rule meshopt = object({{"fallback", optional, boolean()}});
     return object(
-        {{"byteLength", required, natural(1)},
+        {{"byteLength", required, integer_from(1)},
          {"uri", optional, text()},
          {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt}})}});
   }

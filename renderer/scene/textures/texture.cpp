@@ -84,7 +84,7 @@ using Texel = glm::vec<channels, float>;
 
 /// Light, and alpha from 0 to 255: it is linear, and can be scaled once after filtering.
 template <int channels>
-Texel<channels> decoded(const std::uint8_t* codes, const float* linear_from_byte) {
+Texel<channels> decode(const std::uint8_t* codes, const float* linear_from_byte) {
   Texel<channels> texel;
   for (int i = 0; i < channels; ++i) {
     const bool is_alpha = channels % 2 == 0 && i == channels - 1;
@@ -94,7 +94,7 @@ Texel<channels> decoded(const std::uint8_t* codes, const float* linear_from_byte
 }
 
 template <int channels>
-Vec4 expanded(const Texel<channels>& texel) {
+Vec4 expand(const Texel<channels>& texel) {
   if constexpr (channels == 1) {
     return {texel[0], texel[0], texel[0], 1.0F};
   } else if constexpr (channels == 2) {
@@ -106,13 +106,15 @@ Vec4 expanded(const Texel<channels>& texel) {
   }
 }
 
+/// Bilinear filter of the four texels at u and v. linear_from_byte: 256 linear values by sRGB byte.
+/// has_opacity: the last channel weights the colours.
 template <int channels, bool has_opacity = false>
-Vec4 filtered(const std::uint8_t* codes, int width, const float* linear_from_byte, const Taps& u,
-              const Taps& v) {
+Vec4 filter_bilinear(const std::uint8_t* codes, int width, const float* linear_from_byte,
+                     const Taps& u, const Taps& v) {
   const std::uint8_t* upper_row = codes + static_cast<std::ptrdiff_t>(v.first) * width * channels;
   const std::uint8_t* lower_row = codes + static_cast<std::ptrdiff_t>(v.second) * width * channels;
   const auto texel = [&](const std::uint8_t* row, int x) {
-    return decoded<channels>(row + static_cast<std::ptrdiff_t>(x) * channels, linear_from_byte);
+    return decode<channels>(row + static_cast<std::ptrdiff_t>(x) * channels, linear_from_byte);
   };
   const auto mix = [](const auto& from, const auto& to, float weight) {
     if constexpr (has_opacity) {
@@ -125,7 +127,7 @@ Vec4 filtered(const std::uint8_t* codes, int width, const float* linear_from_byt
       mix(texel(upper_row, u.first), texel(upper_row, u.second), u.weight_second);
   const Texel<channels> lower =
       mix(texel(lower_row, u.first), texel(lower_row, u.second), u.weight_second);
-  return expanded<channels>(mix(upper, lower, v.weight_second));
+  return expand<channels>(mix(upper, lower, v.weight_second));
 }
 
 }  // namespace
@@ -229,18 +231,18 @@ Vec4 Texture::sample_level(const MipLevel& level, Filter filter, const Vec2& uv)
   }
   const std::uint8_t* codes = codes_ + level.offset;
   if (texels_->has_opacity()) {
-    return channels_ == 2 ? filtered<2, true>(codes, level.width, linear_from_byte_, u, v)
-                          : filtered<4, true>(codes, level.width, linear_from_byte_, u, v);
+    return channels_ == 2 ? filter_bilinear<2, true>(codes, level.width, linear_from_byte_, u, v)
+                          : filter_bilinear<4, true>(codes, level.width, linear_from_byte_, u, v);
   }
   switch (channels_) {
     case 1:
-      return filtered<1>(codes, level.width, linear_from_byte_, u, v);
+      return filter_bilinear<1>(codes, level.width, linear_from_byte_, u, v);
     case 2:
-      return filtered<2>(codes, level.width, linear_from_byte_, u, v);
+      return filter_bilinear<2>(codes, level.width, linear_from_byte_, u, v);
     case 3:
-      return filtered<3>(codes, level.width, linear_from_byte_, u, v);
+      return filter_bilinear<3>(codes, level.width, linear_from_byte_, u, v);
     default:
-      return filtered<4>(codes, level.width, linear_from_byte_, u, v);
+      return filter_bilinear<4>(codes, level.width, linear_from_byte_, u, v);
   }
 }
 

@@ -211,7 +211,7 @@ LightSamples Lights::sample(const ShadingPoints& shading_points, const LightNumb
       any_one = true;
     }
   };
-  TriangleLights::Drawn drawn = local_.nothing_drawn();
+  TriangleLights::Drawn drawn = local_.make_batch();
   LaneMask is_drawn{};
   FloatLanes local_probability{};
   for_each_lane(lanes, [&](std::size_t lane) {

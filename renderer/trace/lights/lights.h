@@ -117,11 +117,11 @@ class Lights {
   /// Whether rays may hit points and spots.
   bool has_spheres() const { return local_.has_spheres(); }
   /// The lanes whose rays may hit one.
-  LaneMask may_meet_sphere(const Vec3s& origin, const Vec3s& direction) const {
-    return local_.may_meet_sphere(origin, direction);
+  LaneMask may_hit_sphere(const Vec3s& origin, const Vec3s& direction) const {
+    return local_.may_hit_sphere(origin, direction);
   }
-  /// Calls visit(PunctualLights::Met) for the spheres on a ray from the shading point, with the
-  /// density of sample(), whatever else the ray hits.
+  /// Calls visit(PunctualLights::SphereHit) for the spheres on a ray from the shading point, with
+  /// the density of sample(), whatever else the ray hits.
   template <typename Visit>
   void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, const Visit& visit) const {
     local_.visit_spheres(shading_point, ray, learned_.kinds(shading_point.region).local,

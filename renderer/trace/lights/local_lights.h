@@ -15,7 +15,7 @@ namespace foveola {
 
 class LocalLights {
  public:
-  /// The scene must outlive this object. max_in_table: see LightChoice; for the default selection.
+  /// The scene must outlive it. max_in_table: see LightChoice; for the default selection.
   LocalLights(const Scene& scene, const LightSampling& sampling, std::size_t max_in_table);
 
   /// Whether no light can be drawn.
@@ -23,20 +23,21 @@ class LocalLights {
 
   const CoincidentSurfaces& coincident() const { return triangles_.coincident(); }
 
-  /// Whether some emission is not sampled (see TriangleLights).
+  /// Whether sample() leaves out some emissive triangles (see TriangleLights), which only rays
+  /// find.
   bool has_unlisted() const { return triangles_.has_unlisted(); }
 
-  /// Luminous power, in radiance times square metre times steradian.
+  /// Luminous power, in units of radiance x m^2 x sr.
   double power() const { return power_; }
 
   bool has_spheres() const { return choice_ && !punctual_.spheres().empty(); }
 
   /// The lanes whose rays may hit a point's or a spot's sphere.
-  LaneMask may_meet_sphere(const Vec3s& origin, const Vec3s& direction) const {
-    return punctual_.may_meet(origin, direction);
+  LaneMask may_hit_sphere(const Vec3s& origin, const Vec3s& direction) const {
+    return punctual_.may_hit(origin, direction);
   }
 
-  /// Number of points and spots without size.
+  /// Number of points and spots of radius 0.
   std::size_t sizeless() const { return punctual_.size() - punctual_.spheres().size(); }
 
   /// Number of lights with power.
@@ -51,40 +52,43 @@ class LocalLights {
                                          const Vec2& u,
                                          const LightTree::Preferences* preferences) const;
 
-  /// The light that sample() chooses without preferences.
+  /// Chooses a light as sample() does without preferences; nullopt if none can reach the point.
+  /// u_choice: in the unit square. Not to be called when empty().
   std::optional<ChosenLight> light_drawn(const ShadingPoint& shading_point,
                                          const Vec2& u_choice) const {
     return choice_->sample(shading_point, u_choice, nullptr);
   }
 
-  /// An empty container for choose().
-  TriangleLights::Drawn nothing_drawn() const { return TriangleLights::Drawn(triangles_); }
+  /// Returns an empty batch of chosen lights for choose().
+  TriangleLights::Drawn make_batch() const { return TriangleLights::Drawn(triangles_); }
 
-  /// Chooses a light for the shading point in a lane. Adds it to `drawn` if that supports it;
-  /// otherwise samples it now, as sample() does.
+  /// Chooses a light for the shading point of a lane. If a batch can sample it, it is added to
+  /// `drawn`; otherwise it is sampled at once into `sampled`, as by sample(). Not to be called when
+  /// empty().
   enum class Choice { nothing, drawn, sampled };
   Choice choose(const ShadingPoint& shading_point, const Vec2& u_choice, const Vec2& u,
                 const LightTree::Preferences* preferences, std::size_t lane,
                 TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
 
   /// Density, per steradian, of sample() for the point that a ray from the shading point hit; 0 for
-  /// surfaces that are not sampled.
+  /// surfaces that are not sampled. distance: to the hit, in metres. cosine: between the ray and
+  /// the triangle's normal.
   float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                      float cosine, const LightTree::Preferences* preferences) const;
 
-  /// Calls visit(PunctualLights::Met) for the spheres on a ray from the shading point. Densities
-  /// are those of samples, given the probability of this kind of light. Not to be called when
-  /// empty().
+  /// Calls visit(PunctualLights::SphereHit) for the spheres on a ray from the shading point.
+  /// Densities are those of samples, given the probability of this kind of light. Not to be called
+  /// when empty().
   template <typename Visit>
   void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, float kind_probability,
                      const LightTree::Preferences* preferences, const Visit& visit) const {
     for (const std::size_t light : punctual_.spheres()) {
-      if (auto met = punctual_.meet(light, ray.origin, ray.direction)) {
+      if (auto hit = punctual_.hit(light, ray.origin, ray.direction)) {
         const float probability =
             kind_probability *
             choice_->probability(shading_point, triangles_.size() + light, preferences);
-        met->pdf = probability > 0.0F ? probability * met->pdf : 0.0F;
-        visit(*met);
+        hit->pdf = probability > 0.0F ? probability * hit->pdf : 0.0F;
+        visit(*hit);
       }
     }
   }

@@ -179,8 +179,8 @@ std::optional<LocalLightSample> PunctualLights::sample(std::size_t light, const 
   return is_finite(sample.radiance) ? std::optional(sample) : std::nullopt;
 }
 
-std::optional<PunctualLights::Met> PunctualLights::meet(std::size_t light, const Vec3& origin,
-                                                        const Vec3& direction) const {
+std::optional<PunctualLights::SphereHit> PunctualLights::hit(std::size_t light, const Vec3& origin,
+                                                             const Vec3& direction) const {
   const PunctualLight& source = lights_[light];
   const Vec3 to_centre = source.position - origin;
   const float along = glm::dot(to_centre, direction);
@@ -194,17 +194,17 @@ std::optional<PunctualLights::Met> PunctualLights::meet(std::size_t light, const
     return std::nullopt;
   }
   const float half_chord = std::sqrt(squared_half_chord);
-  const Met met{.t = view->is_from_inside() ? along + half_chord : along - half_chord,
-                .radiance = view->radiance(),
-                .pdf = view->is_sphere ? 1.0F / view->cone().solid_angle()
-                                       : std::numeric_limits<float>::infinity()};
+  const SphereHit met{.t = view->is_from_inside() ? along + half_chord : along - half_chord,
+                      .radiance = view->radiance(),
+                      .pdf = view->is_sphere ? 1.0F / view->cone().solid_angle()
+                                             : std::numeric_limits<float>::infinity()};
   return met.t > 0.0F && is_finite(met.radiance) ? std::optional(met) : std::nullopt;
 }
 
-LaneMask PunctualLights::may_meet(const Vec3s& origin, const Vec3s& direction) const {
+LaneMask PunctualLights::may_hit(const Vec3s& origin, const Vec3s& direction) const {
   LaneMask lanes{};
   for (const std::size_t light : spheres_) {
-    // With a margin for rounding, here and in meet().
+    // With a margin for rounding, here and in hit().
     const float squared_radius = 1.01F * lights_[light].radius_m * lights_[light].radius_m;
     const Vec3s to_centre = all_lanes(lights_[light].position) - origin;
     const Floats along = dot(to_centre, direction);

@@ -41,17 +41,17 @@ class PunctualLights {
   std::optional<LocalLightSample> sample(std::size_t light, const Vec3& place, const Vec2& u) const;
 
   /// A ray's hit of a sphere.
-  struct Met {
+  struct SphereHit {
     float t;  ///< end of the shadow ray of sample()
     Rgb radiance;
     float pdf;  ///< per steradian, of sample() from the ray's origin; infinite: counts as a point
   };
   /// nullopt if the ray misses the light's sphere, or if the sphere does not emit towards its
   /// origin. direction: unit length.
-  std::optional<Met> meet(std::size_t light, const Vec3& origin, const Vec3& direction) const;
+  std::optional<SphereHit> hit(std::size_t light, const Vec3& origin, const Vec3& direction) const;
 
   /// The lanes whose rays may hit a sphere.
-  LaneMask may_meet(const Vec3s& origin, const Vec3s& direction) const;
+  LaneMask may_hit(const Vec3s& origin, const Vec3s& direction) const;
 
  private:
   std::vector<PunctualLight> lights_;

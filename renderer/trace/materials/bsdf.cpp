@@ -41,8 +41,8 @@ OpaqueLayersOf<float> layers_of(const Reflectance& reflectance, const Scattering
   const CoatReflectance coat = coat_reflectance(reflectance);
   return OpaqueLayersOf<float>({.base_color = reflectance.base_color,
                                 .metallic = reflectance.metallic,
-                                .coat_normal = coat.normal,
-                                .coat_grazing = coat.grazing,
+                                .coat_f0 = coat.normal,
+                                .coat_f90 = coat.grazing,
                                 .coated = reflectance.is_solid ? opaque : dielectric,
                                 .opaque = opaque},
                                tables.ggx().row(reflectance.roughness), cosine);
@@ -133,7 +133,7 @@ BsdfValue Bsdf::eval(const Vec3& incoming, bool is_reflected) const {
 BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
   BsdfValue value;
   if (specular_probability_ + glass_share_ > 0.0F && !microfacets_.is_smooth()) {
-    const MicrofacetLobe::Facets facets = microfacets_.facets(incoming);
+    const MicrofacetLobe::LobeValue facets = microfacets_.eval(incoming);
     value = layers_.specular(facets);
     value.pdf *= specular_probability_;
     if (glass_ && !is_glass_smooth_) {
@@ -212,8 +212,8 @@ std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(float u_fresnel, const Vec2& u) const {
-  const Vec3 normal =
-      is_glass_smooth_ ? Vec3(0.0F, 0.0F, 1.0F) : microfacets_.ggx().visible_normal(outgoing_, u);
+  const Vec3 normal = is_glass_smooth_ ? Vec3(0.0F, 0.0F, 1.0F)
+                                       : microfacets_.ggx().sample_visible_normal(outgoing_, u);
   const float reflectance = glass_->reflectance(std::min(glm::dot(outgoing_, normal), 1.0F));
   if (u_fresnel < reflectance) {
     if (!is_glass_smooth_) {

@@ -62,7 +62,7 @@ BsdfValue CoverLayers::over(const BsdfValue& base, const Vec3& incoming) const {
                   .pdf = base_probability() * base.pdf};
   const Vec3 coat_incoming = coat_frame_.to_local(incoming);
   if (clearcoat_strength_ > 0.0F && !clearcoat_.is_smooth() && coat_incoming.z > 0.0F) {
-    const MicrofacetLobe::Facets facets = clearcoat_.facets(coat_incoming);
+    const MicrofacetLobe::LobeValue facets = clearcoat_.eval(coat_incoming);
     value.times_cosine +=
         Rgb(clearcoat_strength_ * clearcoat_reflectance(facets.cosine) * facets.times_cosine);
     value.pdf += clearcoat_probability_ * facets.pdf;

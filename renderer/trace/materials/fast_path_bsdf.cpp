@@ -18,7 +18,7 @@ bool is_on_fast_path(const Reflectance& reflectance) {
 }
 
 bool is_on_fast_path(const FastPathLayers& layers) {
-  return !layers.is_shiny || layers.roughness * layers.roughness >= fine_alpha;
+  return !layers.is_shiny || layers.roughness * layers.roughness >= min_float_alpha;
 }
 
 void FastPathLayersLanes::put(std::size_t lane, const FastPathLayers& layers) {
@@ -52,8 +52,8 @@ OpaqueLayersOf<Floats> FastPathBsdfs::shiny_layers(const FastPathLayersLanes& la
   const Floats dielectric = 1.0F - metallic;
   return OpaqueLayersOf<Floats>({.base_color = layers.base_color_.load(),
                                  .metallic = metallic,
-                                 .coat_normal = layers.coat_normal_.load(),
-                                 .coat_grazing = layers.coat_grazing_.load(),
+                                 .coat_f0 = layers.coat_normal_.load(),
+                                 .coat_f90 = layers.coat_grazing_.load(),
                                  .coated = dielectric,
                                  .opaque = dielectric},
                                 albedo.row(layers.roughness_.load()), outgoing_.z);
@@ -63,7 +63,7 @@ FastPathBsdfs::Values FastPathBsdfs::eval(const Vec3s& incoming) const {
   const LaneMask is_above = incoming.z > 0.0F;
   Values values = layers_.diffuse(is_above ? incoming.z : Floats{}, diffuse_probability_);
   if (any_shiny_) {
-    auto facets = microfacets_->facets(
+    auto facets = microfacets_->eval(
         {incoming.x, incoming.y, is_above ? incoming.z : all_lanes(1.0F)}, specular_probability_);
     const LaneMask is_seen = is_above & (specular_probability_ > 0.0F);
     facets.times_cosine = is_seen ? facets.times_cosine : Floats{};

@@ -2,7 +2,7 @@
 
 namespace foveola {
 
-Vec3 fine_half_vector(const Vec3& a, const Vec3& b) {
+Vec3 half_vector_in_double(const Vec3& a, const Vec3& b) {
   return Vec3(glm::normalize(glm::normalize(DVec3(a)) + glm::normalize(DVec3(b))));
 }
 

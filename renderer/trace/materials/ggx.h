@@ -10,19 +10,20 @@
 namespace foveola {
 
 /// Below it a surface is a perfect mirror: reflections at this roughness blur over 0.006 degrees.
-constexpr float smallest_roughness = 0.01F;
+constexpr float min_roughness = 0.01F;
 
-/// Below this alpha, the slopes of half vectors are finer than floats near 1.
-constexpr float fine_alpha = 0.01F;
+/// Below this alpha, float cannot resolve the slopes of half vectors.
+constexpr float min_float_alpha = 0.01F;
 
 /// normalize(a + b) in double. Not inline, since few surfaces are so smooth.
-Vec3 fine_half_vector(const Vec3& a, const Vec3& b);
+Vec3 half_vector_in_double(const Vec3& a, const Vec3& b);
 
-/// The normal that reflects one direction into the other. The density is sensitive to its slope.
+/// The normal that reflects one direction into the other. The density falls off over slopes of
+/// about alpha, so that a small alpha needs precise slopes.
 inline Vec3 half_vector(float alpha, const Vec3& a, const Vec3& b) {
-  return alpha < fine_alpha ? fine_half_vector(a, b) : normalized(a + b);
+  return alpha < min_float_alpha ? half_vector_in_double(a, b) : normalized(a + b);
 }
-/// The same for lanes, with alpha >= fine_alpha.
+/// The same for lanes, with alpha >= min_float_alpha.
 inline Vec3s half_vector(const Floats& /*alpha*/, const Vec3s& a, const Vec3s& b) {
   return normalized(a + b);
 }
@@ -51,8 +52,8 @@ struct GgxOf {
 
   /// A microfacet normal as seen from `w`, with density G1(w) max(0, w.n) density(n) / w.z (Dupuy
   /// and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"). u: in [0, 1).
-  Vector visible_normal(const Vector& w, const SinesCosines<Number>& azimuth,
-                        const Number& u) const {
+  Vector sample_visible_normal(const Vector& w, const SinesCosines<Number>& azimuth,
+                               const Number& u) const {
     const Vector stretched = normalized(Vector{alpha * w.x, alpha * w.y, w.z});
     // Depth of the cap's point below the sphere's top. Without differences from 1, small and large
     // u stay precise.
@@ -63,8 +64,8 @@ struct GgxOf {
                              (1.0F - u) * (1.0F + stretched.z)});
   }
   /// The same with a random azimuth. u: in the unit square.
-  Vector visible_normal(const Vector& w, const Vec2Of<Number>& u) const {
-    return visible_normal(w, azimuth_at(u.x), u.y);
+  Vector sample_visible_normal(const Vector& w, const Vec2Of<Number>& u) const {
+    return sample_visible_normal(w, azimuth_at(u.x), u.y);
   }
 };
 using Ggx = GgxOf<float>;
@@ -81,7 +82,7 @@ class MicrofacetLobeOf {
  public:
   using Vector = Vec3Of<Number>;
 
-  /// For assignment only.
+  /// Without a direction; assign before use.
   MicrofacetLobeOf() = default;
 
   /// outgoing: unit length, z > 0.
@@ -95,14 +96,14 @@ class MicrofacetLobeOf {
 
   const GgxOf<Number>& ggx() const { return ggx_; }
 
-  struct Facets {
+  struct LobeValue {
     Number times_cosine;  ///< BSDF times the incoming cosine for a Fresnel reflectance of 1
     Number pdf;           ///< per steradian, of sample()
     Number cosine;        ///< between the half vector and either direction, in [0, 1]
   };
 
   /// incoming: unit length, z > 0. probability: of sampling this lobe, a factor of the density.
-  Facets facets(const Vector& incoming, const Number& probability) const {
+  LobeValue eval(const Vector& incoming, const Number& probability) const {
     const Vector half = half_vector(ggx_.alpha, outgoing_, incoming);
     // Both share D / (4 cos(outgoing)), with D as in GgxOf::density(); the masking is G2 in the
     // BSDF and G1 in the density of visible normals (Heitz 2018, eq. 17). One division serves both.
@@ -114,11 +115,11 @@ class MicrofacetLobeOf {
             .cosine = smaller(dot(outgoing_, half), 1.0F)};
   }
 
-  Facets facets(const Vector& incoming) const { return facets(incoming, Number{} + 1.0F); }
+  LobeValue eval(const Vector& incoming) const { return eval(incoming, Number{} + 1.0F); }
 
-  /// Unit length; z <= 0 if it lies below the surface. u: see GgxOf::visible_normal().
+  /// Unit length; z <= 0 if it lies below the surface. u: see GgxOf::sample_visible_normal().
   Vector sample(const SinesCosines<Number>& azimuth, const Number& u) const {
-    return reflected(outgoing_, ggx_.visible_normal(outgoing_, azimuth, u));
+    return reflected(outgoing_, ggx_.sample_visible_normal(outgoing_, azimuth, u));
   }
 
  private:
@@ -137,11 +138,11 @@ class MicrofacetLobe : public MicrofacetLobeOf<float> {
 
   /// roughness: perceptual, in [0, 1].
   MicrofacetLobe(float roughness, const Vec3& outgoing)
-      : MicrofacetLobeOf({.alpha = roughness < smallest_roughness ? 1.0F : roughness * roughness},
+      : MicrofacetLobeOf({.alpha = roughness < min_roughness ? 1.0F : roughness * roughness},
                          outgoing),
-        is_smooth_(roughness < smallest_roughness) {}
+        is_smooth_(roughness < min_roughness) {}
 
-  /// A perfect mirror, for which facets() and sample() are not defined.
+  /// A perfect mirror, for which eval() and sample() are not defined.
   bool is_smooth() const { return is_smooth_; }
 
  private:

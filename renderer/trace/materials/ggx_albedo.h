@@ -106,9 +106,9 @@ class GgxAlbedo {
   using Row = RowOf<float>;
   using Rows = RowOf<Floats>;
 
-  /// roughness: perceptual, in [0, 1]; below smallest_roughness, a perfect mirror.
+  /// roughness: perceptual, in [0, 1]; below min_roughness, a perfect mirror.
   Row row(float roughness) const;
-  /// roughness: in [smallest_roughness, 1].
+  /// roughness: in [min_roughness, 1].
   Rows row(const Floats& roughness) const { return rough_row(roughness); }
 
  private:
@@ -225,7 +225,7 @@ inline GgxAlbedo::Row GgxAlbedo::mirror_row() const {
 
 inline GgxAlbedo::Row GgxAlbedo::row(float roughness) const {
   assert(roughness >= 0.0F && roughness <= 1.0F);
-  return roughness < smallest_roughness ? mirror_row() : rough_row(roughness);
+  return roughness < min_roughness ? mirror_row() : rough_row(roughness);
 }
 
 }  // namespace foveola

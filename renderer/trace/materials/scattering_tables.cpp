@@ -79,7 +79,7 @@ GlassAlbedo::GlassAlbedo(float ior, const Workers& workers)
 }
 
 float GlassAlbedo::at(float roughness, float cosine, bool from_inside) const {
-  assert(roughness >= smallest_roughness && roughness <= 1.0F);
+  assert(roughness >= min_roughness && roughness <= 1.0F);
   const NodePosition row(roughness, roughness_steps);
   const NodePosition place(albedo_position(cosine, roughness * roughness), cosine_steps);
   const float* smoother =

@@ -22,7 +22,7 @@ class GlassAlbedo {
 
   float ior() const { return ior_; }
 
-  /// Reflected plus transmitted share of the power. roughness: in [smallest_roughness, 1]. cosine:
+  /// Reflected plus transmitted share of the power. roughness: in [min_roughness, 1]. cosine:
   /// between the normal and the direction, in [0, 1].
   float at(float roughness, float cosine, bool from_inside) const;
 
@@ -32,11 +32,11 @@ class GlassAlbedo {
 };
 
 /// Minimum index of refraction of rough glass: below it the roughness is invisible.
-constexpr float smallest_rough_ior = 1.001F;
+constexpr float min_rough_ior = 1.001F;
 
 /// Whether a glass material counts as rough.
 inline bool is_rough_glass(float ior, float roughness) {
-  return ior >= smallest_rough_ior && roughness >= smallest_roughness;
+  return ior >= min_rough_ior && roughness >= min_roughness;
 }
 
 class ScatteringTables {

@@ -17,16 +17,16 @@ constexpr int sheen_cosine_steps = 64;
 constexpr std::size_t sheen_rows = sheen_roughness_steps + 1;
 constexpr std::size_t sheen_nodes_in_row = sheen_cosine_steps + 1;
 
-constexpr float roughness_range = 1.0F - CharlieSheen::smallest_roughness;
+constexpr float roughness_range = 1.0F - CharlieSheen::min_roughness;
 
 /// A roughness's position on the table's axis, whose nodes are denser for fine fibres.
 float roughness_position(float roughness) {
-  return std::sqrt(std::max(0.0F, roughness - CharlieSheen::smallest_roughness) / roughness_range);
+  return std::sqrt(std::max(0.0F, roughness - CharlieSheen::min_roughness) / roughness_range);
 }
 
 float roughness_of_row(std::size_t row) {
   const float position = static_cast<float>(row) / sheen_roughness_steps;
-  return CharlieSheen::smallest_roughness + roughness_range * position * position;
+  return CharlieSheen::min_roughness + roughness_range * position * position;
 }
 
 /// A cosine's position on the table's axis, whose nodes are denser towards grazing angles.
@@ -63,7 +63,7 @@ float integrate_albedo(float roughness, float cosine) {
 }  // namespace
 
 CharlieSheen::CharlieSheen(float roughness, const Vec3& outgoing) : outgoing_(outgoing) {
-  const float clamped = std::max(roughness, smallest_roughness);
+  const float clamped = std::max(roughness, min_roughness);
   const float alpha = clamped * clamped;
   const float smoothness = (1.0F - alpha) * (1.0F - alpha);
   inverse_alpha_ = 1.0F / alpha;

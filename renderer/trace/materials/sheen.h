@@ -13,7 +13,7 @@ namespace foveola {
 /// length, z > 0.
 class CharlieSheen {
  public:
-  /// roughness: perceptual, in [0, 1]; values below smallest_roughness are raised to it.
+  /// roughness: perceptual, in [0, 1]; values below min_roughness are raised to it.
   CharlieSheen(float roughness, const Vec3& outgoing);
 
   /// BSDF times the incoming direction's cosine, for the sheen colour 1.
@@ -23,7 +23,7 @@ class CharlieSheen {
   float outgoing_factor() const { return 0.25F / (outgoing_.z * (1.0F + lambda_outgoing_)); }
 
   /// Finer fibres would reflect only within 4 degrees of the surface.
-  static constexpr float smallest_roughness = 0.07F;
+  static constexpr float min_roughness = 0.07F;
 
  private:
   /// Smith's Lambda, their fit (eq. 3 and table 1).

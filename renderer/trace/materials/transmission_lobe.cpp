@@ -13,7 +13,7 @@ TransmissionValue ThinWall::eval(const Vec3& incoming) const {
 }
 
 Vec3 ThinWall::sample(const Vec2& u) const {
-  const Vec3 mirrored = reflected(outgoing_, ggx_.visible_normal(outgoing_, u));
+  const Vec3 mirrored = reflected(outgoing_, ggx_.sample_visible_normal(outgoing_, u));
   return {mirrored.x, mirrored.y, -mirrored.z};
 }
 

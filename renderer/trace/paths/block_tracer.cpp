@@ -152,8 +152,8 @@ LaneMask BlockTracer::arrive(const Group& group, const Surfaces& surfaces,
   if (notes_.vertices != nullptr) {
     arrived = LaneMask{};
   } else if (traced_.lights.has_spheres()) {
-    arrived &= ~traced_.lights.may_meet_sphere(paths_->origin.load(group.first),
-                                               paths_->direction.load(group.first));
+    arrived &= ~traced_.lights.may_hit_sphere(paths_->origin.load(group.first),
+                                              paths_->direction.load(group.first));
   }
   const LaneMask gathering = group.lanes() & ~arrived;
   if (vertex_ > settings_.max_depth) {
@@ -206,7 +206,7 @@ void BlockTracer::add_environment(const Path& path) {
 }
 
 void BlockTracer::add_spheres(const Path& path, const Hit& hit) {
-  const auto add = [&](const PunctualLights::Met& sphere) {
+  const auto add = [&](const PunctualLights::SphereHit& sphere) {
     if (sphere.t > path.ray.t_min && sphere.t < hit.t) {
       radiance_[path.job] += path.throughput * sphere.radiance *
                              transmittance(path.absorption_per_m, sphere.t - path.ray.t_min) *

@@ -71,7 +71,7 @@ std::optional<std::uint32_t> solid_around(const Scene& scene, const RayScene& ra
 bool is_smooth_glass_or_mirror(const Material& material) {
   return (material.refracts() && material.metallic < 1.0F &&
           !is_rough_glass(material.ior, material.roughness)) ||
-         (material.metallic > 0.0F && material.roughness < smallest_roughness);
+         (material.metallic > 0.0F && material.roughness < min_roughness);
 }
 
 /// Lamps of less area, and spheres of less cross-section, are met by fewer than one in 300 rays

@@ -2,16 +2,18 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 
 namespace foveola {
 namespace {
 
-void keep_first_error(void* text, RTCError, const char* message) {
-  auto& first = *static_cast<std::string*>(text);
-  if (first.empty()) {
-    first = message;
+void keep_first_failure(void* failure, RTCError code, const char* message) {
+  auto& first = *static_cast<EmbreeFailure*>(failure);
+  if (first.code == RTC_ERROR_NONE) {
+    first = {code, message};
   }
 }
 
@@ -31,16 +33,24 @@ std::string device_configuration() {
 
 EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_configuration().c_str())) {
   if (!device_) {
-    throw Error("ray tracing (Embree)", "cannot start on this machine");
+    const RTCError code = rtcGetDeviceError(nullptr);
+    throw Error("ray tracing (Embree)",
+                code == RTC_ERROR_UNSUPPORTED_CPU
+                    ? "cannot start: it does not support this processor"
+                    : fmt::format("cannot start: error {}", static_cast<int>(code)),
+                "use a processor with SSE4.2 and free memory");
   }
-  rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error_);
+  rtcSetDeviceErrorFunction(device_.get(), keep_first_failure, &failure_);
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_bytes, &memory_bytes_);
 }
 
 void EmbreeDevice::throw_if_failed() const {
-  if (!error_.empty()) {
-    throw Error("ray tracing (Embree)", std::exchange(error_, {}),
-                "try a smaller scene or a machine with more memory");
+  if (failure_.code != RTC_ERROR_NONE) {
+    const EmbreeFailure failure = std::exchange(failure_, {});
+    throw Error("ray tracing (Embree)", "cannot prepare the scene: " + failure.message,
+                failure.code == RTC_ERROR_OUT_OF_MEMORY
+                    ? "try a smaller scene or a machine with more memory"
+                    : "report this fault with the scene, as CONTRIBUTING.md describes");
   }
 }
 

@@ -22,6 +22,12 @@ using FromEmbree = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseFromEmb
 template <typename Handle>
 using SharedFromEmbree = std::shared_ptr<std::remove_pointer_t<Handle>>;
 
+/// The first failure that Embree reported.
+struct EmbreeFailure {
+  RTCError code = RTC_ERROR_NONE;
+  std::string message;
+};
+
 class EmbreeDevice {
  public:
   /// Throws Error if Embree cannot start on this machine.
@@ -40,7 +46,7 @@ class EmbreeDevice {
 
  private:
   std::atomic<std::ptrdiff_t> memory_bytes_ = 0;
-  mutable std::string error_;
+  mutable EmbreeFailure failure_;
   FromEmbree<RTCDevice> device_;  ///< released before the members that it writes to
 };
 

@@ -49,7 +49,7 @@ bool is_invisible(const Scene& scene, const Mesh& mesh) {
 
 bool is_thin_transmissive(const Material& material) {
   return material.transmission > 0.0F && !material.is_solid && material.metallic < 1.0F &&
-         material.roughness < smallest_roughness;
+         material.roughness < min_roughness;
 }
 
 }  // namespace foveola

@@ -271,7 +271,7 @@ void paint(ImDrawList& list, const ViewOverlays& overlays, const ShownView& view
     paint_point(list, overlays.gaze, pane, im(Rgb(1.0F, 0.1F, 0.2F), 0.9F));
   }
   if (overlays.target) {
-    paint_target(list, *overlays.target, overlays.least_target_px, pane);
+    paint_target(list, *overlays.target, overlays.min_target_px, pane);
   }
   list.PopClipRect();
 }

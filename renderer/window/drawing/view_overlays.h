@@ -41,7 +41,7 @@ struct ViewOverlays {
   std::vector<float> rings_rad;  ///< eccentricities of rings around it, with labels in degrees
   std::optional<DensityMap> density;
   std::optional<Vec3> target;     ///< a target instead of the film; unit length, world
-  float least_target_px = 0.0F;   ///< minimum radius of the target
+  float min_target_px = 0.0F;     ///< minimum radius of the target
   std::vector<OfferRing> offers;  ///< drawn in order, the last on top
 };
 

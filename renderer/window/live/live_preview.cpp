@@ -30,7 +30,7 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
       drawing_(parts.preview->film(), parts.presenter->film_drawer(), *parts.workers) {
   show_view();
   restart();
-  tell_of_warnings();
+  report_warnings();
 }
 
 LivePreviewReport LivePreview::run(const std::stop_token& stop) {
@@ -47,7 +47,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   while (!is_done_ && !stop.stop_requested()) {
     live.give_way(settings_.is_loading && settings_.is_loading());
     keep(live.next());
-    tell_of_slow_drawing(live);
+    report_slow_drawing(live);
   }
   report_.is_refresh_measured = live.refresh().is_measured();
   report_.refresh_rate_hz = live.refresh().rate_hz();
@@ -61,7 +61,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   return std::move(report_);
 }
 
-void LivePreview::tell_of_pictures() {
+void LivePreview::report_pictures() {
   for (const DisplayPictures::Written& picture : pictures_.take_written()) {
     if (picture.fault.empty()) {
       tell("saved " + picture.file.string());
@@ -72,7 +72,7 @@ void LivePreview::tell_of_pictures() {
   }
 }
 
-void LivePreview::tell_of_warnings() {
+void LivePreview::report_warnings() {
   if (settings_.has_studio_light) {
     tell("nothing in the scene emits light: a studio light", MessageStay::long_enough);
   }
@@ -111,7 +111,7 @@ void LivePreview::follow_change() {
     tell("the scene has changed");
     settings_.warnings = std::move(change->warnings);
     settings_.has_studio_light = change->has_studio_light;
-    tell_of_warnings();
+    report_warnings();
   } else {
     tell("the scene has changed but does not load, see the terminal: the old one stays",
          MessageStay::long_enough);
@@ -158,7 +158,7 @@ void LivePreview::print(const std::string& line) const {
 }
 
 void LivePreview::draw(const Preview& preview) {
-  go_on_checking(preview);
+  continue_check(preview);
   ViewLook look = choices_.look;
   // A moving view has few samples: isolated dots would show little.
   look.fill_unsampled = look.fill_unsampled || parts_.camera->is_moving();
@@ -166,8 +166,8 @@ void LivePreview::draw(const Preview& preview) {
   frame.late_turn_rad = parts_.presenter->late_turn_rad();
   if (area_.is_seen()) {
     drawing_.bring_up_to_date(frame);
-    frame.overlays = check_.goes_on() ? check_.overlays(preview.viewport().head())
-                                      : preview_overlays(choices_, preview);
+    frame.overlays = check_.is_running() ? check_.overlays(preview.viewport().head())
+                                         : preview_overlays(choices_, preview);
     frame.panels = panels();
     take_picture(frame);
   }
@@ -192,14 +192,14 @@ void LivePreview::begin_check() {
   check_.begin(view_.geometry(), settings_.gaze_check, parts_.clock->now());
 }
 
-void LivePreview::go_on_checking(const Preview& preview) {
+void LivePreview::continue_check(const Preview& preview) {
   if (const auto watched = check_.update(parts_.clock->now(), preview.arrived_gaze())) {
-    leave_check();
+    end_check();
     judge(*watched);
   }
 }
 
-void LivePreview::leave_check() {
+void LivePreview::end_check() {
   check_.end();
   view_.measure_eyes(false);
   show_view();
@@ -233,7 +233,7 @@ void LivePreview::keep(const LiveFrame& frame) {
   is_done_ = is_done_ || (settings_.frames && report_.frame_count >= *settings_.frames);
 }
 
-void LivePreview::tell_of_slow_drawing(const LiveFrames& live) {
+void LivePreview::report_slow_drawing(const LiveFrames& live) {
   const std::optional<Nanoseconds> drawing = live.too_slow_drawing();
   if (!drawing || report_.slow_drawing) {
     return;
@@ -247,7 +247,7 @@ void LivePreview::tell_of_slow_drawing(const LiveFrames& live) {
 }
 
 std::vector<TextPanel> LivePreview::panels() const {
-  if (check_.goes_on()) {
+  if (check_.is_running()) {
     return {check_.panel()};
   }
   std::vector<std::string> notes = messages_.lines(parts_.clock->now());

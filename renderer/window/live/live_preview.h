@@ -1,4 +1,4 @@
-// The preview in a window: frames at the display's pace, and the effects of keys.
+// Runs the preview in a window: frames at the display's refresh rate, and the effects of keys.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,8 @@ struct LivePreviewSettings {
   std::uint32_t seed = 0;
   IVec2 framebuffer{0};  ///< the picture's size, in pixels: of the window, or for one eye
   IVec2 window_px{0};    ///< the window's size
-  /// Initial field of view across the larger side of a monitor's window; nullopt: true angles.
+  /// Initial field of view across the larger side of a monitor's window; nullopt: the
+  /// display's actual field of view.
   std::optional<double> larger_fov_deg;
   std::optional<std::uint64_t> frames;  ///< number of frames; default: until the user ends it
   bool keeps_last_picture = false;      ///< whether the last frame's picture is kept
@@ -68,7 +69,7 @@ struct LivePreviewSettings {
   std::function<bool()> is_loading;
 };
 
-/// The events of a live preview.
+/// The results of a live preview.
 struct LivePreviewReport {
   std::vector<LiveFrame> frames;  ///< at least the last max_frames of them
   std::uint64_t frame_count = 0;
@@ -91,10 +92,11 @@ struct LivePreviewReport {
   static constexpr std::size_t max_frames = 1 << 16;
 };
 
-/// Runs in one thread, beside the one that passes on the window's events and the one that draws.
+/// Call run() once, in a thread of its own: the window's events are passed on in the program's
+/// first thread, and the presenter draws in another.
 class LivePreview {
  public:
-  /// Its parts, all of which must outlive it.
+  /// Its parts, all of which must outlive it. None is null but widened_eye.
   struct Parts {
     Preview* preview;
     Steering* steering;
@@ -112,7 +114,7 @@ class LivePreview {
   LivePreview(const LivePreviewSettings& settings, const Parts& parts);
 
   /// Keeps the first scene alive until a change replaces it.
-  void own(std::shared_ptr<const void> scene) { scene_ = std::move(scene); }
+  void keep_alive(std::shared_ptr<const void> scene) { scene_ = std::move(scene); }
 
   /// Runs until the user closes the window, the frames are done, or `stop` is requested.
   LivePreviewReport run(const std::stop_token& stop);
@@ -137,14 +139,14 @@ class LivePreview {
   void draw(const Preview& preview);
   std::optional<Nanoseconds> wait_until_shown();
   void keep(const LiveFrame& frame);
-  void tell_of_slow_drawing(const LiveFrames& live);
+  void report_slow_drawing(const LiveFrames& live);
   void begin_check();
-  void go_on_checking(const Preview& preview);
-  void leave_check();
+  void continue_check(const Preview& preview);
+  void end_check();
   void judge(const std::vector<WatchedTarget>& watched);
   void take_picture(ShownFrame& frame);
-  void tell_of_pictures();
-  void tell_of_warnings();
+  void report_pictures();
+  void report_warnings();
   std::vector<TextPanel> panels() const;
   ShownNow shown_now() const;
 

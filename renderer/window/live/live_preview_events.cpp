@@ -7,7 +7,7 @@ namespace foveola {
 
 void LivePreview::answer_events() {
   follow_change();
-  tell_of_pictures();
+  report_pictures();
   for (const WindowEvent& event : parts_.events->take()) {
     if (!parts_.camera->follow(event)) {
       parts_.steering->follow(event);
@@ -69,8 +69,8 @@ void LivePreview::answer(const KeyMoved& key) {
   if (key.is_down) {
     messages_.answer_key();
   }
-  if (action == PreviewAction::close && check_.goes_on()) {
-    leave_check();
+  if (action == PreviewAction::close && check_.is_running()) {
+    end_check();
     tell("the check was ended");
   } else if (action) {
     act(*action);
@@ -126,7 +126,7 @@ void LivePreview::act(PreviewAction action) {
 
 /// About the pointer: the content below it stays there.
 void LivePreview::zoom(double steps) {
-  if (!view_.is_free() || check_.goes_on()) {
+  if (!view_.is_free() || check_.is_running()) {
     return;
   }
   const std::optional<Vec3> before = parts_.steering->pointer();

@@ -35,7 +35,7 @@ std::optional<std::vector<WatchedTarget>> TrackerCheck::update(
 
 ViewOverlays TrackerCheck::overlays(const Quat& head) const {
   constexpr float easily_seen_px = 10.0F;
-  return {.target = head * *routine_->target(), .least_target_px = easily_seen_px};
+  return {.target = head * *routine_->target(), .min_target_px = easily_seen_px};
 }
 
 TextPanel TrackerCheck::panel() const {
@@ -47,14 +47,14 @@ TextPanel TrackerCheck::panel() const {
 void WidenedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
   const auto before = static_cast<std::ptrdiff_t>(arrived.size());
   source_->poll(now, arrived);
-  if (times_ == 1.0) {
+  if (factor_ == 1.0) {
     return;
   }
   std::for_each(arrived.begin() + before, arrived.end(), [this](GazeSample& sample) {
     // Directions behind are on no screen.
     if (sample.valid && sample.direction.z < 0.0F) {
       const DVec3 seen(sample.direction);
-      sample.direction = Vec3(glm::normalize(DVec3(times_ * seen.x, times_ * seen.y, seen.z)));
+      sample.direction = Vec3(glm::normalize(DVec3(factor_ * seen.x, factor_ * seen.y, seen.z)));
     }
   });
 }
@@ -79,7 +79,7 @@ void PlacedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
     const DVec3 told(sample.direction);
     const DVec2 on_monitor =
         DVec2(told.x, told.y) / -told.z * DVec2(place->monitor_px) / display_px_;
-    const DVec2 middle = DVec2(place->middle_px.x, -place->middle_px.y) * pixel_;
+    const DVec2 middle = DVec2(place->centre_px.x, -place->centre_px.y) * pixel_;
     sample.direction = Vec3(glm::normalize(DVec3(on_monitor - middle, -1.0)));
   });
 }

@@ -19,13 +19,13 @@
 
 namespace foveola {
 
-/// Runs from begin() until every target was looked at or given up, or until end().
+/// Runs from begin() until every target was looked at or timed out, or until end().
 class TrackerCheck {
  public:
   /// Spreads the targets over the current view of `geometry`. Restarts a running check.
   void begin(const ViewGeometry& geometry, const CalibrationTiming& timing, Nanoseconds now);
   void end() { routine_.reset(); }
-  bool goes_on() const { return routine_.has_value(); }
+  bool is_running() const { return routine_.has_value(); }
 
   /// Adds the samples that arrived until `now`. After the last target, returns all targets' samples
   /// and ends.
@@ -48,16 +48,16 @@ class WidenedEyeTracker final : public EyeTracker {
   /// source: must outlive it.
   explicit WidenedEyeTracker(EyeTracker& source) : source_(&source) {}
 
-  /// Scales directions by this factor (> 0) from straight ahead, on a plane before the eye, from
-  /// the next poll. At 1 samples stay unchanged, to the bit.
-  void widen(double times) { times_ = times; }
+  /// Scales the tangents of angles from straight ahead by `factor` (> 0), from the next poll. At 1
+  /// samples stay bit-identical.
+  void widen(double factor) { factor_ = factor; }
 
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
   std::string status() const override { return source_->status(); }
 
  private:
   EyeTracker* source_;
-  double times_ = 1.0;
+  double factor_ = 1.0;
 };
 
 /// Converts gaze on a monitor to gaze in a window on it. A tracker measures the gazed place as an
@@ -65,8 +65,8 @@ class WidenedEyeTracker final : public EyeTracker {
 /// monitor's actual pixels.
 class PlacedEyeTracker final : public EyeTracker {
  public:
-  /// display: a monitor's profile. place: returns the window's place at each poll; its references
-  /// must outlive the tracker.
+  /// display: a monitor's profile. place: returns the window's place at each poll; objects that
+  /// it refers to must outlive the tracker.
   PlacedEyeTracker(std::unique_ptr<EyeTracker> source, const DisplayProfile& display,
                    std::function<std::optional<WindowPlace>()> place);
 

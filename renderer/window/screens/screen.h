@@ -1,4 +1,4 @@
-// A page with words and fields, over the picture or instead of it, as plain values.
+// Data of a text page with fields, shown over the picture or instead of it.
 //
 // It describes only the appearance, not the effects of keys.
 #pragma once
@@ -24,7 +24,7 @@ struct ScreenField {
   std::vector<std::string> labels;
   std::optional<std::size_t> chosen;  ///< index of the chosen option or point
   std::string typed;                  ///< typed content of a line or a text field
-  std::string note;                   ///< on the typed content; may be empty
+  std::string note;                   ///< remark below the typed text; may be empty
   std::string fault;                  ///< why the answer is invalid; may be empty
   bool has_focus = false;
 };
@@ -36,16 +36,15 @@ struct ScreenPage {
   std::vector<ScreenField> fields;
   std::string keys;                ///< the line at the bottom, on keys
   std::optional<double> progress;  ///< the session's progress, in [0, 1]
-  /// Otherwise a band at the bottom. Words without fields that would reach the picture's middle are
-  /// in one at the top, too.
+  /// If false, the text is in a band at the bottom. Text without fields that is too long for it
+  /// begins in a second band at the top.
   bool covers_picture = true;
   bool is_signal = false;  ///< bright instead of dark, as a signal to someone waiting
 };
 
-/// Number of lines of words, including lines between paragraphs, that fit a screen that covers the
-/// picture in any window and headset, beside one line each of title and keys. Longer text needs
-/// more screens.
-inline constexpr std::size_t screen_lines = 12;
+/// Maximum number of lines of text, including empty ones between paragraphs, that fit a page that
+/// covers the picture in any window and headset, with a one-line title and key line.
+inline constexpr std::size_t max_screen_lines = 12;
 /// Minimum number of characters of running text in a full line.
 inline constexpr std::size_t screen_line_characters = 42;
 

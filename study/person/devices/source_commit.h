@@ -3,7 +3,8 @@
 
 namespace foveola::study {
 
-/// Returns the commit as 12 digits; empty if built outside of a repository.
+/// Returns the first 12 hexadecimal digits of the commit's hash; empty if built outside a
+/// repository. Uncommitted changes are not visible in it.
 const char* source_commit();
 
 }  // namespace foveola::study

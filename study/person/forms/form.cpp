@@ -17,7 +17,8 @@ std::size_t lines_of(std::string_view paragraph) {
 
 /// Returns the bytes of the paragraph's beginning that fill a page, up to a space.
 std::size_t bytes_of_a_page(std::string_view paragraph) {
-  const std::size_t most = bytes_of_first(paragraph, (screen_lines - 1) * screen_line_characters);
+  const std::size_t most =
+      bytes_of_first(paragraph, (max_screen_lines - 1) * screen_line_characters);
   const std::size_t space = paragraph.rfind(' ', most);
   return space != std::string_view::npos && space > 0 ? space : most;
 }
@@ -26,7 +27,7 @@ std::size_t bytes_of_a_page(std::string_view paragraph) {
 std::vector<std::string> short_paragraphs(const std::vector<std::string>& paragraphs) {
   std::vector<std::string> result;
   for (std::string_view rest : paragraphs) {
-    while (lines_of(rest) > screen_lines) {
+    while (lines_of(rest) > max_screen_lines) {
       const std::size_t bytes = bytes_of_a_page(rest);
       result.emplace_back(rest.substr(0, bytes));
       rest.remove_prefix(std::min(rest.find_first_not_of(' ', bytes), rest.size()));
@@ -55,7 +56,7 @@ std::vector<std::vector<std::string>> split_into_pages(const std::vector<std::st
   std::size_t lines = 0;
   for (std::string& paragraph : short_paragraphs(paragraphs)) {
     lines += lines_of(paragraph) + 1;  // plus an empty line
-    if (pages.empty() || lines > screen_lines + 1) {
+    if (pages.empty() || lines > max_screen_lines + 1) {
       pages.emplace_back();
       lines = lines_of(paragraph) + 1;
     }

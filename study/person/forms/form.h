@@ -76,8 +76,8 @@ class Form {
   bool is_submitted_ = false;
 };
 
-/// Splits paragraphs into pages that fit on a screen of any window (screen_lines). Long paragraphs
-/// are broken between words.
+/// Splits paragraphs into pages that fit on a screen of any window (max_screen_lines). Long
+/// paragraphs are broken between words.
 std::vector<std::vector<std::string>> split_into_pages(const std::vector<std::string>& paragraphs);
 
 }  // namespace foveola::study

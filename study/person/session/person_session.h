@@ -95,7 +95,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   void draw_panorama();
   /// Rehearsals: shows a scene whose files have changed, and notes it in the record.
   void follow_changes();
-  void show_changed(const std::string& scene, std::unique_ptr<const SceneStage> stage);
+  void replace_scene_stage(const std::string& scene, std::unique_ptr<const SceneStage> stage);
   /// Returns whether the trial follows the gaze, and there is none: such a trial does not begin.
   bool needs_gaze() const;
   bool has_gaze() const { return eye_.has_gaze(seat_.clock.now()); }

@@ -59,15 +59,16 @@ void PersonSession::follow_changes() {
   } else {
     note = fmt::format("the scene {} has changed; from here on its SHA-256 is {}", reloaded->scene,
                        reloaded->stage->scene().sha256);
-    show_changed(reloaded->scene, std::move(reloaded->stage));
+    replace_scene_stage(reloaded->scene, std::move(reloaded->stage));
   }
   driver_.record_event(NoteWritten{note});
 }
 
-/// View, method and gaze stay; a running attempt continues.
-void PersonSession::show_changed(const std::string& scene,
-                                 std::unique_ptr<const SceneStage> stage) {
-  // The former stage is in use until here.
+/// Replaces the stage of `scene`. Keeps view, method and gaze; a running attempt continues with an
+/// empty film.
+void PersonSession::replace_scene_stage(const std::string& scene,
+                                        std::unique_ptr<const SceneStage> stage) {
+  // Keeps the former stage alive: attempt and display refer to it until this function ends.
   const auto former = std::exchange(changed_[scene], std::move(stage));
   if (scene != scene_) {
     return;
@@ -77,7 +78,7 @@ void PersonSession::show_changed(const std::string& scene,
   } else {
     seat_.display.show_no_film();
   }
-  panorama_.reset();
+  panorama_.reset();  // it shows the former scene
   if (is_picture_shown()) {
     page_watch_.turn_page();
   }

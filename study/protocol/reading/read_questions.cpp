@@ -155,8 +155,8 @@ void read_judgement(TomlReader& reader, Question& rating) {
               "Default: artifacts for a rating of this id; without one they refuse the protocol.");
   rating.simulated = simulated;
   if (reader.has("simulated") && rating.kind != QuestionKind::likert) {
-    reader.fail(reader.source("simulated"), "simulated participants rate on scales only",
-                "make it a scale of whole points, or remove this key");
+    reader.fail(reader.source("simulated"), "simulated is for kind = \"likert\" only",
+                "set kind = \"likert\", or remove simulated");
   }
 }
 
@@ -244,7 +244,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
   }
   std::vector<std::string> names;
   for (const fs::path& ready : questionnaire_folders(folder)) {
-    const std::vector<std::string> there = toml_names_if_any(ready);
+    const std::vector<std::string> there = toml_names_or_none(ready);
     if (std::ranges::find(there, name_or_path) != there.end()) {
       return ready / (name_or_path + ".toml");
     }

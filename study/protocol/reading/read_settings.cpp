@@ -209,7 +209,7 @@ FilmSettings read_film(TomlReader reader, FilmSettings film) {
               "The film's height in pixels, for 180 degrees; half the width for square pixels.");
   require_moderate_film(reader, film);
   reader.read("max_depth", film.max_depth, 1, 1000,
-              "The maximum number of surfaces that a path meets.");
+              "The maximum number of surface vertices of a path; 1 is direct light only.");
   reader.read(reader.present_name("adaptive_contrast", "spare_done_contrast"),
               film.adaptive_contrast, 0.0, 0.99,
               "Adaptive sampling: pixels whose noise, as a contrast, is below this "

@@ -11,8 +11,10 @@
 
 namespace foveola::study {
 
-// Each function reads a table over the defaults, or over `film` or `timing`. `folder`: of profiles
-// that are named by a path.
+// Each function reads a TOML table; keys that are absent keep their defaults, or the values of
+// `film` or `timing`. Each throws Error with file:line:column for an unknown key, a wrong type or a
+// value that is out of range. `folder`: against which relative paths of profiles are resolved.
+// `meaning`: help text of the key.
 MachineModel read_machine(TomlReader reader);
 DisplaySettings read_display(TomlReader reader, const std::filesystem::path& folder);
 FilmSettings read_film(TomlReader reader, FilmSettings film);

@@ -30,12 +30,12 @@ TEST(Tabulate, FindsTheSpeedUpThatIsThere) {
   for (const Metric metric : metrics) {
     for (const Level level : levels) {
       const SpeedUp& row = find(tables, "fv", metric, level);
-      EXPECT_NEAR(value(row.samples), 10.0, 1e-9);
-      EXPECT_NEAR(value(row.time), 10.0 / 3.0, 1e-9);
+      EXPECT_NEAR(value(row.samples_ratio), 10.0, 1e-9);
+      EXPECT_NEAR(value(row.time_ratio), 10.0 / 3.0, 1e-9);
       // All repetitions agree on it.
-      ASSERT_TRUE(row.samples->interval);
-      EXPECT_NEAR(row.samples->interval->low, 10.0, 1e-6);
-      EXPECT_NEAR(row.samples->interval->high, 10.0, 1e-6);
+      ASSERT_TRUE(row.samples_ratio->interval);
+      EXPECT_NEAR(row.samples_ratio->interval->low, 10.0, 1e-6);
+      EXPECT_NEAR(row.samples_ratio->interval->high, 10.0, 1e-6);
       EXPECT_EQ(row.predicted.has_value(), metric == Metric::mse);
     }
   }
@@ -46,14 +46,14 @@ TEST(Tabulate, FindsTheSpeedUpThatIsThere) {
 TEST(Tabulate, FindsASlowDownToo) {
   const ConvergenceTables tables = tabulate({made_up_measurement(
       {{.name = "od", .noise = 1.0}, {.name = "od, worse", .noise = 2.5}}, 2)});
-  EXPECT_NEAR(value(find(tables, "od, worse", Metric::mse, Level::all).samples), 0.4, 1e-9);
-  EXPECT_NEAR(value(find(tables, "od, worse", Metric::mse, Level::quarter).time), 0.4, 1e-9);
+  EXPECT_NEAR(value(find(tables, "od, worse", Metric::mse, Level::all).samples_ratio), 0.4, 1e-9);
+  EXPECT_NEAR(value(find(tables, "od, worse", Metric::mse, Level::quarter).time_ratio), 0.4, 1e-9);
 }
 
 TEST(Tabulate, ExtrapolatesNoSpeedUpBeyondTheCurves) {
   const ConvergenceTables tables = tabulate(
       {made_up_measurement({{.name = "od", .noise = 1.0}, {.name = "magic", .noise = 1e-4}}, 2)});
-  EXPECT_FALSE(find(tables, "magic", Metric::mse, Level::all).samples);
+  EXPECT_FALSE(find(tables, "magic", Metric::mse, Level::all).samples_ratio);
 }
 
 TEST(Tabulate, HasCostsSlopesAndEfficiencies) {
@@ -79,16 +79,16 @@ TEST(Tabulate, TakesTheGeometricMeanOverScenes) {
   other.scene = "bakery";
   const ConvergenceTables tables = tabulate({one, other});
   ASSERT_EQ(tables.overall.size(), metrics.size() * levels.size());
-  EXPECT_NEAR(value(tables.overall.front().samples), 5.0, 1e-9);
+  EXPECT_NEAR(value(tables.overall.front().samples_ratio), 5.0, 1e-9);
   EXPECT_NEAR(tables.overall.front().predicted.value_or(0.0), 5.0, 1e-9);
-  EXPECT_EQ(tables.overall.front().samples->n, 2U);
+  EXPECT_EQ(tables.overall.front().samples_ratio->n, 2U);
   // A scene without a value must not make the others look like all.
   for (RenderLog& log : other.repetitions[0]) {
     for (Checkpoint& checkpoint : log.checkpoints) {
       checkpoint.scores[0].error.empty_share = 1.0;
     }
   }
-  EXPECT_FALSE(tabulate({one, other}).overall.front().samples);
+  EXPECT_FALSE(tabulate({one, other}).overall.front().samples_ratio);
 }
 
 }  // namespace

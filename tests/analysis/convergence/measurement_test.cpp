@@ -85,8 +85,8 @@ TEST_F(GazeBenchTest, FindsTheSpeedUpThatDensityPredicts) {
                speed_up.metric == Metric::mse;
       });
   ASSERT_NE(row, tables.speed_ups.end());
-  ASSERT_TRUE(row->samples);
-  EXPECT_NEAR(row->samples->value / row->predicted.value_or(0.0), 1.0, 0.35);
+  ASSERT_TRUE(row->samples_ratio);
+  EXPECT_NEAR(row->samples_ratio->value / row->predicted.value_or(0.0), 1.0, 0.35);
 }
 
 TEST_F(GazeBenchTest, EachSeedGivesItsOwnRepetitionEveryTime) {

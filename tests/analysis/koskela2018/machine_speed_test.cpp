@@ -111,14 +111,19 @@ TEST(MachineSpeed, NeedsEveryCell) {
   };
   EXPECT_THAT([&] { fit_machine_speed(compare, 1e6); },
               ThrowsMessage<Error>(HasSubstr("no times with OD to the mark outline in sponza")));
+  EXPECT_THAT([&] { fit_machine_speed(compare, 1e6, "texture"); },
+              ThrowsMessage<Error>(HasSubstr("no times with OD to the mark 'texture'")));
 }
 
 TEST(MachineSpeed, IsNotGuessedWhereTimesDoNotDependOnIt) {
-  const CompareAtSpeed constant = [](double) {
+  int studies = 0;
+  const CompareAtSpeed constant = [&](double) {
+    ++studies;
     return std::vector{cell("bmw", "outline", 1.0, 2.0), cell("sponza", "outline", 1.0, 2.0)};
   };
   EXPECT_THAT([&] { fit_machine_speed(constant, 1e6); },
-              ThrowsMessage<Error>(HasSubstr("no speed was found in 12 studies")));
+              ThrowsMessage<Error>(HasSubstr("no speed was found in 13 studies")));
+  EXPECT_EQ(studies, 13);
   const CompareAtSpeed published = [](double) {
     return std::vector{cell("bmw", "outline", 1.0, 1.0), cell("sponza", "outline", 1.0, 1.0)};
   };

@@ -263,10 +263,10 @@ TEST(PublishedComparison, BackgroundHasIntervalsOnBothSides) {
   EXPECT_FALSE(is_published_in_study_interval(age));
 }
 
-MetMeans met(const std::vector<ComparedNumber>& numbers, const std::string& means) {
-  const std::vector<MetMeans> all = count_met_means(numbers);
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const MetMeans& row) { return row.means == means; });
+ReproducedMeans met(const std::vector<ComparedNumber>& numbers, const std::string& means) {
+  const std::vector<ReproducedMeans> all = count_reproduced_means(numbers);
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const ReproducedMeans& row) { return row.means == means; });
   if (found == all.end()) {
     throw std::out_of_range(means);
   }
@@ -275,7 +275,7 @@ MetMeans met(const std::vector<ComparedNumber>& numbers, const std::string& mean
 
 TEST(PublishedComparison, EveryNumberOfTheRealScenesIsCompared) {
   const Compared compared = compare(study_of(5, real_scenes), paper());
-  const MetMeans others = met(compared.numbers, "Table 2, VP and FV, own ratios");
+  const ReproducedMeans others = met(compared.numbers, "Table 2, VP and FV, own ratios");
   EXPECT_EQ(others.published, 20U);
   EXPECT_EQ(others.compared, 20U);
   EXPECT_EQ(met(compared.numbers, "Table 2, OD").compared, 10U);
@@ -316,7 +316,7 @@ TEST(PublishedComparison, CountsThoseNearThePublishedValueEitherWay) {
   add(9.0, 10.5, 1.0);   // near; ours in theirs
   numbers.push_back(numbers.front());
   numbers.back().study.reset();
-  const MetMeans found = met(numbers, "Table 2, VP and FV, own ratios");
+  const ReproducedMeans found = met(numbers, "Table 2, VP and FV, own ratios");
   EXPECT_EQ(found.published, 5U);
   EXPECT_EQ(found.compared, 4U);
   EXPECT_EQ(found.near, 2U);

@@ -83,8 +83,8 @@ TEST(PublishedStudy, ADamagedTableIsNamedWithItsLine) {
   write_file(folder / "text.csv", text + "participants,many,,5\n");
   EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("text.csv:2: \"many\" is not a number")));
   write_file(folder / "text.csv", text);
-  EXPECT_THAT([&] { (void)published_figure(read_published_study(folder / ""), "participants"); },
-              ThrowsMessage<Error>(HasSubstr("text.csv: does not have the figure")));
+  EXPECT_THAT([&] { (void)published_number(read_published_study(folder / ""), "participants"); },
+              ThrowsMessage<Error>(HasSubstr("text.csv: has no row of the figure")));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Cells first_reading_of_tables() {
 
 Cells first_reading_of_text() {
   Cells cells;
-  for (const PublishedFigure& figure : paper().text) {
+  for (const PublishedNumber& figure : paper().text) {
     cells[fmt::format("text/{}///value", figure.id)] = figure.value;
   }
   return cells;
@@ -81,9 +81,9 @@ TEST(Transcription, BothReadingsOfTheTextAreTheSame) {
 // Section 5 and Table 1 say the same of gender, whose codes are 5 for female and 1 for male.
 TEST(Transcription, TheGendersOfTheTextAreThoseOfTable1) {
   const PublishedStudy published = paper();
-  const double female = published_figure(published, "female").value;
-  const double male = published_figure(published, "male").value;
-  const double n = published_figure(published, "participants").value;
+  const double female = published_number(published, "female").value;
+  const double male = published_number(published, "male").value;
+  const double n = published_number(published, "participants").value;
   EXPECT_EQ(female + male, n);
   const double mean = (5.0 * female + male) / n;
   const double deviation = std::sqrt(16.0 * female * male / (n * (n - 1.0)));

@@ -69,7 +69,7 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
 }
 
 TEST_F(AnalyzeStudy, WritesBidsWhereAsked) {
-  (void)analyze_records(complete_study(2), {}, folder, {.bids = true});
+  (void)analyze_records(complete_study(2), {}, folder, {.writes_bids = true});
   EXPECT_THAT(names_in(folder / "bids"),
               ElementsAre("README", "dataset_description.json", "participants.json",
                           "participants.tsv", "sub-P1", "sub-P2", "task-preview_beh.json"));
@@ -95,7 +95,7 @@ TEST_F(AnalyzeStudy, EveryFileSaysWhoseDataItShows) {
   for (const auto& [kind, mark] :
        {std::pair("simulated", "Simulated data"), std::pair("pilot", "Pilot data")}) {
     const AnalysisOutput output =
-        analyze_records(full_study(kind, quality), quality, root / kind, {.bids = true});
+        analyze_records(full_study(kind, quality), quality, root / kind, {.writes_bids = true});
     std::set<std::string> unmarked;
     for (const fs::path& file : output.files) {
       const std::string text = read_file(file);

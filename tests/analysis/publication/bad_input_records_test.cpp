@@ -15,7 +15,7 @@ namespace {
 class BadInputRecords : public testing::Test {
  protected:
   AnalysisOutput analyze(const study::StudyRecords& records) {
-    AnalysisOutput output = analyze_records(records, {}, results_, {.bids = true});
+    AnalysisOutput output = analyze_records(records, {}, results_, {.writes_bids = true});
     expect_no_stray_numbers(output);
     return output;
   }

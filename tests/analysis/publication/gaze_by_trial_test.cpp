@@ -107,10 +107,10 @@ TEST_F(GazeByTrial, AnObjectBehindTheHeadAndAGazeElsewhereAreFlagged) {
   const AnalysisOutput output = analyse();
   const DataQualityCheck& view = check_of(output, "Marks with the object out of view");
   EXPECT_EQ(view.verdict, Verdict::flagged);
-  EXPECT_EQ(view.found, "1 of 6 marks: P01, hall, od, material");
+  EXPECT_EQ(view.value_text, "1 of 6 marks: P01, hall, od, material");
   const DataQualityCheck& elsewhere = check_of(output, "Trials with the gaze elsewhere");
   EXPECT_EQ(elsewhere.verdict, Verdict::flagged);
-  EXPECT_EQ(elsewhere.found, "1 of 3 trials: P01, box, od: 60 %");
+  EXPECT_EQ(elsewhere.value_text, "1 of 3 trials: P01, box, od: 60 %");
 }
 
 TEST_F(GazeByTrial, EveryAnalysedTrialHasARow) {

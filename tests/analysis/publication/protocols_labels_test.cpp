@@ -41,7 +41,7 @@ class ProtocolsLabels : public testing::Test {
   }
 
   void analyse(const study::StudyRecords& records) {
-    output_ = analyze_records(records, {}, scratch_ / "out", {.bids = true});
+    output_ = analyze_records(records, {}, scratch_ / "out", {.writes_bids = true});
     texts_ = texts_in(scratch_ / "out");
   }
 

@@ -96,7 +96,7 @@ TEST_F(RecordedTimings, FormulasAreGuardedWhereTheCodebookSaysSo) {
                                      .answers = {{.question = "sickness", .value = 2.0},
                                                  {.question = "comments", .value = "=2+2"}}});
   }
-  const AnalysisOutput output = analyze_study(path_, folder_ / "out", {.bids = true});
+  const AnalysisOutput output = analyze_study(path_, folder_ / "out", {.writes_bids = true});
   std::map<std::string, bool> is_guarded;
   for (const CsvRow& row : rows_in("codebook.csv")) {
     is_guarded[row.at(0)] = row.at(5) == "TRUE";

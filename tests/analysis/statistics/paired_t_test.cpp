@@ -17,7 +17,7 @@ TEST(PairedT, TestsIntervalsAndEffectSizesAreThoseOfR) {
     }
     SCOPED_TRACE(name);
     const TTest test =
-        one_sample_t(differences(golden_column(matrix, 0), golden_column(matrix, 1))).value();
+        test_mean(differences(golden_column(matrix, 0), golden_column(matrix, 1))).value();
     EXPECT_EQ(test.n, matrix.size());
     EXPECT_GOLDEN(test.t, golden.at(name + ".t"));
     EXPECT_GOLDEN(test.p, golden.at(name + ".p"));
@@ -38,7 +38,7 @@ TEST(PairedT, RatiosAreThoseOfR) {
     }
     SCOPED_TRACE(name);
     const RatioTest test =
-        ratio_t(log_ratios(golden_column(matrix, 0), golden_column(matrix, 1))).value();
+        test_ratio(log_ratios(golden_column(matrix, 0), golden_column(matrix, 1))).value();
     EXPECT_GOLDEN(test.ratio, golden.at(name + ".ratio"));
     EXPECT_GOLDEN(test.interval.low, golden.at(name + ".ratio_low"));
     EXPECT_GOLDEN(test.interval.high, golden.at(name + ".ratio_high"));
@@ -52,13 +52,13 @@ TEST(PairedT, RatiosAreThoseOfR) {
 }
 
 TEST(PairedT, WhatDoesNotVaryHasNoT) {
-  EXPECT_FALSE(one_sample_t(std::vector<double>{2, 2, 2}));
-  EXPECT_FALSE(one_sample_t(std::vector<double>{2}));
-  EXPECT_FALSE(one_sample_t(std::vector<double>{}));
+  EXPECT_FALSE(test_mean(std::vector<double>{2, 2, 2}));
+  EXPECT_FALSE(test_mean(std::vector<double>{2}));
+  EXPECT_FALSE(test_mean(std::vector<double>{}));
   const std::vector<double> halves = log_ratios({50.0, 5.0, 0.35}, {100.0, 10.0, 0.7});
-  EXPECT_FALSE(one_sample_t(halves));
-  EXPECT_FALSE(ratio_t(halves));
-  EXPECT_FALSE(ratio_t(log_ratios({101.0, 10100.0}, {100.0, 10000.0})));
+  EXPECT_FALSE(test_mean(halves));
+  EXPECT_FALSE(test_ratio(halves));
+  EXPECT_FALSE(test_ratio(log_ratios({101.0, 10100.0}, {100.0, 10000.0})));
 }
 
 }  // namespace

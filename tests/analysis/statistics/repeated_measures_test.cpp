@@ -44,7 +44,7 @@ TEST(RepeatedMeasures, TwoConditionsAreAPairedT) {
   const GoldenMatrix matrix = golden_matrices().at("two_conditions");
   const VarianceAnalysis f = repeated_measures_anova(complete_participants(matrix)).value();
   const TTest t =
-      one_sample_t(differences(golden_column(matrix, 0), golden_column(matrix, 1))).value();
+      test_mean(differences(golden_column(matrix, 0), golden_column(matrix, 1))).value();
   EXPECT_GOLDEN(f.f, t.t * t.t);
   EXPECT_GOLDEN(f.p, t.p);
   EXPECT_EQ(f.greenhouse_geisser, 1.0);

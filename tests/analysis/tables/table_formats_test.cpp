@@ -33,7 +33,7 @@ Table every_kind() {
 TEST(TableFormats, ANameOfTwoColumnsIsRefusedInEveryFormat) {
   Table table = every_kind();
   table.columns[1].name = "mean_s";
-  const auto refused = ThrowsMessage<Error>(HasSubstr("mean_s: is the name of two"));
+  const auto refused = ThrowsMessage<Error>(HasSubstr("column 'mean_s': two columns"));
   EXPECT_THAT([&] { (void)csv_of(table); }, refused);
   EXPECT_THAT([&] { (void)tsv_heading(table.columns); }, refused);
   EXPECT_THAT([&] { (void)json_of(table); }, refused);

@@ -57,8 +57,9 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
   EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
               ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn",
                           "end_undone", "resumed", "withdrawn"));
-  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors,
-              AllOf(HasSubstr("which is withdrawn"), HasSubstr("--undo-end takes the end back")));
+  EXPECT_THAT(
+      participant_.run_besides("P1", {"--resume"}).errors,
+      AllOf(HasSubstr("already has a withdrawn session"), HasSubstr("--undo-end undoes the end")));
 }
 
 TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
@@ -82,7 +83,7 @@ TEST_F(StudyRun, AnEndIsUndoneByAnotherRunUntilTheNextEvent) {
   participant_.expect_no_fault();
   EXPECT_EQ(participant_.replay().exit_code, 0);
   EXPECT_THAT(participant_.run_besides("P1", {"--resume", "--undo-end"}).errors,
-              HasSubstr("which is completed"));
+              HasSubstr("already has a completed session"));
 }
 
 TEST_F(StudyRun, CodesThatDifferInCapitalLettersOnlyAreWarnedOf) {

@@ -23,7 +23,7 @@ TEST(Csv, AcceptsBareLineFeedsAndALastLineWithoutEnd) {
 
 TEST(Csv, SaysWhereAFileIsMalformed) {
   EXPECT_THAT([] { (void)parse_csv("a\n\"open", "f.csv"); },
-              ThrowsMessage<Error>(HasSubstr("f.csv:2: has a quote that never closes")));
+              ThrowsMessage<Error>(HasSubstr("f.csv:2: has an unclosed quote")));
   EXPECT_THAT([] { (void)parse_csv("\"a\"b\n", "f.csv"); },
               ThrowsMessage<Error>(HasSubstr("f.csv:1: has text after a closing quote")));
 }

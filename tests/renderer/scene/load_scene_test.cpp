@@ -272,12 +272,13 @@ TEST_F(LoadScene, LightsOfFarScenesAreMovedWithThem) {
 TEST_F(LoadScene, RefusesLightsThatMakeNoSense) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(error_with({.normal = {0, 0.6F, 0.8F}}),
-              HasSubstr("room: lights[1]: the normal of a light is not an axis"));
+              HasSubstr("room: lights[1]: the normal of the light is not an axis"));
   EXPECT_THAT(error_with({.normal = {0, nan, 0}}), HasSubstr("not an axis"));
-  EXPECT_THAT(error_with({.size = {0, 1}}), HasSubstr("size of a light is not positive"));
-  EXPECT_THAT(error_with({.size = {1, nan}}), HasSubstr("size of a light is not positive"));
-  EXPECT_THAT(error_with({.center = {nan, 0, 0}}), HasSubstr("center of a light"));
-  EXPECT_THAT(error_with({.radiance = {1, -1, 1}}), HasSubstr("radiance of a light"));
+  EXPECT_THAT(error_with({.size = {0, 1}}), HasSubstr("size of the light is 0 x 1;"));
+  EXPECT_THAT(error_with({.size = {1, nan}}), HasSubstr("size of the light is 1 x nan;"));
+  EXPECT_THAT(error_with({.center = {nan, 0, 0}}), HasSubstr("centre of the light"));
+  EXPECT_THAT(error_with({.radiance = {1, -1, 1}}),
+              HasSubstr("the radiance of the light is (1, -1, 1); give"));
   SceneSource dark = source();
   dark.environment_radiance = Rgb(nan);
   EXPECT_THROW(load_scene(dark), Error);

@@ -102,7 +102,7 @@ TEST_F(ConfinedFile, TwoFoldersThatBecomeOneAreNamed) {
                            "/a/stone.png", "maps/stone.png"}) {
     references.add(name, warnings);
   }
-  EXPECT_EQ(warnings.cases(), 0U);
+  EXPECT_EQ(warnings.count(), 0U);
   references.add("C:\\b\\wood.png", warnings);
   EXPECT_THAT(warnings.lines(),
               ElementsAre("/a/wood.png and a file of the same name in another folder are "

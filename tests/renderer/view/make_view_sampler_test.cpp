@@ -18,15 +18,15 @@ TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
       {"xyz", "od, vp, vp-rect, fv, fv-paper, fv-map"},
       {"", "no such method"},
       {"fv:acuity=cat", "reddy, guenter"},
-      {"fv:colour=3", "there are acuity, exponent"},
+      {"fv:colour=3", "settings are acuity, exponent"},
       {"fv:cutoff=0", "cutoff lies in"},
       {"fv:cutoff=nan", "cutoff lies in"},
       {"fv:cutoff", "KEY=VALUE"},
       {"fv:cutoff=60,cutoff=70", "set twice"},
-      {"fv:slope=0.02", "no setting 'slope'"},
+      {"fv:slope=0.02", "'slope' is not a setting"},
       {"fv:acuity=linear,inner=20,outer=10", "below outer"},
-      {"od:width=3", "od has none"},
-      {"fv-paper:cutoff=60", "fv-paper has none"},
+      {"od:width=3", "od has no settings"},
+      {"fv-paper:cutoff=60", "fv-paper has no settings"},
       {"fv:acuity=watson,eye=third", "left, right, both"},
       {"mask:floor=1", "image of the mask is missing"},
       {"fv-map", "image of the map is missing"},
@@ -159,7 +159,7 @@ TEST(WithPointer, HoldsEveryPointerInPlace) {
   }
 }
 
-TEST(FollowsGaze, IsTrueOfWhatTheGazeAims) {
+TEST(FollowsGaze, IsTrueForMethodsAimedByGaze) {
   for (const char* method : {"fv", "fv:acuity=watson", "fv-paper", "fv-map:file=a.png", "pointer",
                              "hybrid:0.9*od+0.1*fv", "hybrid:6*\"hybrid:3*fv+1*od\"+4*vp"}) {
     EXPECT_TRUE(follows_gaze(method)) << method;

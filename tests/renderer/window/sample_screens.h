@@ -24,7 +24,7 @@ inline std::string full_page_of_words() {
       "which you press keys and where you look are kept under a code, never under your name. Some "
       "people feel unwell while wearing a headset: then say so, and take it off at once. All of "
       "this takes three quarters of an hour, with as many breaks as you like between the scenes.";
-  return words.substr(0, screen_lines * screen_line_characters);
+  return words.substr(0, max_screen_lines * screen_line_characters);
 }
 
 inline ScreenField artifacts_scale() {

@@ -44,7 +44,7 @@ std::vector<WindowEvent> pass_on_while(Window& window, WindowEvents& events,
     }
     done.request_stop();
   });
-  window.pass_on_events(done.get_token());
+  window.dispatch_events(done.get_token());
   return all;
 }
 
@@ -241,7 +241,7 @@ TEST_F(WindowTest, SaysWhereItIsOnTheOnlyMonitor) {
     const auto place = window_.place();
     ASSERT_TRUE(place);
     EXPECT_EQ(place->monitor_px, IVec2(1280, 1024));
-    EXPECT_EQ(place->middle_px,
+    EXPECT_EQ(place->centre_px,
               DVec2(at.x + at.width / 2.0 - 640.0, at.y + at.height / 2.0 - 512.0));
   };
   expect_place();

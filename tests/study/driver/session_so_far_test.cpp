@@ -38,9 +38,9 @@ class SessionOfAPerson : public StudyFile {
                                        .after = state});
   }
 
-  std::optional<SessionSoFar> so_far(bool despite_changes = false) const {
+  std::optional<SessionSoFar> so_far(bool accept_changes = false) const {
     return session_so_far(store_, small_protocol(), "P1",
-                          {.resumes = true, .despite_changes = despite_changes});
+                          {.resumes = true, .accept_changes = accept_changes});
   }
 
   StudyStore store_{path_, small_protocol()};
@@ -82,7 +82,7 @@ TEST_F(SessionOfAPerson, DoesNotGoOnAsARehearsal) {
   begin_by(build_info());
   const auto as_rehearsal = [&] {
     session_so_far(store_, small_protocol(), "P1",
-                   {.kind = SessionKind::pilot, .resumes = true, .despite_changes = true});
+                   {.kind = SessionKind::pilot, .resumes = true, .accept_changes = true});
   };
   EXPECT_THAT(refusal(as_rehearsal), HasSubstr("has a session that counts"));
 }
@@ -97,8 +97,8 @@ TEST_F(SessionOfAPerson, GoesOnByTheProgramThatRecordedItLast) {
 
 TEST_F(SessionOfAPerson, BeginsInAStudyOfAFormerVersionWhereThatIsSaid) {
   begin_by(former_version());
-  const auto begin = [&](bool despite_changes) {
-    return session_so_far(store_, small_protocol(), "P2", {.despite_changes = despite_changes});
+  const auto begin = [&](bool accept_changes) {
+    return session_so_far(store_, small_protocol(), "P2", {.accept_changes = accept_changes});
   };
   EXPECT_THAT(refusal([&] { begin(false); }),
               HasSubstr("has sessions by Foveola 0.0.9, and this is " + build_info().version));

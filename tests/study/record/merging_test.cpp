@@ -164,13 +164,13 @@ TEST_F(MergingShards, OrdersThemByTheirDesign) {
 
 /// The second of three participants.
 TEST_F(MergingShards, NamesWhoIsMissingInTheWholeThatTheyAreOf) {
-  const auto shard = [&](int design_row, const SimulatedWhole& whole) {
+  const auto shard = [&](int design_row, const ShardedStudy& whole) {
     const std::string participant = participant_code(design_row);
     const fs::path path = simulated(participant, design_row, {}, "x86-64-v3");
     StudyStore(path, small_protocol()).mark_as_part(whole);
     return path;
   };
-  const SimulatedWhole whole{.seed = std::to_string(facts_of("P001").seed), .participants = 3};
+  const ShardedStudy whole{.seed = std::to_string(facts_of("P001").seed), .participants = 3};
   const fs::path first = shard(0, whole);
   const fs::path second = shard(1, whole);
   const fs::path third = shard(2, whole);
@@ -199,7 +199,7 @@ TEST_F(MergingShards, RefusesOnesOfAnotherProgramOrAnotherKind) {
   const fs::path wider = simulated("P02", 1, {}, "x86-64-v4");
   EXPECT_THAT(refusal([&] { merge_studies({usual, wider}, all_); }),
               AllOf(StartsWith(wider.string()), HasSubstr("P02 was simulated by "),
-                    HasSubstr("with x86-64-v4, and "), HasSubstr("one program")));
+                    HasSubstr("with x86-64-v4, but "), HasSubstr("same instruction set")));
   const fs::path smaller = simulated("P03", 2, {.scale = 4.0}, "x86-64-v3");
   EXPECT_THAT(refusal([&] { merge_studies({usual, smaller}, all_); }),
               AllOf(StartsWith(smaller.string()), HasSubstr("simulated in another way")));

@@ -55,11 +55,12 @@ TEST_F(StrangersFiles, AJournalIsNotPlayedIntoTheFile) {
   EXPECT_THAT(faults(), IsEmpty());
   EXPECT_THAT(
       verify_study(path_).warnings,
-      ElementsAre(FieldsAre("", StartsWith(path_.string() + "-journal: is not the study's"))));
+      ElementsAre(FieldsAre(
+          "", StartsWith(path_.string() + "-journal: is not a journal that Foveola wrote"))));
   EXPECT_EQ(read_study(path_).sessions.size(), 1U);
   EXPECT_THAT(refusal([&] { const StudyStore store(path_, thorough_protocol()); }),
-              AllOf(StartsWith(path_.string() + "-journal: is not the study's"),
-                    HasSubstr("move it away")));
+              AllOf(StartsWith(path_.string() + "-journal: is not a journal that Foveola wrote"),
+                    HasSubstr("move it to another folder")));
   EXPECT_TRUE(read_file(path_) == before);
 }
 
@@ -72,7 +73,7 @@ TEST_F(StrangersFiles, AJournalThatWouldCutTheFileOffIsRefused) {
   journal.replace(516, 4096, before.substr(0, 4096));
   folder_.write("study.sqlite-journal", journal);
   EXPECT_THAT(refusal([&] { const StudyStore store(path_, thorough_protocol()); }),
-              HasSubstr("is not the study's"));
+              HasSubstr("is not a journal that Foveola wrote"));
   EXPECT_TRUE(read_file(path_) == before);
 }
 

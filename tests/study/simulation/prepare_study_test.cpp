@@ -164,7 +164,7 @@ TEST_P(PrepareStudy, NothingIsPreparedForPeopleWhoDoNotLook) {
   SimulateSettings injected = settings();
   injected.injected = "faster:fv:3";
   const PrepareReport report = prepare(injected);
-  EXPECT_FALSE(report.has_looks);
+  EXPECT_FALSE(report.simulates_viewing);
   EXPECT_EQ(report.items, 0);
   EXPECT_TRUE(machine.files().empty());
 }

@@ -56,7 +56,7 @@ DataQualityCheck check_on(const study::StudyRecords& records, const std::string&
 
 void expect_check(const DataQualityCheck& check, Verdict verdict, const std::string& found) {
   EXPECT_EQ(check.verdict, verdict);
-  EXPECT_EQ(check.found, found);
+  EXPECT_EQ(check.value_text, found);
 }
 
 /// Every method in another place from trial to trial.
@@ -79,7 +79,7 @@ TEST(DataQualityChecks, GoodDataPass) {
        {"refresh", "valid gaze", "Latency", "mark upon it", "Validation", "People", "Retimed"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::passed) << name;
   }
-  EXPECT_THAT(check_of(report, "Validation").found, HasSubstr("0.90° at most"));
+  EXPECT_THAT(check_of(report, "Validation").value_text, HasSubstr("0.90° at most"));
 }
 
 TEST(DataQualityChecks, WhatWasMissedIsFlaggedWithWhoMissedItMost) {
@@ -92,7 +92,7 @@ TEST(DataQualityChecks, WhatWasMissedIsFlaggedWithWhoMissedItMost) {
   const DataQualityReport report = report_on(complete_study(2), quality);
   for (const char* name : {"refresh", "valid gaze", "Latency", "mark upon it"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::flagged) << name;
-    EXPECT_THAT(check_of(report, name).found,
+    EXPECT_THAT(check_of(report, name).value_text,
                 AllOf(HasSubstr("participant P2"), EndsWith("above the limit: P2")));
   }
 }
@@ -104,9 +104,9 @@ TEST(DataQualityChecks, EverybodyAboveAFramesLimitIsNamed) {
     quality.frames.back().late = i == 3 ? 20 : 100 + 10 * static_cast<std::uint64_t>(i);
   }
   const DataQualityReport report = report_on(complete_study(8), quality);
-  EXPECT_EQ(check_of(report, "refresh").found,
+  EXPECT_EQ(check_of(report, "refresh").value_text,
             "at most 1.8 %, participant P8; above the limit: P1, P2, P4, P5, P6, P7, P8");
-  EXPECT_THAT(check_of(report, "valid gaze").found, EndsWith("above the limit: none"));
+  EXPECT_THAT(check_of(report, "valid gaze").value_text, EndsWith("above the limit: none"));
 }
 
 TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
@@ -148,7 +148,7 @@ TEST(DataQualityChecks, AMouseInPlaceOfAnEyeAndSessionsThatDifferAreFlagged) {
 
 TEST(DataQualityChecks, ManyTimesThatRanOutAreFlagged) {
   study::StudyRecords records = complete_study(5);
-  EXPECT_EQ(check_on(records, "Right-censored").found, "none");
+  EXPECT_EQ(check_on(records, "Right-censored").value_text, "none");
   for (const char* participant : {"P1", "P2"}) {
     value_of(records, participant, "aula", "od", "outline") = right_censored(60.0);
   }
@@ -166,7 +166,7 @@ TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
   balance_methods(records);
   const DataQualityCheck balanced = check_on(records, "order");
   EXPECT_EQ(balanced.verdict, Verdict::passed);
-  EXPECT_THAT(balanced.found, HasSubstr("5 to 6 times"));
+  EXPECT_THAT(balanced.value_text, HasSubstr("5 to 6 times"));
 }
 
 // Each participant's methods are permuted within the scene, so counts vary less than free ones:
@@ -198,10 +198,10 @@ TEST(DataQualityChecks, OneRandomDesignInAHundredIsFlagged) {
 TEST(DataQualityChecks, ASceneWithAMissingTrialSaysNothingOfTheOrder) {
   study::StudyRecords records = complete_study(6);
   balance_methods(records);
-  EXPECT_THAT(check_on(records, "order").found, HasSubstr("each method 4 to 4 times"));
+  EXPECT_THAT(check_on(records, "order").value_text, HasSubstr("each method 4 to 4 times"));
   records.trials.pop_back();
   records.values.resize(records.trials.size() * records.measures.size());
-  EXPECT_THAT(check_on(records, "order").found, HasSubstr("each method 3 to 4 times"));
+  EXPECT_THAT(check_on(records, "order").value_text, HasSubstr("each method 3 to 4 times"));
 }
 
 TEST(DataQualityChecks, MarksAreHeldAgainstTheReactionFloor) {
@@ -227,7 +227,7 @@ TEST(DataQualityChecks, AMarkSoonerThanAnybodySeesIsFlaggedOfOneParticipantToo) 
   value_of(records, "P1", "aula", "fv", "outline") = measured(0.055);
   const DataQualityCheck early = check_on(records, "sooner than");
   EXPECT_EQ(early.verdict, Verdict::flagged);
-  EXPECT_THAT(early.found, HasSubstr("P1, aula, fv, outline: 0.055 s"));
+  EXPECT_THAT(early.value_text, HasSubstr("P1, aula, fv, outline: 0.055 s"));
 }
 
 TEST(DataQualityChecks, WhatSessionsRanOnIsComparedIfTheyAreAnalysed) {
@@ -263,7 +263,7 @@ TEST(DataQualityChecks, MarksInCatchTrialsAreFalseAlarms) {
   EXPECT_EQ(some.catches.at(0).false_alarms, 3U);
   EXPECT_DOUBLE_EQ(some.catches.at(0).false_alarms_percent(), 25.0);
   EXPECT_EQ(check_of(some, "False alarms").verdict, Verdict::flagged);
-  EXPECT_THAT(check_of(some, "False alarms").found,
+  EXPECT_THAT(check_of(some, "False alarms").value_text,
               HasSubstr("a mark in 3 of 12 catch trials; above the limit: P1"));
 }
 
@@ -346,8 +346,8 @@ TEST(DataQualityChecks, OnlyTheLastTimingsOfAnalysedTestTrialsAreHeldAgainstTheG
     }
   }
   const DataQualityReport report = report_on(records, quality);
-  EXPECT_EQ(check_of(report, "out of view").found, "0 of 18 marks");
-  EXPECT_EQ(check_of(report, "gaze elsewhere").found, "0 of 9 trials");
+  EXPECT_EQ(check_of(report, "out of view").value_text, "0 of 18 marks");
+  EXPECT_EQ(check_of(report, "gaze elsewhere").value_text, "0 of 9 trials");
 }
 
 TEST(DataQualityChecks, SessionsThatWentThroughWithoutAWordPass) {
@@ -411,7 +411,7 @@ TEST(DataQualityChecks, TrialsTimedAgainAreNamedButForThoseThatWereCutOff) {
   study::StudyRecords records = complete_study(3);
   records.sessions[2].state = "interrupted";
   (void)gaze_on_objects(records);  // numbers the trials
-  EXPECT_EQ(check_on(records, "Retimed").found, "0 of 12 trials");
+  EXPECT_EQ(check_on(records, "Retimed").value_text, "0 of 12 trials");
   add_earlier_timing(records, 1, "interrupted");
   EXPECT_EQ(check_on(records, "Retimed").verdict, Verdict::passed);
   add_earlier_timing(records, 2, "retimed");

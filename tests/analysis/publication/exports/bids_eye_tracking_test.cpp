@@ -42,7 +42,7 @@ std::vector<TextFile> files_of(const study::AttemptGaze& attempt,
                                const std::vector<study::GazeRunRow>& validations = {},
                                const std::vector<study::AttemptGazeRow>& gaze = {}) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), validations, gaze);
-  return eyes.files_of(attempt);
+  return eyes.export_attempt(attempt);
 }
 
 std::vector<std::string> names_of(const std::vector<TextFile>& files) {
@@ -67,7 +67,7 @@ std::vector<std::vector<std::string>> rows_in(const TextFile& file) {
   return rows;
 }
 
-nlohmann::json json_in(const TextFile& file) { return nlohmann::json::parse(file.content); }
+nlohmann::json parse_json(const TextFile& file) { return nlohmann::json::parse(file.content); }
 
 TEST(BidsEyeTracking, SamplesAreAnglesAndWhatIsNotSeenIsNotAvailable) {
   const std::vector<TextFile> files = files_of(made_up_gaze("P1"));
@@ -92,7 +92,7 @@ TEST(BidsEyeTracking, EventsAreMovementsMarksAndTheFirstFrame) {
 // EyeTrack), rules/tabular_data/physio.yaml (PhysioEyeTracking, PhysioEventsColumns),
 // rules/checks/eyetrack.yaml, and the enumerations of objects/metadata.yaml.
 TEST(BidsEyeTracking, TheSamplesSidecarHasWhatTheSpecificationRequires) {
-  const nlohmann::json json = json_in(files_of(made_up_gaze("P1")).at(1));
+  const nlohmann::json json = parse_json(files_of(made_up_gaze("P1")).at(1));
   EXPECT_EQ(json["PhysioType"], "eyetrack");
   EXPECT_DOUBLE_EQ(json["SamplingFrequency"].get<double>(), 100.0);
   EXPECT_DOUBLE_EQ(json["StartTime"].get<double>(), -0.004);
@@ -108,11 +108,11 @@ TEST(BidsEyeTracking, TheSamplesSidecarHasWhatTheSpecificationRequires) {
 
 TEST(BidsEyeTracking, TheEventsSidecarHasWhatTheSpecificationRequires) {
   const std::vector<TextFile> files = files_of(made_up_gaze("P1"));
-  const nlohmann::json json = json_in(files.at(3));
+  const nlohmann::json json = parse_json(files.at(3));
   const auto columns = json["Columns"].get<std::vector<std::string>>();
   EXPECT_EQ(columns.at(0), "onset");
   EXPECT_THAT(rows_in(files.at(2)), Each(SizeIs(columns.size())));
-  EXPECT_THAT(json_in(files.at(1))["Columns"], Contains(json["OnsetSource"].get<std::string>()));
+  EXPECT_THAT(parse_json(files.at(1))["Columns"], Contains(json["OnsetSource"].get<std::string>()));
   for (const auto& row : rows_in(files.at(2))) {
     EXPECT_TRUE(json["trial_type"]["Levels"].contains(row.at(2))) << row.at(2);
     EXPECT_GE(std::stod(row.at(1)), 0.0);
@@ -120,7 +120,7 @@ TEST(BidsEyeTracking, TheEventsSidecarHasWhatTheSpecificationRequires) {
 }
 
 TEST(BidsEyeTracking, EachRecordingSaysWhichTrialItIs) {
-  const nlohmann::json trial = json_in(files_of(made_up_gaze("P1")).at(1))["Trial"];
+  const nlohmann::json trial = parse_json(files_of(made_up_gaze("P1")).at(1))["Trial"];
   EXPECT_EQ(trial["Position"], 3);
   EXPECT_EQ(trial["Scene"], "barn");
   EXPECT_EQ(trial["Method"], "fv");
@@ -129,13 +129,13 @@ TEST(BidsEyeTracking, EachRecordingSaysWhichTrialItIs) {
 
 TEST(BidsEyeTracking, RunsAreCountedForEachParticipant) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
-  EXPECT_THAT(names_of(eyes.files_of(made_up_gaze("P1"))),
+  EXPECT_THAT(names_of(eyes.export_attempt(made_up_gaze("P1"))),
               ElementsAre(std::string(stem) + ".tsv.gz", std::string(stem) + ".json",
                           std::string(stem) + "events.tsv.gz", std::string(stem) + "events.json"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P1")).at(0).name, HasSubstr("_run-02_"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, HasSubstr("sub-P2"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P2")).at(0).name, HasSubstr("_run-02_"));
-  EXPECT_THAT(eyes.files_of(made_up_gaze("P9")), IsEmpty()) << "not analysed";
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P1")).at(0).name, HasSubstr("_run-02_"));
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P2")).at(0).name, HasSubstr("sub-P2"));
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P2")).at(0).name, HasSubstr("_run-02_"));
+  EXPECT_THAT(eyes.export_attempt(made_up_gaze("P9")), IsEmpty()) << "not analysed";
 }
 
 TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
@@ -146,10 +146,10 @@ TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
   for (GazeSample& sample : without_events.samples) {
     sample.mark = GazeMark::none;
   }
-  EXPECT_THAT(eyes.files_of(without_events), SizeIs(2));
-  EXPECT_FALSE(eyes.ignored().has_value());
-  (void)eyes.files_of(made_up_gaze("P1"));
-  const std::optional<TextFile> ignored = eyes.ignored();
+  EXPECT_THAT(eyes.export_attempt(without_events), SizeIs(2));
+  EXPECT_FALSE(eyes.bidsignore_file().has_value());
+  (void)eyes.export_attempt(made_up_gaze("P1"));
+  const std::optional<TextFile> ignored = eyes.bidsignore_file();
   ASSERT_TRUE(ignored.has_value());
   EXPECT_EQ(ignored->name, "bids/.bidsignore");
   EXPECT_THAT(ignored->content, EndsWith("\n*_physioevents.tsv.gz\n*_physioevents.json\n"));
@@ -160,7 +160,7 @@ TEST(BidsEyeTracking, RecordingsWithoutAFrequencyAreCounted) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {}, {});
   study::AttemptGaze attempt = made_up_gaze("P1");
   attempt.samples.resize(1);
-  EXPECT_THAT(eyes.files_of(attempt), IsEmpty());
+  EXPECT_THAT(eyes.export_attempt(attempt), IsEmpty());
   EXPECT_EQ(eyes.too_short(), 1U);
 }
 
@@ -170,9 +170,9 @@ TEST(BidsEyeTracking, HasTheAccuracyOfTheLastValidationWithValidSamples) {
       {.participant = "P1", .run = 2, .accuracy_deg = 0.5},
       {.participant = "P1", .run = 3},
       {.participant = "P2", .run = 1, .accuracy_deg = 1.5}};
-  EXPECT_EQ(json_in(files_of(made_up_gaze("P1"), validations).at(1))["AverageCalibrationError"],
+  EXPECT_EQ(parse_json(files_of(made_up_gaze("P1"), validations).at(1))["AverageCalibrationError"],
             0.5);
-  EXPECT_FALSE(json_in(files_of(made_up_gaze("P1")).at(1)).contains("AverageCalibrationError"));
+  EXPECT_FALSE(parse_json(files_of(made_up_gaze("P1")).at(1)).contains("AverageCalibrationError"));
 }
 
 // A mouse has no eye: its path is no eye tracking.
@@ -183,7 +183,7 @@ TEST(BidsEyeTracking, AMouseInPlaceOfAnEyeIsNamed) {
                {{.participant = "P1", .trial = 3, .attempt = 1, .tracker = "pointer"}});
   EXPECT_EQ(files.at(1).name,
             "bids/sub-P1/beh/sub-P1_task-preview_run-01_recording-mouse_physio.json");
-  const nlohmann::json json = json_in(files.at(1));
+  const nlohmann::json json = parse_json(files.at(1));
   EXPECT_EQ(json["PhysioType"], "generic");
   EXPECT_EQ(json["GazeSource"], "the mouse pointer in place of an eye");
   for (const char* of_eyes : {"RecordedEye", "SampleCoordinateSystem", "AverageCalibrationError"}) {

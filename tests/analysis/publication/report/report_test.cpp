@@ -17,7 +17,7 @@ std::string report_of(const study::StudyRecords& records,
   const Background background =
       analyse_background(background_answers(records), records.protocol.analysis, tables.set);
   const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
-  const std::optional<PublishedStudy> published = published_beside(tables.set);
+  const std::optional<PublishedStudy> published = published_study_for(tables.set);
   const DataQualityReport checks = check_data_quality(tables, quality, records);
   return report_html({tables, background,
                       result_tables(records, tables, background, comparisons, checks), comparisons,

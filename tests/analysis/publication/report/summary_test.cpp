@@ -15,7 +15,7 @@ std::string summary_of(const study::StudyRecords& records) {
   return terminal_summary(tables,
                           result_tables(records, tables, background, comparisons,
                                         check_data_quality(tables, {}, records)),
-                          comparisons, background, published_beside(tables.set));
+                          comparisons, background, published_study_for(tables.set));
 }
 
 TEST(Summary, HasTheMainNumbers) {

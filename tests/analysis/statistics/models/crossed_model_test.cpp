@@ -73,7 +73,7 @@ TEST(CrossedModel, WithoutDifferencesBetweenScenesItIsTheTOverParticipants) {
   for (std::size_t participant = 0; participant < data.participants; ++participant) {
     means.push_back(*mean(data.of(participant)));
   }
-  const RatioTest over_participants = ratio_t(means).value();
+  const RatioTest over_participants = test_ratio(means).value();
   const CrossedModel model = crossed_model(data).value();
   EXPECT_EQ(model.scene_variance, 0.0);
   EXPECT_GOLDEN(model.mean, over_participants.logs.mean);
@@ -85,7 +85,7 @@ TEST(CrossedModel, WithoutDifferencesBetweenScenesItIsTheTOverParticipants) {
 
 TEST(CrossedModel, WithNeitherItIsTheTOverAllDifferences) {
   const RepeatedMeasures data = golden_differences("neither_16x5");
-  const TTest over_all = one_sample_t(data.values).value();
+  const TTest over_all = test_mean(data.values).value();
   const CrossedTest test = crossed_model(data)->test.value();
   EXPECT_DOUBLE_EQ(test.degrees_of_freedom, 79.0);
   EXPECT_GOLDEN(test.t, over_all.t);

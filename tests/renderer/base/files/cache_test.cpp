@@ -29,20 +29,20 @@ std::string with_flipped_bit(std::string content, std::size_t byte) {
 TEST(Cache, FindsWhatWasKeptAndNothingElse) {
   const test::TemporaryFolder folder;
   const std::string content("a\0b\r\n\xff", 6);
-  EXPECT_EQ(kept_content(folder / "x.bin"), std::nullopt);
-  EXPECT_FALSE(is_kept(folder / "x.bin"));
-  keep_content(folder / "x.bin", content);
-  EXPECT_TRUE(is_kept(folder / "x.bin"));
-  EXPECT_THAT(kept_content(folder / "x.bin"), Optional(content));
+  EXPECT_EQ(read_from_cache(folder / "x.bin"), std::nullopt);
+  EXPECT_FALSE(is_cached(folder / "x.bin"));
+  store_content(folder / "x.bin", content);
+  EXPECT_TRUE(is_cached(folder / "x.bin"));
+  EXPECT_THAT(read_from_cache(folder / "x.bin"), Optional(content));
   EXPECT_EQ(read_file(folder / "x.bin"), content) << "others can read it too";
-  keep_content(folder / "empty", "");
-  EXPECT_THAT(kept_content(folder / "empty"), Optional(std::string()));
-  EXPECT_FALSE(is_kept(folder.path()));
+  store_content(folder / "empty", "");
+  EXPECT_THAT(read_from_cache(folder / "empty"), Optional(std::string()));
+  EXPECT_FALSE(is_cached(folder.path()));
 }
 
 TEST(Cache, DigestsAreChecked) {
   const test::TemporaryFolder folder;
-  keep_content(folder / "x.bin", "abc");  // the example of FIPS 180-4
+  store_content(folder / "x.bin", "abc");  // the example of FIPS 180-4
   EXPECT_EQ(read_file(folder / "x.bin.sha256"),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad  x.bin\n");
   EXPECT_THAT(folder.entries(), ElementsAre("x.bin", "x.bin.sha256"));
@@ -54,13 +54,13 @@ TEST(Cache, DamagedFilesAreMissingUntilTheyAreKeptAgain) {
   const fs::path digest = folder / "x.bin.sha256";
   const std::string content(1000, 'x');
   const auto expect_it_is_kept_again = [&](const std::string& damage) {
-    EXPECT_FALSE(is_kept(file)) << damage;
-    EXPECT_EQ(kept_content(file), std::nullopt) << damage;
-    keep_content(file, content);
-    EXPECT_TRUE(is_kept(file)) << damage;
-    EXPECT_THAT(kept_content(file), Optional(content)) << damage;
+    EXPECT_FALSE(is_cached(file)) << damage;
+    EXPECT_EQ(read_from_cache(file), std::nullopt) << damage;
+    store_content(file, content);
+    EXPECT_TRUE(is_cached(file)) << damage;
+    EXPECT_THAT(read_from_cache(file), Optional(content)) << damage;
   };
-  keep_content(file, content);
+  store_content(file, content);
   for (const std::size_t byte : {std::size_t{0}, std::size_t{512}, content.size() - 1}) {
     write_file(file, with_flipped_bit(content, byte));
     expect_it_is_kept_again("a bit flipped");
@@ -89,13 +89,13 @@ TEST(Cache, WhatIsThereAlreadyStays) {
     ::stat((folder / "x").c_str(), &status);
     return status.st_ino;
   };
-  keep_content(folder / "x", "the same");
+  store_content(folder / "x", "the same");
   const auto first = inode();
-  keep_content(folder / "x", "the same");
+  store_content(folder / "x", "the same");
   EXPECT_EQ(inode(), first);
-  keep_content(folder / "x", "another");
+  store_content(folder / "x", "another");
   EXPECT_NE(inode(), first);
-  EXPECT_THAT(kept_content(folder / "x"), Optional(std::string("another")));
+  EXPECT_THAT(read_from_cache(folder / "x"), Optional(std::string("another")));
   EXPECT_THAT(folder.entries(), ElementsAre("x", "x.sha256"));
 }
 
@@ -137,11 +137,11 @@ fs::path file_of(const fs::path& folder, std::uint32_t key) {
 bool take_turns(const fs::path& folder, std::uint32_t writer, std::uint32_t rounds) {
   for (std::uint32_t round = 0; round < rounds; ++round) {
     for (std::uint32_t key = 0; key < keys; ++key) {
-      const std::optional<std::string> found = kept_content(file_of(folder, key));
+      const std::optional<std::string> found = read_from_cache(file_of(folder, key));
       if (found && !is_whole(*found, key)) {
         return false;
       }
-      keep_content(file_of(folder, key), self_similar(key, writer, round));
+      store_content(file_of(folder, key), self_similar(key, writer, round));
     }
   }
   return true;
@@ -174,8 +174,8 @@ TEST(Cache, ManyProcessesFillItWhileOneIsKilled) {
     }
   }
   for (std::uint32_t key = 0; key < keys; ++key) {
-    keep_content(file_of(folder.path(), key), self_similar(key, 9, 1));
-    EXPECT_THAT(kept_content(file_of(folder.path(), key)), Optional(self_similar(key, 9, 1)));
+    store_content(file_of(folder.path(), key), self_similar(key, 9, 1));
+    EXPECT_THAT(read_from_cache(file_of(folder.path(), key)), Optional(self_similar(key, 9, 1)));
   }
   for (const std::string& name : folder.entries()) {
     EXPECT_TRUE(name.starts_with('.') || name.ends_with(".bin") || name.ends_with(".bin.sha256"))
@@ -190,7 +190,7 @@ TEST(Cache, AWriterThatIsKilledWhileItWritesLeavesNone) {
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    keep_file(file, [](const fs::path& temporary) {
+    store_file(file, [](const fs::path& temporary) {
       write_file(temporary, "half of it");
       ::raise(SIGKILL);
     });
@@ -200,9 +200,9 @@ TEST(Cache, AWriterThatIsKilledWhileItWritesLeavesNone) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_THAT(folder.entries(), ElementsAre(MatchesRegex("\\.x\\..*\\.partial\\.bin")));
-  EXPECT_FALSE(is_kept(file));
-  keep_content(file, "all of it");
-  EXPECT_THAT(kept_content(file), Optional(std::string("all of it")));
+  EXPECT_FALSE(is_cached(file));
+  store_content(file, "all of it");
+  EXPECT_THAT(read_from_cache(file), Optional(std::string("all of it")));
 }
 
 }  // namespace

@@ -142,8 +142,8 @@ TEST_F(Files, WhatAReplacedOneCannotKeepIsSaid) {
     write_file(file, "new");
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            fmt::format("foveola: warning: {}: its owner could not be kept (Operation not "
-                        "permitted)\n",
+            fmt::format("foveola: warning: {}: its owner could not be given to the new file "
+                        "(Operation not permitted); use chown\n",
                         file.string()));
   EXPECT_EQ(read_file(file), "new");
 }

@@ -233,13 +233,13 @@ TEST(PunctualLightsTest, RaysMeetWhatIsDrawn) {
         const Vec3 to_centre = light.position - place;
         const Vec3 direction =
             glm::normalize(glm::mix(sample->to_light / distance, to_centre, 1e-3F));
-        const auto met = lights.meet(0, place, direction);
+        const auto met = lights.hit(0, place, direction);
         ASSERT_TRUE(met);
         EXPECT_NEAR(met->t, distance, 0.06);
         EXPECT_EQ(met->radiance, sample->radiance);
         EXPECT_EQ(met->pdf, sample->pdf);
-        EXPECT_TRUE(any_lane(lights.may_meet(all_lanes(place), all_lanes(direction))));
-        EXPECT_FALSE(lights.meet(0, light.position + 2.0F * direction, direction));
+        EXPECT_TRUE(any_lane(lights.may_hit(all_lanes(place), all_lanes(direction))));
+        EXPECT_FALSE(lights.hit(0, light.position + 2.0F * direction, direction));
       }
     }
   }

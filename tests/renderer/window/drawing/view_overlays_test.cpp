@@ -98,7 +98,7 @@ TEST(ViewOverlaysTest, ATargetIsAsLargeAsAsked) {
   test::ScreenCapture capture(one_view);
   const auto black = [&](float least_px) {
     const RgbImage picture =
-        capture.capture({.target = Vec3(0.0F, 0.0F, -1.0F), .least_target_px = least_px});
+        capture.capture({.target = Vec3(0.0F, 0.0F, -1.0F), .min_target_px = least_px});
     return std::count_if(picture.pixels.begin(), picture.pixels.end(),
                          [](const Rgb& color) { return max_component(color) < 0.1F; });
   };

@@ -44,7 +44,7 @@ TEST(PlacedEyeTracker, AWindowThatFillsTheMonitorChangesNothing) {
 
 // A window of 640 x 480 in the top left corner: its middle is 320 and 240 pixels from there.
 TEST(PlacedEyeTracker, AWindowInACornerHasItsMiddleAhead) {
-  const WindowPlace corner{.monitor_px = {1920, 1080}, .middle_px = {320.0 - 960.0, 240.0 - 540.0}};
+  const WindowPlace corner{.monitor_px = {1920, 1080}, .centre_px = {320.0 - 960.0, 240.0 - 540.0}};
   expect_tangents(seen({320.0 / 1920.0, 240.0 / 1080.0}, corner), 0.0, 0.0);
   expect_tangents(seen({0.0, 0.0}, corner), -320 * 0.25e-3 / 0.5, 240 * 0.25e-3 / 0.5);
   expect_tangents(seen({0.5, 0.5}, corner), 640 * 0.25e-3 / 0.5, -300 * 0.25e-3 / 0.5);

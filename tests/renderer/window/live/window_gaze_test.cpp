@@ -22,7 +22,7 @@ class TrackerCheckTest : public ::testing::Test {
 };
 
 TEST_F(TrackerCheckTest, ShowsOneDotAfterTheOther) {
-  EXPECT_FALSE(check_.goes_on());
+  EXPECT_FALSE(check_.is_running());
   check_.begin(geometry_, {}, seconds(0));
   EXPECT_THAT(check_.panel().lines,
               ElementsAre("Look at the dot: 1 of 5", "Escape ends the check"));
@@ -35,11 +35,11 @@ TEST_F(TrackerCheckTest, ShowsOneDotAfterTheOther) {
   for (const int until_s : {10, 15, 20}) {
     EXPECT_FALSE(wait(until_s));
   }
-  EXPECT_TRUE(check_.goes_on());
+  EXPECT_TRUE(check_.is_running());
   const auto watched = wait(25);
   ASSERT_TRUE(watched);
   EXPECT_THAT(*watched, SizeIs(5));
-  EXPECT_FALSE(check_.goes_on());
+  EXPECT_FALSE(check_.is_running());
   EXPECT_FALSE(wait(30));
 }
 
@@ -49,7 +49,7 @@ TEST_F(TrackerCheckTest, BeginsAnewOrEndsEarly) {
   check_.begin(geometry_, {}, seconds(6));
   EXPECT_THAT(check_.panel().lines.front(), "Look at the dot: 1 of 5");
   check_.end();
-  EXPECT_FALSE(check_.goes_on());
+  EXPECT_FALSE(check_.is_running());
   EXPECT_FALSE(wait(60));
 }
 

@@ -131,7 +131,7 @@ TEST_P(ScreenLayoutTest, LinesAreNotTooLongToReadOn) {
 
 TEST_P(ScreenLayoutTest, AFullPageOfWordsIsShownWhole) {
   const std::string words = test::full_page_of_words();
-  ASSERT_GE(words.size() + 1, screen_lines * screen_line_characters);
+  ASSERT_GE(words.size() + 1, max_screen_lines * screen_line_characters);
   const ScreenLayout placed =
       layout({.title = "Title", .paragraphs = {words}, .keys = "[Enter] next", .progress = 0.5});
   std::string shown;

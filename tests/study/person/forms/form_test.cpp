@@ -186,7 +186,7 @@ TEST(PagesOfWords, LongOnesAreBrokenAndLoseNothing) {
   EXPECT_GT(pages.size(), 3U);
   std::string all;
   for (const auto& page : pages) {
-    EXPECT_LE(lines_on(page), screen_lines);
+    EXPECT_LE(lines_on(page), max_screen_lines);
     for (const std::string& part : page) {
       all += (all.empty() ? "" : " ") + part;
     }
@@ -198,14 +198,14 @@ TEST(PagesOfWords, AWordWithoutEndIsBrokenToo) {
   const std::string endless(2000, 'x');
   std::string all;
   for (const auto& page : split_into_pages({endless})) {
-    EXPECT_LE(lines_on(page), screen_lines);
+    EXPECT_LE(lines_on(page), max_screen_lines);
     all += page.front();
   }
   EXPECT_EQ(all, endless);
 }
 
 TEST(PagesOfWords, AreTurnedAndTurnedBack) {
-  const std::string page(screen_line_characters * screen_lines * 3 / 4, 'x');
+  const std::string page(screen_line_characters * max_screen_lines * 3 / 4, 'x');
   Form form({.title = "Read", .intro = {page + "1", page + "2"}}, {});
   EXPECT_THAT(form.screen().paragraphs, ElementsAre(page + "1"));
   press(form, {FormKey::enter});
