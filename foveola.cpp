@@ -21,8 +21,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/commands.h"
 #include "renderer/command_line/completion.h"
@@ -35,7 +35,7 @@
 #include "scenes/descriptor_text.h"
 #include "scenes/find_scene.h"
 #include "study/commands/commands.h"
-#include "study/record/database.h"
+#include "study/record/sqlite/database.h"
 #include "study/simulation/simulate_study.h"
 
 namespace fs = std::filesystem;

@@ -17,10 +17,10 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/similar_word.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/transformed.h"
-#include "renderer/base/utf8.h"
 #include "renderer/base/work/work_scope.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"

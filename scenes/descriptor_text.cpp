@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "scenes/descriptor.h"
 
 namespace fs = std::filesystem;

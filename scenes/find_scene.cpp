@@ -11,7 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/similar_word.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"
 #include "scenes/descriptor_search.h"

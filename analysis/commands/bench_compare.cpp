@@ -13,7 +13,7 @@
 #include "analysis/tables/table.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 
 namespace foveola::analysis {

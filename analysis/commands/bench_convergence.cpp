@@ -19,7 +19,7 @@
 #include "analysis/publication/exports/output_folder.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/work/parallel.h"
 #include "renderer/base/work/shard.h"
 #include "renderer/command_line/common_options.h"

@@ -17,7 +17,7 @@
 #include "analysis/monte_carlo/coverage.h"
 #include "analysis/monte_carlo/model_coverage.h"
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/bench_facts.h"

@@ -10,10 +10,10 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/transformed.h"
-#include "renderer/base/utf8.h"
-#include "study/record/verification_json.h"
+#include "study/record/verify/verification_json.h"
 
 namespace foveola::analysis {
 namespace {

@@ -9,7 +9,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "study/stage/scene_stage.h"

@@ -15,10 +15,10 @@
 #include "analysis/r_models/fit_models.h"
 #include "analysis/statistics/power.h"
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/work/parallel.h"
 #include "renderer/base/work/work_scope.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 namespace {

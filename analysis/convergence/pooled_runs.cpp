@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 
 namespace fs = std::filesystem;
 

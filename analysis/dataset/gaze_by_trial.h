@@ -9,8 +9,8 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/tables/table.h"
-#include "study/record/data_quality_records.h"
-#include "study/record/study_records.h"
+#include "study/record/read/data_quality_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

@@ -8,7 +8,7 @@
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/tables/table.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

@@ -7,7 +7,7 @@
 
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/published_study.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

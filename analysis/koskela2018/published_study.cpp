@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "analysis/koskela2018/profile.h"
-#include "renderer/base/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 
 namespace fs = std::filesystem;
 

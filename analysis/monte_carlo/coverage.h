@@ -12,7 +12,7 @@
 
 #include "analysis/dataset/primary_analysis.h"
 #include "analysis/statistics/descriptive.h"
-#include "renderer/base/exact_sum.h"
+#include "renderer/base/numbers/exact_sum.h"
 #include "renderer/base/work/parallel.h"
 
 namespace foveola::analysis {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/monte_carlo/expected_study.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/design/plan.h"
 #include "study/protocol/measure.h"
 #include "study/protocol/reading/read_procedure.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/protocol/protocol.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

@@ -18,7 +18,7 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/work/parallel.h"
 
 namespace fs = std::filesystem;

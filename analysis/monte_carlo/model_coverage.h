@@ -11,7 +11,7 @@
 #include "analysis/monte_carlo/coverage.h"
 #include "analysis/monte_carlo/expected_study.h"
 #include "analysis/monte_carlo/study_power.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

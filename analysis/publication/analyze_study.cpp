@@ -27,7 +27,7 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "study/record/damage_remedy.h"
+#include "study/record/sqlite/damage_remedy.h"
 
 namespace fs = std::filesystem;
 

@@ -12,9 +12,9 @@
 #include "analysis/koskela2018/background.h"
 #include "analysis/publication/data_quality/data_quality_checks.h"
 #include "analysis/tables/table.h"
-#include "study/record/maintenance.h"
-#include "study/record/recorded_gaze.h"
-#include "study/record/study_records.h"
+#include "study/record/maintain/maintenance.h"
+#include "study/record/read/recorded_gaze.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

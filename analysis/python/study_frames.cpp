@@ -13,8 +13,8 @@
 #include "analysis/dataset/trial_data.h"
 #include "analysis/publication/analyze_study.h"
 #include "analysis/tables/table.h"
-#include "study/record/data_quality_records.h"
-#include "study/record/study_records.h"
+#include "study/record/read/data_quality_records.h"
+#include "study/record/read/study_records.h"
 
 namespace py = pybind11;
 

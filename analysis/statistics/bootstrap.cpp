@@ -5,7 +5,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/transformed.h"
 
 namespace foveola::analysis {

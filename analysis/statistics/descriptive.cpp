@@ -6,7 +6,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/logarithms.h"
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 
 namespace foveola::analysis {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/paired_t.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 
 namespace foveola::analysis {
 

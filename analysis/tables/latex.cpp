@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::analysis {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "analysis/tables/html.h"
 #include "analysis/tables/latex.h"
-#include "renderer/base/aligned_rows.h"
+#include "renderer/base/numbers/aligned_rows.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/transformed.h"
-#include "renderer/base/utf8.h"
 
 namespace foveola::analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/csv.h"
+#include "renderer/base/text/csv.h"
 #include "renderer/base/transformed.h"
 
 namespace foveola::analysis {

@@ -1,6 +1,6 @@
 #include "renderer/base/error.h"
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/words.h"
+#include "renderer/base/text/words.h"
 
 namespace foveola {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 
 namespace foveola {
 

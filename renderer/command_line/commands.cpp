@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/build_info.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/command_line/completion.h"
 
 namespace foveola {

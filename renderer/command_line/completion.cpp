@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "renderer/base/words.h"
+#include "renderer/base/text/words.h"
 
 namespace foveola {
 namespace {

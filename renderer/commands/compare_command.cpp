@@ -11,7 +11,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/gaze/profiles.h"

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/words.h"
+#include "renderer/base/text/words.h"
 #include "renderer/command_line/common_options.h"
 
 namespace foveola {

@@ -13,7 +13,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 #include "renderer/commands/commands.h"
 #include "renderer/gaze/gaze_quality.h"

@@ -15,7 +15,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/similar_word.h"
 #include "renderer/base/transformed.h"
 #include "renderer/command_line/command_description.h"
 

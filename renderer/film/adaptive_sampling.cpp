@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/acuity.h"
 #include "renderer/view/equirect.h"
 

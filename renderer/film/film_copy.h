@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/work/parallel.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/film_tile.h"

@@ -18,8 +18,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/base/exact_sum.h"
 #include "renderer/base/files/digest.h"
+#include "renderer/base/numbers/exact_sum.h"
 #include "renderer/film/equirect_film.h"
 
 namespace foveola {

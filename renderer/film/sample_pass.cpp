@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/film/sphere_planes.h"
 #include "renderer/film/texel_pyramid.h"
 

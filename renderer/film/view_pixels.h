@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/shown_color.h"
 #include "renderer/view/viewport.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 #include "renderer/base/transformed.h"
 #include "renderer/gaze/eye_movements.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 
 namespace foveola {
 namespace {

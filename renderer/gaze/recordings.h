@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/csv.h"
+#include "renderer/base/text/csv.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
 

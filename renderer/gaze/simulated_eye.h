@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

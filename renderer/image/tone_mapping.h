@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/image/image.h"
 
 namespace foveola {

@@ -9,7 +9,7 @@
 #include "renderer/base/files/cache.h"
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/view/equirect.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 
 namespace foveola {
 namespace {

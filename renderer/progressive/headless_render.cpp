@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/film/film_file.h"
 #include "renderer/scene/scene_facts.h"

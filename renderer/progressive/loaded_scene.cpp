@@ -12,9 +12,9 @@
 #include "renderer/progressive/picture.h"
 #include "renderer/progressive/standpoint.h"
 #include "renderer/progressive/surroundings.h"
-#include "renderer/scene/far_geometry.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/scene/made_up_names.h"
+#include "renderer/scene/prepare/far_geometry.h"
+#include "renderer/scene/prepare/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
 
 namespace foveola {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {

@@ -13,7 +13,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/transformed.h"
 #include "renderer/progressive/surroundings.h"
-#include "renderer/scene/made_up_names.h"
+#include "renderer/scene/prepare/made_up_names.h"
 
 namespace foveola {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
-#include "renderer/scene/far_geometry.h"
+#include "renderer/scene/prepare/far_geometry.h"
 
 namespace foveola {
 namespace {

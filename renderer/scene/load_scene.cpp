@@ -8,9 +8,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
 #include "renderer/scene/environment.h"
-#include "renderer/scene/far_geometry.h"
 #include "renderer/scene/foreign_format.h"
-#include "renderer/scene/nested_volumes.h"
+#include "renderer/scene/prepare/far_geometry.h"
+#include "renderer/scene/prepare/nested_volumes.h"
 
 namespace foveola {
 namespace {

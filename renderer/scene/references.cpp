@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files/file_access.h"
-#include "renderer/scene/sanitised.h"
+#include "renderer/scene/prepare/sanitised.h"
 
 namespace foveola {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/stability/checks.h"
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/transformed.h"
 #include "renderer/view/equirect.h"
 

@@ -10,10 +10,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/base/files/files.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/glb/glb_document.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/scene/rebase.h"
+#include "renderer/scene/prepare/rebase.h"
 #include "renderer/stability/shapes.h"
 
 namespace foveola {

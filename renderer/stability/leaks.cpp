@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/base/random.h"
-#include "renderer/scene/rebase.h"
+#include "renderer/base/numbers/random.h"
+#include "renderer/scene/prepare/rebase.h"
 #include "renderer/stability/checks.h"
 #include "renderer/stability/estimate.h"
 #include "renderer/stability/furnished_room.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/stability/checks.h"
 #include "renderer/stability/estimate.h"
 #include "renderer/stability/shapes.h"

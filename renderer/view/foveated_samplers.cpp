@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/sample_block.h"
 

@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/similar_word.h"
 #include "renderer/base/transformed.h"
 #include "renderer/view/foveated_samplers.h"
 #include "renderer/view/image_samplers.h"

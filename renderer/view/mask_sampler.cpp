@@ -9,7 +9,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/radial_distribution.h"
 #include "renderer/view/sample_block.h"

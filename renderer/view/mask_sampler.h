@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "renderer/base/piecewise_constant.h"
+#include "renderer/base/numbers/piecewise_constant.h"
 #include "renderer/view/gaze_frame.h"
 #include "renderer/view/view_sampler.h"
 #include "renderer/view/weight_image.h"

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/similar_word.h"
 
 namespace foveola {
 namespace {

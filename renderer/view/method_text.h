@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/words.h"
+#include "renderer/base/text/words.h"
 
 namespace foveola {
 

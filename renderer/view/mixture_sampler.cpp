@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 
 namespace foveola {
 namespace {

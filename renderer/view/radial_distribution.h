@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/acuity.h"
 
 namespace foveola {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/piecewise_constant.h"
+#include "renderer/base/numbers/piecewise_constant.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 
 namespace foveola {
 namespace {

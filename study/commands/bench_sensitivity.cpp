@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/numbers/aligned_rows.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "study/commands/command_line.h"

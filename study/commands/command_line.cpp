@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "study/protocol/protocol.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 
 namespace foveola::study {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/design/participant_code.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"

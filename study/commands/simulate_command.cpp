@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/output_options.h"
 #include "study/commands/command_line.h"

@@ -7,16 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "study/commands/command_line.h"
 #include "study/commands/commands.h"
 #include "study/console/console_words.h"
 #include "study/console/line_console.h"
-#include "study/record/event_log.h"
-#include "study/record/recorded_session.h"
-#include "study/record/session_devices.h"
-#include "study/record/study_records.h"
+#include "study/record/log/event_log.h"
+#include "study/record/read/recorded_session.h"
+#include "study/record/read/study_records.h"
+#include "study/record/setup/session_devices.h"
 
 namespace foveola::study {
 namespace {

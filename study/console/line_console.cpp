@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::study {
 

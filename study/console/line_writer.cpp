@@ -7,7 +7,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::study {
 

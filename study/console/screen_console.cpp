@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "study/console/console_command.h"
 #include "study/console/line_console.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "study/console/console_command.h"
 
 namespace foveola::study {

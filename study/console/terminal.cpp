@@ -14,7 +14,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "study/console/line_writer.h"
 
 #define NCURSES_NOMACROS

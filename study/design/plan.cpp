@@ -4,7 +4,7 @@
 #include <numeric>
 #include <span>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/transformed.h"
 #include "study/design/orders.h"
 

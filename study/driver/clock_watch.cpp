@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "study/driver/session_driver.h"
-#include "study/record/clock_steps.h"
+#include "study/record/write/clock_steps.h"
 
 namespace foveola::study {
 namespace {

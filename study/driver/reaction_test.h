@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
 

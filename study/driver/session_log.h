@@ -5,7 +5,7 @@
 #include <future>
 #include <vector>
 
-#include "study/record/session_recorder.h"
+#include "study/record/write/session_recorder.h"
 #include "study/session/session.h"
 
 namespace foveola::study {

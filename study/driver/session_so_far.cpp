@@ -6,8 +6,8 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "study/record/event_log.h"
-#include "study/record/session_programs.h"
+#include "study/record/log/event_log.h"
+#include "study/record/setup/session_programs.h"
 
 namespace foveola::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/record/study_store.h"
+#include "study/record/write/study_store.h"
 
 namespace foveola::study {
 

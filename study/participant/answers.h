@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/participant/participant.h"
 #include "study/participant/population.h"
 #include "study/protocol/protocol.h"

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 
 namespace foveola::study {
 

@@ -13,7 +13,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/similar_word.h"
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/toml/toml_reader.h"
 #include "renderer/gaze/profiles.h"

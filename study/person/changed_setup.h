@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "study/protocol/protocol.h"
-#include "study/record/session_setup.h"
+#include "study/record/setup/session_setup.h"
 
 namespace foveola::study {
 

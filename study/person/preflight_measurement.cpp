@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "renderer/base/error.h"
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 #include "renderer/headset/live_window.h"
 #include "study/person/forms/words.h"
 #include "study/person/session/live_attempt.h"

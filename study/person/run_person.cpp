@@ -11,7 +11,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/headset/live_display.h"
 #include "renderer/headset/live_window.h"
 #include "study/console/console_words.h"
@@ -29,11 +29,11 @@
 #include "study/person/session_start.h"
 #include "study/preflight/preflight_checks.h"
 #include "study/preflight/system_state.h"
-#include "study/record/clock_steps.h"
-#include "study/record/recorders.h"
-#include "study/record/same_scenes.h"
-#include "study/record/session_devices.h"
-#include "study/record/session_programs.h"
+#include "study/record/setup/same_scenes.h"
+#include "study/record/setup/session_devices.h"
+#include "study/record/setup/session_programs.h"
+#include "study/record/write/clock_steps.h"
+#include "study/record/write/recorders.h"
 #include "study/stage/stage_reload.h"
 
 namespace fs = std::filesystem;

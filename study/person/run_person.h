@@ -10,7 +10,7 @@
 #include "renderer/base/scene_source.h"
 #include "renderer/base/vec.h"
 #include "renderer/gaze/gaze_filter.h"
-#include "study/record/study_store.h"
+#include "study/record/write/study_store.h"
 
 namespace foveola::study {
 

@@ -10,11 +10,11 @@
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/toml/toml_file.h"
-#include "renderer/base/utf8.h"
-#include "study/record/amendment_note.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
+#include "study/record/setup/amendment_note.h"
 
 namespace fs = std::filesystem;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/person/run_person.h"
-#include "study/record/study_store.h"
+#include "study/record/write/study_store.h"
 
 namespace foveola::study {
 

@@ -9,7 +9,7 @@
 #include "renderer/window/key_times.h"
 #include "study/console/console.h"
 #include "study/person/devices/session_display.h"
-#include "study/record/study_store.h"
+#include "study/record/write/study_store.h"
 
 namespace foveola::study {
 

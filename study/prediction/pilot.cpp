@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/transformed.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/progressive_render.h"

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/text/words.h"
 #include "renderer/base/transformed.h"
-#include "renderer/base/words.h"
 
 namespace foveola::study {
 namespace {

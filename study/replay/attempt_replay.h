@@ -10,7 +10,7 @@
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/preview/preview.h"
 #include "study/driver/ports.h"
-#include "study/record/recorded_session.h"
+#include "study/record/read/recorded_session.h"
 #include "study/replay/replay.h"
 #include "study/stage/scene_stage.h"
 

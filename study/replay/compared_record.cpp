@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "study/record/event_json.h"
+#include "study/record/log/event_json.h"
 
 namespace foveola::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "study/record/session_recorder.h"
-#include "study/record/study_store.h"
+#include "study/record/write/session_recorder.h"
+#include "study/record/write/study_store.h"
 
 namespace foveola::study {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "study/driver/ports.h"
-#include "study/record/recorded_session.h"
+#include "study/record/read/recorded_session.h"
 
 namespace foveola::study {
 

@@ -7,9 +7,9 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/work/work_scope.h"
-#include "study/record/recorded_session.h"
-#include "study/record/same_scenes.h"
-#include "study/record/session_programs.h"
+#include "study/record/read/recorded_session.h"
+#include "study/record/setup/same_scenes.h"
+#include "study/record/setup/session_programs.h"
 #include "study/replay/attempt_replay.h"
 #include "study/replay/driven_replay.h"
 #include "study/stage/scene_stage.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 
 namespace foveola::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::study {
 

@@ -10,8 +10,8 @@
 #include "study/driver/session_so_far.h"
 #include "study/person/devices/session_window.h"
 #include "study/person/session/person_session.h"
-#include "study/record/recorders.h"
-#include "study/record/session_devices.h"
+#include "study/record/setup/session_devices.h"
+#include "study/record/write/recorders.h"
 
 namespace foveola::study {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <stop_token>
 
-#include "study/record/simulation_kind.h"
+#include "study/record/setup/simulation_kind.h"
 #include "study/simulation/study_simulation.h"
 
 namespace foveola::study {

@@ -14,7 +14,7 @@
 #include "study/participant/answers.h"
 #include "study/participant/injected_effects/effect_on_protocol.h"
 #include "study/participant/make_observer.h"
-#include "study/record/gaze_filter_json.h"
+#include "study/record/log/gaze_filter_json.h"
 
 namespace foveola::study {
 namespace {

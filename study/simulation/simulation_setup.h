@@ -8,7 +8,7 @@
 #include "study/participant/population_file.h"
 #include "study/prediction/noise_atlas.h"
 #include "study/protocol/protocol.h"
-#include "study/record/simulation_kind.h"
+#include "study/record/setup/simulation_kind.h"
 #include "study/simulation/study_simulation.h"
 
 namespace foveola::study {

@@ -9,7 +9,7 @@
 
 #include "renderer/base/work/ordered_jobs.h"
 #include "study/design/participant_code.h"
-#include "study/record/recorders.h"
+#include "study/record/write/recorders.h"
 
 namespace foveola::study {
 

@@ -10,8 +10,8 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/work/work_scope.h"
 #include "study/participant/participant.h"
-#include "study/record/recorders.h"
-#include "study/record/study_store.h"
+#include "study/record/write/recorders.h"
+#include "study/record/write/study_store.h"
 #include "study/simulation/simulate_study.h"
 #include "study/simulation/virtual_session.h"
 

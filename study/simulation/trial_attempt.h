@@ -12,7 +12,7 @@
 #include "study/driver/ports.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
-#include "study/record/session_recorder.h"
+#include "study/record/write/session_recorder.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {

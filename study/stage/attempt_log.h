@@ -9,7 +9,7 @@
 #include "renderer/film/equirect_film.h"
 #include "renderer/gaze/eye_movements.h"
 #include "renderer/preview/preview.h"
-#include "study/record/session_recorder.h"
+#include "study/record/write/session_recorder.h"
 
 namespace foveola::study {
 

@@ -1,7 +1,7 @@
 #include "study/stage/object_sight.h"
 
 #include "renderer/base/angles.h"
-#include "study/record/attempt_gaze_figures.h"
+#include "study/record/read/attempt_gaze_figures.h"
 
 namespace foveola::study {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/view/viewport.h"
-#include "study/record/session_recorder.h"
+#include "study/record/write/session_recorder.h"
 #include "study/stage/offered_object.h"
 
 namespace foveola::study {

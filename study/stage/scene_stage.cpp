@@ -8,10 +8,10 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/files/cache.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/transformed.h"
-#include "renderer/base/utf8.h"
-#include "study/record/shown_scene.h"
+#include "study/record/setup/shown_scene.h"
 
 namespace foveola::study {
 namespace {

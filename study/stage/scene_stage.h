@@ -14,7 +14,7 @@
 #include "renderer/measure/reference.h"
 #include "renderer/progressive/loaded_scene.h"
 #include "study/protocol/protocol.h"
-#include "study/record/study_store.h"
+#include "study/record/write/study_store.h"
 #include "study/stage/offered_object.h"
 
 namespace foveola::study {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"

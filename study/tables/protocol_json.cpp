@@ -4,7 +4,7 @@
 
 #include "renderer/base/transformed.h"
 #include "study/protocol/untranslated.h"
-#include "study/record/gaze_filter_json.h"
+#include "study/record/log/gaze_filter_json.h"
 
 namespace foveola::study {
 namespace {

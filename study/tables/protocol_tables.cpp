@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/aligned_rows.h"
+#include "renderer/base/numbers/aligned_rows.h"
 #include "renderer/base/transformed.h"
 #include "study/design/orders.h"
 #include "study/design/participant_code.h"

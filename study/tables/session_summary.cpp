@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "renderer/base/aligned_rows.h"
-#include "renderer/base/utf8.h"
-#include "study/record/data_quality_records.h"
-#include "study/record/recorded_session.h"
-#include "study/record/session_programs.h"
-#include "study/record/session_rows.h"
+#include "renderer/base/numbers/aligned_rows.h"
+#include "renderer/base/text/utf8.h"
+#include "study/record/read/data_quality_records.h"
+#include "study/record/read/recorded_session.h"
+#include "study/record/setup/session_programs.h"
+#include "study/record/write/session_rows.h"
 
 namespace foveola::study {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "study/record/maintenance.h"
-#include "study/record/study_records.h"
+#include "study/record/maintain/maintenance.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::study {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/csv.h"
+#include "renderer/base/text/csv.h"
 
 namespace foveola::analysis {
 

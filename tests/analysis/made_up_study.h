@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

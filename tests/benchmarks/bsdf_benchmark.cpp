@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/materials/bsdf.h"
 #include "renderer/trace/surfaces/surface.h"
 

@@ -1,7 +1,7 @@
 // What random numbers cost: the points of directions, and the numbers of paths.
 #include <benchmark/benchmark.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 
 namespace foveola {
 namespace {

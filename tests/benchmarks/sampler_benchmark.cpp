@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/rays/ray_scene.h"
 
 namespace foveola {

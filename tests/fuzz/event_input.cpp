@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "study/record/event_json.h"
+#include "study/record/log/event_json.h"
 
 namespace foveola::test {
 

@@ -18,7 +18,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/coverable_tracker.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/end_to_end/study/named_columns.h"

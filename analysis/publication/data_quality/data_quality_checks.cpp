@@ -10,7 +10,7 @@
 #include "analysis/publication/data_quality/gaze_sources.h"
 #include "analysis/publication/data_quality/session_checks.h"
 #include "analysis/statistics/models/order_balance.h"
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 
 namespace foveola::analysis {
 namespace {

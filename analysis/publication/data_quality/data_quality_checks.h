@@ -9,8 +9,8 @@
 #include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/dataset/mark_survival.h"
 #include "analysis/dataset/study_tables.h"
-#include "study/record/data_quality_records.h"
-#include "study/record/study_records.h"
+#include "study/record/read/data_quality_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

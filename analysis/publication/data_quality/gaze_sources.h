@@ -7,7 +7,7 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/publication/data_quality/data_quality_checks.h"
-#include "study/record/data_quality_records.h"
+#include "study/record/read/data_quality_records.h"
 
 namespace foveola::analysis {
 

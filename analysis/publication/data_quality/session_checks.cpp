@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::analysis {
 namespace {

@@ -6,8 +6,8 @@
 #include "analysis/dataset/dataset.h"
 #include "analysis/dataset/gaze_by_trial.h"
 #include "analysis/publication/data_quality/data_quality_checks.h"
-#include "study/record/data_quality_records.h"
-#include "study/record/study_records.h"
+#include "study/record/read/data_quality_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

@@ -6,7 +6,7 @@
 
 #include "analysis/dataset/study_tables.h"
 #include "analysis/publication/exports/data_files.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

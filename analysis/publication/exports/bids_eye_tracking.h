@@ -10,8 +10,8 @@
 
 #include "analysis/dataset/dataset.h"
 #include "analysis/publication/exports/data_files.h"
-#include "study/record/data_quality_records.h"
-#include "study/record/recorded_gaze.h"
+#include "study/record/read/data_quality_records.h"
+#include "study/record/read/recorded_gaze.h"
 
 namespace foveola::analysis {
 

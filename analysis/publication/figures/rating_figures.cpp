@@ -13,7 +13,7 @@
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/figures/figure_drawing.h"
 #include "analysis/publication/figures/participant_points.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::analysis {
 namespace {

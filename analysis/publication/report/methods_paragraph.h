@@ -5,7 +5,7 @@
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/study_tables.h"
-#include "study/record/data_quality_records.h"
+#include "study/record/read/data_quality_records.h"
 
 namespace foveola::analysis {
 

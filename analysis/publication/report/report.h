@@ -12,7 +12,7 @@
 #include "analysis/publication/data_quality/data_quality_checks.h"
 #include "analysis/publication/figures/figures.h"
 #include "analysis/tables/table.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 
 namespace foveola::analysis {
 

@@ -10,7 +10,7 @@
 #include "analysis/koskela2018/profile.h"
 #include "analysis/publication/report/printed_results.h"
 #include "analysis/publication/tables/result_tables.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::analysis {
 namespace {

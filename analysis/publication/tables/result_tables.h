@@ -11,7 +11,7 @@
 #include "analysis/koskela2018/background.h"
 #include "analysis/publication/data_quality/data_quality_checks.h"
 #include "analysis/tables/table.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 
 namespace foveola::analysis {
 

@@ -6,7 +6,7 @@
 
 #include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/repeated_measures.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 
 namespace foveola::analysis {
 

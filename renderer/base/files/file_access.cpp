@@ -12,7 +12,7 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 
 namespace fs = std::filesystem;
 

@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/similar_word.h"
+#include "renderer/base/text/similar_word.h"
 #include "renderer/base/toml/toml_file.h"
 #include "renderer/base/transformed.h"
 

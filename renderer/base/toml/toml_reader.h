@@ -14,9 +14,9 @@
 
 #include <toml++/toml.h>
 
+#include "renderer/base/text/words.h"
 #include "renderer/base/toml/toml_keys.h"
 #include "renderer/base/vec.h"
-#include "renderer/base/words.h"
 
 namespace foveola {
 

@@ -11,8 +11,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"

@@ -15,8 +15,8 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 #include "renderer/commands/bench/bench_commands.h"
 #include "renderer/commands/bench_facts.h"

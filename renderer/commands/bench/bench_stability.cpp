@@ -11,7 +11,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"

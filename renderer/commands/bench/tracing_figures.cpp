@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 
 namespace foveola {
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/files/files.h"
-#include "renderer/base/words.h"
+#include "renderer/base/text/words.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/commands/gaze_filter_option.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/gaze/recordings.h"
 
 namespace foveola {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 #include "renderer/base/transformed.h"
 #include "renderer/commands/bench_facts.h"
 #include "renderer/gaze/latency.h"

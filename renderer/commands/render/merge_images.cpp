@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/render/film_parts.h"

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/print.h"
-#include "renderer/base/words.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/words.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/command_line/output_options.h"
 #include "renderer/progressive/render_limits.h"

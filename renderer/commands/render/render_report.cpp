@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/image/tone_mapping.h"
 
 namespace foveola {

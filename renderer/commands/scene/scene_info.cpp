@@ -12,15 +12,15 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/scene/made_up_names.h"
+#include "renderer/scene/prepare/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/trace/rays/ray_scene.h"
 

@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"

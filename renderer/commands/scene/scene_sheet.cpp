@@ -7,7 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/print.h"
+#include "renderer/base/text/print.h"
 #include "renderer/base/transformed.h"
 #include "renderer/command_line/common_options.h"
 #include "renderer/commands/arguments.h"

@@ -11,10 +11,10 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/transformed.h"
-#include "renderer/scene/gltf/accessor.h"
-#include "renderer/scene/gltf/fault.h"
-#include "renderer/scene/made_up_names.h"
-#include "renderer/scene/sanitised.h"
+#include "renderer/scene/gltf_file/fault.h"
+#include "renderer/scene/gltf_mesh/accessor.h"
+#include "renderer/scene/prepare/made_up_names.h"
+#include "renderer/scene/prepare/sanitised.h"
 
 namespace foveola {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/scene/gltf/values.h"
-#include "renderer/scene/sanitised.h"
+#include "renderer/scene/gltf_file/values.h"
+#include "renderer/scene/prepare/sanitised.h"
 
 namespace foveola {
 namespace {

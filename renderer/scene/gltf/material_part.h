@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/scene/gltf/textures.h"
-#include "renderer/scene/gltf/values.h"
+#include "renderer/scene/gltf_file/values.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 

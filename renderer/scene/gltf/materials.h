@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "renderer/scene/gltf/file.h"
-#include "renderer/scene/gltf/geometry.h"
+#include "renderer/scene/gltf_file/file.h"
+#include "renderer/scene/gltf_mesh/geometry.h"
 #include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/scene_hash.h"

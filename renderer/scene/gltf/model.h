@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/scene/gltf/values.h"
+#include "renderer/scene/gltf_file/values.h"
 
 namespace foveola {
 

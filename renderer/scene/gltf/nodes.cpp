@@ -12,11 +12,11 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "renderer/scene/gltf/accessor.h"
-#include "renderer/scene/gltf/deformation.h"
-#include "renderer/scene/gltf/fault.h"
-#include "renderer/scene/gltf/values.h"
-#include "renderer/scene/sanitised.h"
+#include "renderer/scene/gltf_file/fault.h"
+#include "renderer/scene/gltf_file/values.h"
+#include "renderer/scene/gltf_mesh/accessor.h"
+#include "renderer/scene/gltf_mesh/deformation.h"
+#include "renderer/scene/prepare/sanitised.h"
 
 namespace foveola {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/work/work_scope.h"
-#include "renderer/scene/mesh_edit.h"
-#include "renderer/scene/rebase.h"
-#include "renderer/scene/sanitised.h"
+#include "renderer/scene/prepare/mesh_edit.h"
+#include "renderer/scene/prepare/rebase.h"
+#include "renderer/scene/prepare/sanitised.h"
 
 namespace foveola {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/scene/gltf/geometry.h"
 #include "renderer/scene/gltf/nodes.h"
+#include "renderer/scene/gltf_mesh/geometry.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 

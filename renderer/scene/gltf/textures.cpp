@@ -7,9 +7,9 @@
 
 #include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
-#include "renderer/scene/gltf/fault.h"
-#include "renderer/scene/gltf/values.h"
-#include "renderer/scene/sanitised.h"
+#include "renderer/scene/gltf_file/fault.h"
+#include "renderer/scene/gltf_file/values.h"
+#include "renderer/scene/prepare/sanitised.h"
 #include "renderer/scene/textures/decoded_memory.h"
 #include "renderer/scene/textures/image_channels.h"
 #include "renderer/scene/textures/image_decoder.h"

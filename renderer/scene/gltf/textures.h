@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene/gltf/file.h"
+#include "renderer/scene/gltf_file/file.h"
 #include "renderer/scene/kept_parts.h"
 #include "renderer/scene/references.h"
 #include "renderer/scene/scene_hash.h"

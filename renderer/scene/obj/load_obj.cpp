@@ -17,11 +17,11 @@
 #include "renderer/scene/obj/references.h"
 #include "renderer/scene/obj/text_lines.h"
 #include "renderer/scene/obj/textures.h"
-#include "renderer/scene/rebase.h"
+#include "renderer/scene/prepare/rebase.h"
+#include "renderer/scene/prepare/sanitised.h"
+#include "renderer/scene/prepare/tangents.h"
 #include "renderer/scene/references.h"
-#include "renderer/scene/sanitised.h"
 #include "renderer/scene/scene_hash.h"
-#include "renderer/scene/tangents.h"
 #include "renderer/scene/warnings.h"
 
 namespace foveola {

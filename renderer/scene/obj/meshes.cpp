@@ -10,8 +10,8 @@
 
 #include "renderer/base/transformed.h"
 #include "renderer/base/work/work_scope.h"
-#include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/obj/polygon.h"
+#include "renderer/scene/prepare/mesh_edit.h"
 
 namespace foveola {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/base/piecewise_constant.h"
+#include "renderer/base/numbers/piecewise_constant.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/lights/light_sampling.h"
 

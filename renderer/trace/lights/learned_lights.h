@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/lanes.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/lanes.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/lights/light_sampling.h"
 #include "renderer/trace/lights/light_tree.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

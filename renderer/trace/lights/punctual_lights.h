@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/lights/light_bounds.h"
 #include "renderer/trace/lights/light_sampling.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/turns.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"

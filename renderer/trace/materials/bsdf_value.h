@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

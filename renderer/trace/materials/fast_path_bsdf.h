@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/trace/materials/bsdf_value.h"
 #include "renderer/trace/materials/ggx.h"
 #include "renderer/trace/materials/ggx_albedo.h"

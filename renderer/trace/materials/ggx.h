@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/turns.h"
 #include "renderer/base/vec.h"
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/base/work/parallel.h"
 #include "renderer/trace/materials/bsdf_value.h"

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/materials/bsdf_value.h"
 #include "renderer/trace/materials/ggx.h"

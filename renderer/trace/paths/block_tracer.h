@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/sample_job.h"
 #include "renderer/trace/materials/bsdf.h"
 #include "renderer/trace/materials/fast_path_bsdf.h"

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/base/lane_columns.h"
-#include "renderer/base/lanes.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/lane_columns.h"
+#include "renderer/base/numbers/lanes.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/lights/light_sampling.h"
 #include "renderer/trace/rays/ray_scene.h"

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/turns.h"
 #include "renderer/trace/paths/block_tracer.h"
 

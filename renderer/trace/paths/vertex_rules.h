@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/lanes.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/lanes.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/lights/lights.h"
 #include "renderer/trace/materials/bsdf.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/base/files/digest.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/trace/rays/embree_device.h"
 #include "renderer/trace/rays/mesh_attributes.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/base/work/parallel.h"
 #include "renderer/scene/scene.h"

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "renderer/base/lane_columns.h"
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lane_columns.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {

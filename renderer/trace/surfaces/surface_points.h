@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/rays/ray_scene.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/base/lanes.h"
+#include "renderer/base/numbers/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 

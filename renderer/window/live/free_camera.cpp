@@ -11,7 +11,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/view/viewport.h"
 #include "renderer/window/live/steering.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "renderer/window/screens/screen_column.h"
 
 namespace foveola {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola {
 namespace {

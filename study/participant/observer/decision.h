@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/participant/observer/evidence.h"
 #include "study/participant/participant.h"
 #include "study/participant/population.h"

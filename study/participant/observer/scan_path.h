@@ -9,7 +9,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/participant/population.h"
 
 namespace foveola::study {

@@ -7,7 +7,7 @@
 #include "study/person/devices/source_commit.h"
 #include "study/person/forms/words.h"
 #include "study/preflight/system_state.h"
-#include "study/record/gaze_filter_json.h"
+#include "study/record/log/gaze_filter_json.h"
 
 namespace foveola::study {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/print.h"
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/print.h"
+#include "renderer/base/text/utf8.h"
 
 namespace foveola::study {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "study/person/forms/typed_number.h"
 
 namespace foveola::study {

@@ -13,7 +13,7 @@
 #include "study/driver/ports.h"
 #include "study/person/devices/person_tracker.h"
 #include "study/person/devices/session_display.h"
-#include "study/record/session_recorder.h"
+#include "study/record/write/session_recorder.h"
 #include "study/stage/attempt_log.h"
 #include "study/stage/scene_stage.h"
 

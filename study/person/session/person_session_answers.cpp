@@ -10,7 +10,7 @@
 #include "study/person/forms/form_input.h"
 #include "study/person/prompts/person_keys.h"
 #include "study/person/session/person_session.h"
-#include "study/record/routine_notes.h"
+#include "study/record/setup/routine_notes.h"
 
 namespace foveola::study {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/csv.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/convergence/made_up_measurement.h"
 #include "tests/matchers.h"
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/csv.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/matchers.h"
 

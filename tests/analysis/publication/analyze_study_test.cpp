@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"

@@ -4,8 +4,8 @@
 
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/angles.h"
-#include "renderer/base/csv.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 #include "tests/matchers.h"
 #include "tests/study/record/study_file.h"
 

@@ -7,8 +7,8 @@
 
 #include "analysis/publication/analyze_study.h"
 #include "analysis/tables/html.h"
-#include "renderer/base/csv.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 #include "tests/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "renderer/base/error.h"
-#include "renderer/base/quantile.h"
+#include "renderer/base/numbers/quantile.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

@@ -3,7 +3,7 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/models/additive_fit.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/tables/table.h"
-#include "renderer/base/csv.h"
 #include "renderer/base/error.h"
+#include "renderer/base/text/csv.h"
 #include "tests/matchers.h"
 
 namespace foveola::analysis {

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/seated_participant.h"
 #include "tests/matchers.h"
 

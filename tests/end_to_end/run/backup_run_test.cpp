@@ -1,7 +1,7 @@
 // A session whose study is copied to another disk.
 #include <filesystem>
 
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/end_to_end/small_disk.h"
 #include "tests/matchers.h"

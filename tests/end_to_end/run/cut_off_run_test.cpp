@@ -6,7 +6,7 @@
 
 #include <sys/wait.h>
 
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/at_terminal.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/end_to_end/small_disk.h"

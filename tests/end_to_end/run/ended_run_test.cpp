@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/tracker_profile.h"

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <thread>
 
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/matchers.h"
 

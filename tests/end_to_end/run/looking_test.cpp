@@ -6,8 +6,8 @@
 #include <SQLiteCpp/Database.h>
 
 #include "renderer/base/angles.h"
-#include "study/record/database.h"
-#include "study/record/recorded_frames.h"
+#include "study/record/read/recorded_frames.h"
+#include "study/record/sqlite/database.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/matchers.h"
 

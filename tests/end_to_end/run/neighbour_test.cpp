@@ -17,7 +17,7 @@
 #include <sqlite3.h>
 
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/render/rendered_room.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"

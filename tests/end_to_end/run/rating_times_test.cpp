@@ -6,9 +6,9 @@
 #include <SQLiteCpp/Database.h>
 
 #include "renderer/image/image_file.h"
-#include "study/record/database.h"
-#include "study/record/maintenance.h"
-#include "study/record/recorded_frames.h"
+#include "study/record/maintain/maintenance.h"
+#include "study/record/read/recorded_frames.h"
+#include "study/record/sqlite/database.h"
 #include "tests/end_to_end/run/study_run.h"
 
 namespace foveola::test {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/coverable_tracker.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"

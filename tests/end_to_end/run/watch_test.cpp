@@ -1,7 +1,7 @@
 // Another terminal follows a session that goes on.
 #include <algorithm>
 
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/run/study_run.h"
 #include "tests/matchers.h"
 

@@ -12,9 +12,9 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/base/csv.h"
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "renderer/base/text/csv.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_rows.h"

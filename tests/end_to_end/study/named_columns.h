@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/csv.h"
 #include "renderer/base/files/files.h"
+#include "renderer/base/text/csv.h"
 
 namespace foveola::test {
 

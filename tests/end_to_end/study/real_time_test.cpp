@@ -1,7 +1,7 @@
 // Simulated participants before the real window, in real time.
 #include <csignal>
 
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 #include "tests/end_to_end/study_rows.h"

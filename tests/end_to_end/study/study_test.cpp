@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/files/files.h"
-#include "study/record/study_records.h"
+#include "study/record/read/study_records.h"
 #include "tests/end_to_end/study/study_of_a_hall.h"
 #include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/tracker_profile.h"

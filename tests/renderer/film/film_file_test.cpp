@@ -8,7 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/matchers.h"
 #include "tests/renderer/film/film_samples.h"
 #include "tests/temporary_folder.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/view/equirect.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/film/sample_pass.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/film/run_pass.h"

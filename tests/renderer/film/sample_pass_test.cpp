@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/image_samplers.h"
 #include "tests/matchers.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/matchers.h"
 
 namespace foveola {

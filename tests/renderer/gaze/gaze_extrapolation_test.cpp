@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/gaze/gaze_filter.h"
 #include "renderer/gaze/rotations.h"
 #include "renderer/gaze/simulated_eye.h"

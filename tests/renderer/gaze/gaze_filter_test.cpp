@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/gaze/simulated_eye.h"
 #include "tests/renderer/gaze/gaze_expectations.h"
 

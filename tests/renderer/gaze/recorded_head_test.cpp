@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/gaze/recordings.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"

@@ -4,7 +4,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/renderer/gaze/newest_gaze.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/gaze/device_clocks.h"
 
 namespace foveola {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/headset/eye_views.h"
 
 namespace foveola {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/renderer/preview/box_room.h"
 
 namespace foveola {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/work/shard.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/view/equirect.h"

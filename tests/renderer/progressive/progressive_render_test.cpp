@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/matchers.h"
 #include "tests/renderer/preview/box_room.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/vec.h"
 #include "renderer/stability/estimate.h"
 

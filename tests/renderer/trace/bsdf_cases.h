@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference_bsdf.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/materials/bsdf.h"
 
 namespace foveola {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/lights/lights.h"
 #include "scenes.h"
 #include "tests/renderer/trace/random_points.h"

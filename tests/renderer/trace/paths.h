@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/paths/path_tracer.h"
 #include "statistics.h"
 

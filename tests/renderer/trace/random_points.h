@@ -1,7 +1,7 @@
 // Random points for tests of lights and materials.
 #pragma once
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/lights/light_sampling.h"
 

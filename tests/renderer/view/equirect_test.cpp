@@ -6,7 +6,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {

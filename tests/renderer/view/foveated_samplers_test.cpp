@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/radial_distribution.h"
 #include "renderer/view/view_sampler.h"
 

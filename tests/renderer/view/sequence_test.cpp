@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/view/chi_squared.h"
 #include "tests/renderer/view/every_method.h"

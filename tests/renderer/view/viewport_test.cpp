@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/view/view_sampler.h"
 #include "tests/renderer/view/chi_squared.h"
 

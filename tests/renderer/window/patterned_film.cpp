@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/equirect.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
-#include "study/record/session_programs.h"
+#include "study/record/setup/session_programs.h"
 #include "tests/study/record/study_file.h"
 
 namespace foveola::study {

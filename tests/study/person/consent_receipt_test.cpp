@@ -1,6 +1,6 @@
 #include "renderer/base/files/digest.h"
 #include "study/person/session_copies.h"
-#include "study/record/amendment_note.h"
+#include "study/record/setup/amendment_note.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

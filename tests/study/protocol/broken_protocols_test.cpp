@@ -2,7 +2,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "study/protocol/protocol.h"
 #include "tests/matchers.h"
 

@@ -5,7 +5,7 @@
 #include <future>
 #include <random>
 
-#include "study/record/recorders.h"
+#include "study/record/write/recorders.h"
 
 namespace foveola::study {
 namespace {

@@ -12,8 +12,8 @@
 #include "power_loss_study.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "study/record/database.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
+#include "study/record/sqlite/database.h"
 #include "tests/matchers.h"
 
 namespace fs = std::filesystem;

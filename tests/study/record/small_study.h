@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "study/record/study_store.h"
+#include "study/record/write/study_store.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::study {

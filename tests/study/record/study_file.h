@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "small_study.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/matchers.h"
 
 namespace foveola::study {

@@ -6,7 +6,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/files/digest.h"
-#include "study/record/recorders.h"
+#include "study/record/write/recorders.h"
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/virtual_session.h"
 #include "tests/matchers.h"

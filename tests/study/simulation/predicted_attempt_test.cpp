@@ -1,4 +1,4 @@
-#include "study/record/recorders.h"
+#include "study/record/write/recorders.h"
 #include "study/simulation/predicted_study.h"
 #include "study/simulation/rendered_attempt.h"
 #include "tests/matchers.h"

@@ -4,7 +4,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/record/small_study.h"

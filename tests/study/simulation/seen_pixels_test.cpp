@@ -5,7 +5,7 @@
 
 #include "study/participant/population_file.h"
 #include "study/participant/simulated_participant.h"
-#include "study/record/recorders.h"
+#include "study/record/write/recorders.h"
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/virtual_session.h"
 #include "tests/matchers.h"

@@ -10,7 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files/files.h"
-#include "study/record/maintenance.h"
+#include "study/record/maintain/maintenance.h"
 #include "study/simulation/prediction_agreement.h"
 #include "tests/matchers.h"
 #include "tests/scenes/environment.h"

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "study/record/recorded_gaze.h"
-#include "study/record/recorded_session.h"
-#include "study/record/recorders.h"
+#include "study/record/read/recorded_gaze.h"
+#include "study/record/read/recorded_session.h"
+#include "study/record/write/recorders.h"
 #include "study/simulation/rendered_attempt.h"
 #include "tests/matchers.h"
 #include "tests/study/participant/fake_participant.h"

@@ -1,7 +1,7 @@
 #include "study/stage/attempt_log.h"
 
-#include "study/record/recorded_gaze.h"
-#include "study/record/recorders.h"
+#include "study/record/read/recorded_gaze.h"
+#include "study/record/write/recorders.h"
 #include "tests/matchers.h"
 #include "tests/study/record/small_study.h"
 

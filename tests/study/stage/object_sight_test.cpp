@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "study/record/attempt_gaze_figures.h"
+#include "study/record/read/attempt_gaze_figures.h"
 
 namespace foveola::study {
 namespace {

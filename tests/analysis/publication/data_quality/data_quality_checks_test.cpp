@@ -5,8 +5,8 @@
 
 #include "analysis/statistics/distributions.h"
 #include "analysis/tables/table_formats.h"
-#include "renderer/base/csv.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 

@@ -10,7 +10,7 @@
 #include "analysis/publication/exports/data_files.h"
 #include "analysis/publication/report/printed_results.h"
 #include "analysis/tables/table_formats.h"
-#include "renderer/base/csv.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "analysis/tables/table_formats.h"
-#include "renderer/base/csv.h"
 #include "renderer/base/error.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/koskela2018/paper.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"

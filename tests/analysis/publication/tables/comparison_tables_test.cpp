@@ -4,7 +4,7 @@
 
 #include "analysis/publication/tables/result_tables.h"
 #include "analysis/tables/table_formats.h"
-#include "renderer/base/csv.h"
+#include "renderer/base/text/csv.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 #include "tests/matchers.h"

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "analysis/statistics/distributions.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/analysis/golden.h"
 #include "tests/matchers.h"
 

@@ -1,6 +1,6 @@
 #include "renderer/gaze/open_gaze/open_gaze_records.h"
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/matchers.h"
 
 namespace foveola {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/glb_builder.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files/digest.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/matchers.h"
 #include "tests/renderer/scene/obj/obj_text.h"
 

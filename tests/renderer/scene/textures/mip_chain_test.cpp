@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/scene/textures/srgb.h"
 #include "tests/matchers.h"
 

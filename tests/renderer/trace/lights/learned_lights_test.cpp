@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/stability/furnished_room.h"
 #include "renderer/trace/lights/lights.h"
 #include "tests/renderer/trace/light_outcomes.h"

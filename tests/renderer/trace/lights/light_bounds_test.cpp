@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/renderer/trace/random_points.h"
 #include "tests/renderer/trace/statistics.h"
 

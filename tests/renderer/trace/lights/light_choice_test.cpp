@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/renderer/trace/statistics.h"
 
 namespace foveola {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "renderer/base/lanes.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/lanes.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/lights/lights.h"
 #include "tests/renderer/trace/light_outcomes.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/rays/ray_scene.h"
 #include "renderer/trace/surfaces/triangle.h"
 #include "tests/renderer/trace/scenes.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/lights/triangle_lights.h"
 #include "tests/renderer/trace/random_points.h"
 #include "tests/renderer/trace/scenes.h"

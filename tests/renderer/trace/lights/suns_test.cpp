@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/renderer/trace/random_points.h"
 #include "tests/renderer/trace/statistics.h"
 #include "tests/renderer/view/chi_squared.h"

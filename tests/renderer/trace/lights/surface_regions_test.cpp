@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "tests/renderer/trace/random_points.h"
 
 namespace foveola {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/trace/surfaces/triangle.h"
 #include "tests/renderer/trace/scenes.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/trace/surfaces/surface.h"
 #include "tests/renderer/trace/scenes.h"
 

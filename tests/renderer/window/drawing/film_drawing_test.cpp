@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/window/drawing/presenter.h"
 #include "tests/renderer/window/patterned_film.h"
 #include "tests/x_server.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/window/patterned_film.h"

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
+#include "renderer/base/numbers/random.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/view/equirect.h"

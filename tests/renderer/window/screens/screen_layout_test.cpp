@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "tests/error_of.h"
 #include "tests/matchers.h"
 #include "tests/renderer/window/sample_screens.h"

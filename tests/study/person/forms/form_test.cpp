@@ -1,6 +1,6 @@
 #include "study/person/forms/form.h"
 
-#include "renderer/base/utf8.h"
+#include "renderer/base/text/utf8.h"
 #include "tests/matchers.h"
 #include "tests/study/person/forms/typing.h"
 
