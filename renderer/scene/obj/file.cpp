@@ -12,6 +12,7 @@
 #include <tiny_obj_loader.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/files/files.h"
 #include "renderer/base/work/work_scope.h"
 #include "renderer/scene/obj/colors.h"

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/obj/file.h"
 #include "renderer/scene/obj/meshes.h"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files/digest.h"
 #include "renderer/base/files/file_access.h"
 #include "renderer/base/files/files.h"
 #include "renderer/scene/textures/decoded_memory.h"
