@@ -85,7 +85,7 @@ bool have_free_pages_content(const OpenFile& file, const Header& header) {
 }
 
 /// With a log beside it, the file's own pages are those of another moment.
-bool has_log(SQLite::Database& database) {
+bool has_write_ahead_log(SQLite::Database& database) {
   return fs::exists(fmt::format("{}-wal", ::sqlite3_db_filename(database.getHandle(), "main")));
 }
 
@@ -217,7 +217,7 @@ std::optional<std::string> size_fault(SQLite::Database& database) {
   const OpenFile file = OpenFile::database(database);
   const Header header(file);
   // A log has the pages that a loss of power left half-written in the file.
-  if (!header.is_whole() || header.page_size() == 0 || has_log(database)) {
+  if (!header.is_whole() || header.page_size() == 0 || has_write_ahead_log(database)) {
     return std::nullopt;
   }
   const std::uintmax_t size = file.size();
@@ -235,7 +235,7 @@ std::optional<std::string> size_fault(SQLite::Database& database) {
 std::optional<std::string> unused_bytes_fault(SQLite::Database& database) {
   const OpenFile file = OpenFile::database(database);
   const Header header(file);
-  if (!header.is_whole() || header.page_size() == 0 || has_log(database)) {
+  if (!header.is_whole() || header.page_size() == 0 || has_write_ahead_log(database)) {
     return std::nullopt;
   }
   if (!header.is_reserve_empty() || !header.is_kept_up()) {

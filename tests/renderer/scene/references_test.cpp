@@ -110,7 +110,7 @@ TEST_F(ConfinedFile, TwoFoldersThatBecomeOneAreNamed) {
   for (const char* name : {"../stone.png", "/a/grass.png"}) {
     references.add(name, warnings);
   }
-  EXPECT_EQ(warnings.cases(), 3U);
+  EXPECT_EQ(warnings.count(), 3U);
 }
 
 TEST_F(ConfinedFile, RefusesSchemes) {

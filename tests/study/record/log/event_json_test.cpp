@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "small_study.h"
 #include "study/record/setup/session_devices.h"
+#include "tests/study/record/small_study.h"
 
 namespace foveola::study {
 namespace {

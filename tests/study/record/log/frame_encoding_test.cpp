@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "bytes_from_hex.h"
 #include "renderer/base/angles.h"
 #include "renderer/gaze/head_tracker.h"
 #include "study/record/log/encodings.h"
+#include "tests/study/record/bytes_from_hex.h"
 
 namespace foveola::study {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "bytes_from_hex.h"
 #include "study/record/log/encodings.h"
+#include "tests/study/record/bytes_from_hex.h"
 
 namespace foveola::study {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include "small_study.h"
 #include "tests/matchers.h"
+#include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;
 

@@ -7,7 +7,7 @@
 #include "study/record/read/study_records.h"
 #include "study/record/setup/simulated_part.h"
 #include "study/record/setup/simulation_kind.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -1,7 +1,7 @@
 #include "study/record/read/attempt_gaze_figures.h"
 
-#include "small_study.h"
 #include "tests/matchers.h"
+#include "tests/study/record/small_study.h"
 
 namespace foveola::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "study/record/setup/session_devices.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

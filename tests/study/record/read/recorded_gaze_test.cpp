@@ -1,7 +1,7 @@
 #include "study/record/read/recorded_gaze.h"
 
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

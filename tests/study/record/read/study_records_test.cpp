@@ -5,8 +5,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -2,7 +2,7 @@
 #include "study/record/maintain/maintenance.h"
 #include "study/record/read/study_records.h"
 #include "study/record/setup/amendment_note.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -6,7 +6,7 @@
 #include "renderer/base/build_info.h"
 #include "study/record/read/study_records.h"
 #include "study/record/setup/session_devices.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

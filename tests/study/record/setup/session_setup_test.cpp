@@ -6,8 +6,8 @@
 
 #include "study/record/maintain/maintenance.h"
 #include "study/record/setup/session_devices.h"
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

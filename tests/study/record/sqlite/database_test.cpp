@@ -8,8 +8,8 @@
 #include "renderer/base/error.h"
 #include "study/record/read/study_records.h"
 #include "study/record/sqlite/temporary_database.h"
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -12,8 +12,8 @@
 #include "study/record/read/recorded_session.h"
 #include "study/record/read/study_records.h"
 #include "study/record/setup/same_scenes.h"
-#include "study_file.h"
 #include "tests/file_locks.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

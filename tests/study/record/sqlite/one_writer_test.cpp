@@ -5,7 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "study/record/read/study_records.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "small_study.h"
 #include "tests/matchers.h"
+#include "tests/study/record/small_study.h"
 
 namespace foveola::study {
 namespace {

@@ -15,7 +15,7 @@
 #include "study/record/read/recorded_gaze.h"
 #include "study/record/read/recorded_session.h"
 #include "study/record/read/study_records.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -11,8 +11,8 @@
 #include "study/record/log/hash_chain.h"
 #include "study/record/schema.h"
 #include "study/record/write/table_rows.h"
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

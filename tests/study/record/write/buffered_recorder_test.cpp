@@ -1,6 +1,6 @@
-#include "small_study.h"
 #include "study/record/write/recorders.h"
 #include "tests/matchers.h"
+#include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;
 

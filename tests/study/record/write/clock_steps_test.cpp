@@ -1,8 +1,8 @@
 #include "study/record/write/clock_steps.h"
 
-#include "small_study.h"
 #include "study/record/maintain/maintenance.h"
 #include "tests/matchers.h"
+#include "tests/study/record/small_study.h"
 
 namespace foveola::study {
 namespace {

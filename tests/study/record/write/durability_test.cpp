@@ -9,10 +9,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "small_study.h"
 #include "study/record/read/study_records.h"
 #include "study/record/write/study_store.h"
 #include "tests/matchers.h"
+#include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;
 

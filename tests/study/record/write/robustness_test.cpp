@@ -10,8 +10,8 @@
 #include "study/record/log/event_log.h"
 #include "study/record/sqlite/database.h"
 #include "study/record/write/session_rows.h"
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "renderer/base/files/digest.h"
 #include "study/record/read/study_records.h"
-#include "study_file.h"
 #include "tests/matchers.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "study/record/write/recorders.h"
-#include "study_file.h"
+#include "tests/study/record/study_file.h"
 
 namespace foveola::study {
 namespace {
