@@ -242,7 +242,8 @@ TEST(Descriptor, FilesAreNamesOfScenesWithoutFolders) {
   }
   for (const char* const name :
        {"../hall.glb", "halls/hall.glb", "/hall.glb", "..", "", "h.blend"}) {
-    EXPECT_THAT(error_of(text(name)), AllOf(HasSubstr("hall.toml:4:8"), HasSubstr("plain name")))
+    EXPECT_THAT(error_of(text(name)),
+                AllOf(HasSubstr("hall.toml:4:8"), HasSubstr("without folders")))
         << name;
   }
 }
