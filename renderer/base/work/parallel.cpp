@@ -107,13 +107,16 @@ void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
 }
 #endif
 
-/// Relative to the mount of cgroups version 2; empty if there is none.
-fs::path own_cgroup() {
-  const std::string of_version_2 = "0::/";
+/// The path of this process's cgroup of a controller; "" for version 2, which has none (Linux,
+/// `man 7 cgroups`: lines ID:CONTROLLERS:/PATH). Empty if there is none.
+fs::path own_cgroup(const std::string& controller) {
   std::ifstream cgroups("/proc/self/cgroup");
   for (std::string line; std::getline(cgroups, line);) {
-    if (line.starts_with(of_version_2)) {
-      return line.substr(of_version_2.size());
+    const std::size_t begin = line.find(':') + 1;
+    const std::size_t end = std::min(line.find(":/", begin), line.size());
+    const std::string controllers = "," + line.substr(begin, end - begin) + ",";
+    if (controllers.find("," + controller + ",") != std::string::npos) {
+      return line.substr(std::min(end + 2, line.size()));
     }
   }
   return {};
@@ -179,10 +182,13 @@ std::optional<double> cgroup_cores(const fs::path& mount, const fs::path& cgroup
   std::optional<double> fewest;
   fs::path folder = mount;
   const auto look = [&] {
-    // "max" in place of the quota is not a number.
+    // Without a limit, the quota is "max" or -1.
     double quota_us = 0.0;
     double period_us = 0.0;
-    if (std::ifstream(folder / "cpu.max") >> quota_us >> period_us && period_us > 0.0) {
+    const bool is_read = std::ifstream(folder / "cpu.max") >> quota_us >> period_us ||
+                         (std::ifstream(folder / "cpu.cfs_quota_us") >> quota_us &&
+                          std::ifstream(folder / "cpu.cfs_period_us") >> period_us);
+    if (is_read && quota_us > 0.0 && period_us > 0.0) {
       fewest = std::min(fewest.value_or(HUGE_VAL), quota_us / period_us);
     }
   };
@@ -196,8 +202,12 @@ std::optional<double> cgroup_cores(const fs::path& mount, const fs::path& cgroup
 
 int usable_cores() {
   const int cores = cores_of_affinity();
-  const double quota = cgroup_cores("/sys/fs/cgroup", own_cgroup()).value_or(cores);
-  return std::max(1, static_cast<int>(std::ceil(std::min<double>(cores, quota))));
+  double quota = cores;
+  for (const std::string controller : {"", "cpu"}) {
+    const fs::path mount = fs::path("/sys/fs/cgroup") / controller;
+    quota = std::min(quota, cgroup_cores(mount, own_cgroup(controller)).value_or(cores));
+  }
+  return std::max(1, static_cast<int>(std::ceil(quota)));
 }
 
 }  // namespace foveola

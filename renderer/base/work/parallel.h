@@ -51,8 +51,9 @@ class Workers {
 /// The smaller of the process's CPU affinity and its cgroup's CPU quota, rounded up. At least 1.
 int usable_cores();
 
-/// The CPU quota of `cgroup` and its parents in cores, from cpu.max (Linux,
-/// Documentation/admin-guide/cgroup-v2.rst); nullopt without a limit. mount: of all cgroups.
+/// The CPU quota of `cgroup` and its parents in cores; nullopt without a limit. mount: of all
+/// cgroups. From cpu.max (Linux, Documentation/admin-guide/cgroup-v2.rst) or, in version 1, from
+/// cpu.cfs_quota_us and cpu.cfs_period_us (Documentation/scheduler/sched-bwc.rst).
 std::optional<double> cgroup_cores(const std::filesystem::path& mount,
                                    const std::filesystem::path& cgroup);
 

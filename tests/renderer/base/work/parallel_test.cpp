@@ -123,6 +123,17 @@ TEST(Cores, AQuotaOfTimeIsWorthCores) {
   EXPECT_EQ(cgroup_cores(mount.path(), "user/job/step"), 1.5);
 }
 
+// The files' form: https://docs.kernel.org/scheduler/sched-bwc.html.
+TEST(Cores, AQuotaOfVersion1IsWorthCores) {
+  const test::TemporaryFolder mount;
+  mount.write("cpu.cfs_quota_us", "-1\n");
+  mount.write("cpu.cfs_period_us", "100000\n");
+  EXPECT_FALSE(cgroup_cores(mount.path(), ""));
+  mount.write("job/cpu.cfs_quota_us", "20000\n");
+  mount.write("job/cpu.cfs_period_us", "10000\n");
+  EXPECT_EQ(cgroup_cores(mount.path(), "job/step"), 2.0);
+}
+
 TEST(Cores, AreThoseOfTheAffinity) {
   cpu_set_t before;
   ASSERT_EQ(::sched_getaffinity(0, sizeof before, &before), 0);
