@@ -166,20 +166,21 @@ std::optional<std::string> TracedScene::warning_of_lights_without_size() const {
 }
 
 std::optional<std::string> TracedScene::warning_of_lights_met_by_chance() const {
-  bool has_glass = false;
-  bool is_rough = false;
+  if (std::ranges::none_of(objects, &TracedObject::refracts)) {
+    return std::nullopt;
+  }
+  const bool is_rough = std::ranges::any_of(objects, [&](const TracedObject& object) {
+    const Material& material = material_of(scene, *object.view.mesh);
+    return object.refracts && is_rough_glass(material.ior, material.roughness);
+  });
   std::ptrdiff_t lights_met = 0;
   for (std::uint32_t i = 0; i < objects.size(); ++i) {
-    const Material& material = material_of(scene, *objects[i].view.mesh);
-    has_glass = has_glass || objects[i].refracts;
-    is_rough =
-        is_rough || (objects[i].refracts && is_rough_glass(material.ior, material.roughness));
     lights_met += is_small_lamp(objects[i], scene, i) ? 1 : 0;
   }
   lights_met += std::ranges::count_if(
       scene.lights, [&](const PunctualLight& light) { return is_met_by_chance(light, is_rough); });
   lights_met += is_rough && lights.has_bright_spots() ? 1 : 0;
-  if (!has_glass || lights_met == 0) {
+  if (lights_met == 0) {
     return std::nullopt;
   }
   return fmt::format(
