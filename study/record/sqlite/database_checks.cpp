@@ -15,6 +15,7 @@
 #include "study/record/schema.h"
 #include "study/record/setup/simulated_part.h"
 #include "study/record/sqlite/damage_remedy.h"
+#include "study/record/sqlite/database.h"
 #include "study/record/sqlite/open_file.h"
 
 namespace fs = std::filesystem;
@@ -86,7 +87,7 @@ bool have_free_pages_content(const OpenFile& file, const Header& header) {
 
 /// With a log beside it, the file's own pages are those of another moment.
 bool has_write_ahead_log(SQLite::Database& database) {
-  return fs::exists(fmt::format("{}-wal", ::sqlite3_db_filename(database.getHandle(), "main")));
+  return has_log(::sqlite3_db_filename(database.getHandle(), "main"));
 }
 
 struct SchemaObject {
