@@ -47,8 +47,8 @@ struct FittedModel {
   std::string method;
   std::string reference;
   EffectScale scale = EffectScale::ratio;
-  std::string
-      status;  ///< "fitted", "separated", "singular" or "failed"; the latter two lack a fit.
+  /// "fitted", "separated", "singular" or "failed"; the latter two lack a fit.
+  std::string status;
   /// The estimates, as the scale is computed.
   struct Fit {
     double estimate = 0.0;  ///< Infinite if the methods' ratings are separated.

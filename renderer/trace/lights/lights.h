@@ -121,7 +121,7 @@ class Lights {
     return local_.may_hit_sphere(origin, direction);
   }
   /// Calls visit(PunctualLights::SphereHit) for the spheres on a ray from the shading point, with
-  /// the density of sample(), whatever else the ray hits.
+  /// the density of sample(), also for those behind other hits.
   template <typename Visit>
   void visit_spheres(const ShadingPoint& shading_point, const Ray& ray, const Visit& visit) const {
     local_.visit_spheres(shading_point, ray, learned_.kinds(shading_point.region).local,
